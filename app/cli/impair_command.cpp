@@ -5,7 +5,7 @@
 #include "app/common/options.h"
 #include "app/common/output.h"
 #include "app/common/process.h"
-#include "core/link/impairer.h"
+#include "core/engine/headless/relay_report.h"
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QElapsedTimer>
@@ -15,6 +15,8 @@
 namespace skyseal::app {
 
 namespace {
+
+using Direction = link::Impairer::Direction;
 
 void declare(Options &options)
 {
@@ -55,31 +57,35 @@ impair::Settings readSettings(Options &options)
 
 std::string summaryText(const link::Impairer &impairer)
 {
-    const auto direction = [&impairer](const char *arrow, link::Impairer::Direction which) {
+    const auto direction = [&impairer](const char *arrow, Direction which) {
         const impair::Counters counters = impairer.totals(which).counters;
         const auto count = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
         return format("%s %llu in, %llu out, %llu lost, %llu twice, %llu damaged", arrow, count(counters.offered),
                       count(counters.delivered), count(counters.lost + counters.queueFull), count(counters.duplicated),
                       count(counters.corrupted));
     };
-    return direction("->", link::Impairer::Direction::Forward) + "; " + direction("<-", link::Impairer::Direction::Backward);
+    return direction("->", Direction::Forward) + "; " + direction("<-", Direction::Backward);
 }
 
 using Elapsed = std::function<std::chrono::milliseconds()>;
 
-void logDatagrams(link::Impairer &impairer, bool all, const Elapsed &elapsed)
+enum class LogLevel : std::uint8_t { None, Drops, All };
+
+/// Keeps the account of all datagrams, and prints a line for those that the level selects.
+void logDatagrams(link::Impairer &impairer, engine::RelayAccount &account, LogLevel level, const Elapsed &elapsed)
 {
-    using Direction = link::Impairer::Direction;
     impairer.setLog(
-        [all, elapsed](Direction direction, TimePoint, const impair::Verdict &verdict, const link::DatagramContents &contents) {
-            if (all)
-                printLine(link::arrivalJson(direction, elapsed(), verdict, contents));
-            else if (verdict.dropped())
-                printLine(link::dropJson(direction, elapsed(), verdict));
+        [&account, level, elapsed](Direction direction, TimePoint, const impair::Verdict &verdict, ByteView datagram) {
+            const engine::DatagramContents contents = engine::contentsOf(datagram);
+            account[static_cast<std::size_t>(direction)].add(verdict, contents);
+            if (level == LogLevel::All)
+                printLine(engine::arrivalJson(direction, elapsed(), verdict, contents));
+            else if (level == LogLevel::Drops && verdict.dropped())
+                printLine(engine::dropJson(direction, elapsed(), verdict));
         });
-    if (all) {
+    if (level == LogLevel::All) {
         impairer.setDeliveryLog([elapsed](Direction direction, TimePoint, std::uint64_t sequence) {
-            printLine(link::deliveryJson(direction, elapsed(), sequence));
+            printLine(engine::deliveryJson(direction, elapsed(), sequence));
         });
     }
 }
@@ -102,13 +108,15 @@ int runImpair(const QStringList &arguments)
         return *status;
 
     const bool json = options.has("json");
+    engine::RelayAccount account;
     link::Impairer impairer(*listen, *to, settings);
     QElapsedTimer clock;
     clock.start();
     const auto elapsed = [&clock] { return std::chrono::milliseconds(clock.elapsed()); };
-    const auto report = [&](const char *event) { printLine(link::statsJson(event, impairer, elapsed())); };
-    if (json && (options.has("drops") || options.has("datagrams")))
-        logDatagrams(impairer, options.has("datagrams"), elapsed);
+    const auto report = [&](const char *event) { printLine(engine::statsJson(event, impairer, account, elapsed())); };
+    const LogLevel level = options.has("datagrams") ? LogLevel::All : options.has("drops") ? LogLevel::Drops : LogLevel::None;
+    if (json)
+        logDatagrams(impairer, account, level, elapsed);
     int status = kDone;
     QObject::connect(&impairer, &link::Impairer::linkStateChanged, qApp, [&](link::Link &link) {
         if (link.state() == link::LinkState::Failed) {

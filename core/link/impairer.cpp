@@ -1,6 +1,6 @@
 #include "core/link/impairer.h"
 
-#include "core/base/json_writer.h"
+#include "core/link/make_link.h"
 #include "core/link/steady_now.h"
 
 namespace skyseal::link {
@@ -74,17 +74,9 @@ void Impairer::linkReceived(Link &link, std::span<const ReceivedBlock> blocks)
 
 void Impairer::take(const ReceivedBlock &block, Direction direction, Side &target)
 {
-    const DatagramContents contents = contentsOf(block.bytes);
     const impair::Verdict verdict = target.outgoing.push(block.time, block.bytes);
-    if (verdict.dropped()) {
-        target.totals.droppedRecords += contents.sealedUnits();
-        target.totals.droppedFrames += contents.clearFrames();
-    } else if (verdict.duplicated) {
-        target.totals.duplicatedRecords += contents.sealedUnits();
-        target.totals.duplicatedFrames += contents.clearFrames();
-    }
     if (m_log)
-        m_log(direction, block.time, verdict, contents);
+        m_log(direction, block.time, verdict, block.bytes);
 }
 
 void Impairer::release()
@@ -105,97 +97,6 @@ void Impairer::release()
         m_timer.stop();
     else
         m_timer.start(std::chrono::ceil<std::chrono::milliseconds>(std::max(next - now, Duration(0))));
-}
-
-const char *name(Impairer::Direction direction)
-{
-    return direction == Impairer::Direction::Forward ? "forward" : "backward";
-}
-
-static void writeTotals(JsonWriter &json, const Impairer::Totals &totals)
-{
-    const impair::Counters &c = totals.counters;
-    json.beginObject()
-        .field("offered", c.offered)
-        .field("offered_bytes", c.offeredBytes)
-        .field("dropped", c.dropped())
-        .field("lost", c.lost)
-        .field("queue_full", c.queueFull)
-        .field("duplicated", c.duplicated)
-        .field("held_back", c.heldBack)
-        .field("corrupted", c.corrupted)
-        .field("delivered", c.delivered)
-        .field("delivered_bytes", c.deliveredBytes)
-        .field("out_of_order", c.outOfOrder)
-        .field("waiting", c.waiting)
-        .field("unroutable", totals.unroutable)
-        .field("dropped_records", totals.droppedRecords)
-        .field("dropped_frames", totals.droppedFrames)
-        .field("duplicated_records", totals.duplicatedRecords)
-        .field("duplicated_frames", totals.duplicatedFrames)
-        .endObject();
-}
-
-std::string statsJson(const char *event, const Impairer &impairer, Duration sinceStart)
-{
-    JsonWriter json;
-    json.beginObject().field("event", event).field("t", seconds(sinceStart));
-    for (const auto direction : {Impairer::Direction::Forward, Impairer::Direction::Backward}) {
-        json.key(name(direction));
-        writeTotals(json, impairer.totals(direction));
-    }
-    json.endObject();
-    return json.text();
-}
-
-static JsonWriter begin(const char *event, Impairer::Direction direction, Duration sinceStart, std::uint64_t sequence)
-{
-    JsonWriter json;
-    json.beginObject().field("event", event).field("t", seconds(sinceStart));
-    json.field("direction", name(direction)).field("sequence", sequence);
-    return json;
-}
-
-std::string dropJson(Impairer::Direction direction, Duration sinceStart, const impair::Verdict &verdict)
-{
-    JsonWriter json = begin("drop", direction, sinceStart, verdict.sequence);
-    json.field("bytes", static_cast<std::uint64_t>(verdict.bytes))
-        .field("reason", verdict.fate == impair::Verdict::Fate::Lost ? "loss" : "queue")
-        .endObject();
-    return json.text();
-}
-
-std::string arrivalJson(Impairer::Direction direction, Duration sinceStart, const impair::Verdict &verdict,
-                        const DatagramContents &contents)
-{
-    using Fate = impair::Verdict::Fate;
-    JsonWriter json = begin("in", direction, sinceStart, verdict.sequence);
-    json.field("bytes", static_cast<std::uint64_t>(verdict.bytes));
-    json.field("fate", verdict.fate == Fate::Passed ? "passed" : verdict.fate == Fate::Lost ? "lost" : "queue_full");
-    json.field("duplicated", verdict.duplicated).field("held_back", verdict.heldBack).field("corrupted", verdict.corrupted);
-    json.key("counters").beginArray();
-    for (const std::uint32_t counter : contents.counters)
-        json.value(counter);
-    json.endArray();
-    if (contents.connection)
-        json.field("connection", std::uint32_t{*contents.connection});
-    if (contents.epoch)
-        json.field("epoch", std::uint32_t{*contents.epoch});
-    json.key("frames").beginArray();
-    for (const DatagramContents::Frame &frame : contents.frames) {
-        json.beginArray();
-        json.value(std::uint64_t{frame.system}).value(std::uint64_t{frame.component}).value(std::uint64_t{frame.sequence});
-        json.endArray();
-    }
-    json.endArray().endObject();
-    return json.text();
-}
-
-std::string deliveryJson(Impairer::Direction direction, Duration sinceStart, std::uint64_t sequence)
-{
-    JsonWriter json = begin("out", direction, sinceStart, sequence);
-    json.endObject();
-    return json.text();
 }
 
 } // namespace skyseal::link

@@ -4,8 +4,7 @@
 #pragma once
 
 #include "core/impair/impairment.h"
-#include "core/link/datagram_contents.h"
-#include "core/link/make_link.h"
+#include "core/link/link.h"
 
 #include <QtCore/QTimer>
 
@@ -33,15 +32,11 @@ public:
     {
         impair::Counters counters;
         std::uint64_t unroutable = 0; ///< arrived before the other side had a peer; not part of `counters`
-        /// Contents of datagrams that were dropped or duplicated: sealed units (records and frames sealed in place, without
-        /// handshakes) and clear MAVLink frames. A receiver must miss exactly these.
-        std::uint64_t droppedRecords = 0, droppedFrames = 0;
-        std::uint64_t duplicatedRecords = 0, duplicatedFrames = 0;
     };
     Totals totals(Direction direction) const;
 
-    /// Receives the arrival time, verdict and contents of a datagram.
-    using Log = std::function<void(Direction, TimePoint, const impair::Verdict &, const DatagramContents &)>;
+    /// Receives the arrival time and verdict of a datagram, and its bytes as they arrived.
+    using Log = std::function<void(Direction, TimePoint, const impair::Verdict &, ByteView datagram)>;
     /// `log` is called for every datagram that arrives; may be empty.
     void setLog(Log log) { m_log = std::move(log); }
     /// Called for every copy that is sent; `sequence` is that of its verdict.
@@ -73,19 +68,5 @@ private:
     Log m_log;
     DeliveryLog m_deliveryLog;
 };
-
-/// "forward" or "backward".
-const char *name(Impairer::Direction direction);
-
-/// One JSON object: {"event":EVENT,"t":…,"forward":{…},"backward":{…}}, t in seconds since `start`.
-std::string statsJson(const char *event, const Impairer &impairer, Duration sinceStart);
-/// {"event":"drop","t":…,"direction":…,"sequence":…,"bytes":…,"reason":"loss"|"queue"}
-std::string dropJson(Impairer::Direction direction, Duration sinceStart, const impair::Verdict &verdict);
-/// {"event":"in","t":…,"direction":…,"sequence":…,"bytes":…,"fate":"passed"|"lost"|"queue_full","duplicated":…,
-/// "held_back":…,"corrupted":…,"counters":[…] (sealed units),"connection":… (of a record),"epoch":… (low bits),"frames":[[system,component,sequence],…]}
-std::string arrivalJson(Impairer::Direction direction, Duration sinceStart, const impair::Verdict &verdict,
-                        const DatagramContents &contents);
-/// {"event":"out","t":…,"direction":…,"sequence":…}
-std::string deliveryJson(Impairer::Direction direction, Duration sinceStart, std::uint64_t sequence);
 
 } // namespace skyseal::link

@@ -6,20 +6,20 @@ namespace skyseal::link {
 
 struct LinkTraits
 {
-    /// Blocks are pieces of a byte stream (tcp, tcpin, serial); otherwise each block is one datagram or one recorded frame.
+    /// Blocks are pieces of a byte stream; otherwise each block is one datagram or one recorded frame.
     bool isStream = false;
-    /// There is exactly one remote end (udpout, tcp, serial), so a block needs no destination address.
+    /// There is exactly one remote end, so a block needs no destination address.
     bool hasOneRemote = false;
-    /// Binds a local port and waits for peers (udpin, tcpin).
+    /// Binds a local port and waits for peers.
     bool isListening = false;
-    /// Replays a file (tlog): nothing that is sent leaves the program, and received frames belong to the past.
+    /// Replays a file: nothing that is sent leaves the program, and received frames belong to the past.
     bool isRecording = false;
     /// A serial line at the speed of a telemetry radio: frames should be coalesced before they are sealed.
     bool isSlow = false;
 
-    /// Sends datagrams to one address (udpout). The remote end learns the local address from the first of them.
+    /// Sends datagrams to one address. The remote end learns the local address from the first of them.
     constexpr bool isDatagramClient() const { return hasOneRemote && !isStream; }
-    /// Receives datagrams on a bound port (udpin); the remote addresses are those of the senders.
+    /// Receives datagrams on a bound port; the remote addresses are those of the senders.
     constexpr bool isDatagramServer() const { return isListening && !isStream; }
 
     bool operator==(const LinkTraits &) const = default;

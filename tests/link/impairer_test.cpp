@@ -23,7 +23,6 @@ private Q_SLOTS:
     void sameSeedDropsTheSame();
     void relaysTcp();
     void blocksWithoutAPeerAreNotOffered();
-    void jsonHasItsFields();
 
 private:
     struct Setup
@@ -32,8 +31,9 @@ private:
             : station(openLink("udpin:127.0.0.1:0", stationHeard)),
               relay(*LinkUrl::parse("udpin:127.0.0.1:0"), *LinkUrl::parse("udpout:" + station->localAddress()), settings)
         {
-            relay.setLog([this](Impairer::Direction direction, TimePoint, const impair::Verdict &verdict,
-                                const DatagramContents &) { verdicts[direction].push_back(verdict); });
+            relay.setLog([this](Impairer::Direction direction, TimePoint, const impair::Verdict &verdict, ByteView) {
+                verdicts[direction].push_back(verdict);
+            });
             relay.open();
             agent = openLink("udpout:" + relay.listenLink().localAddress(), agentHeard);
         }
@@ -174,19 +174,6 @@ void ImpairerTest::blocksWithoutAPeerAreNotOffered()
     setup.station->flush();
     EVENTUALLY_EQUAL(setup.relay.totals(Impairer::Direction::Backward).unroutable, std::uint64_t(1));
     QCOMPARE(setup.relay.totals(Impairer::Direction::Backward).counters.offered, std::uint64_t(0));
-}
-
-void ImpairerTest::jsonHasItsFields()
-{
-    Setup setup{{}};
-    QCOMPARE(statsJson("summary", setup.relay, milliseconds(1500)).substr(0, 49),
-             std::string(R"({"event":"summary","t":1.5,"forward":{"offered":0)"));
-    impair::Verdict verdict;
-    verdict.sequence = 7;
-    verdict.bytes = 50;
-    verdict.fate = impair::Verdict::Fate::Lost;
-    QCOMPARE(dropJson(Impairer::Direction::Backward, milliseconds(250), verdict),
-             std::string(R"({"event":"drop","t":0.25,"direction":"backward","sequence":7,"bytes":50,"reason":"loss"})"));
 }
 
 SKYSEAL_TEST(ImpairerTest)

@@ -1,6 +1,6 @@
 // Reads the parts of a datagram that are visible without keys: the number of sealed units and the headers of MAVLink frames.
-// The relay counts its drops with it, so that tests compare the counters of both ends with an independent account. Follows
-// PROTOCOL.md 2 (records) and 12 (frames sealed in place), and the packet formats of the MAVLink guide.
+// The report of a relay counts its drops with it, so that tests compare the counters of both ends with an independent account.
+// Follows PROTOCOL.md 2 (records) and 12 (frames sealed in place), and the packet formats of the MAVLink guide.
 #pragma once
 
 #include "core/base/bytes.h"
@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace skyseal::link {
+namespace skyseal::engine {
 
 struct DatagramContents
 {
@@ -36,4 +36,4 @@ struct DatagramContents
 /// Follows the length fields from frame to frame and stops at the first byte that begins no frame.
 DatagramContents contentsOf(ByteView datagram);
 
-} // namespace skyseal::link
+} // namespace skyseal::engine

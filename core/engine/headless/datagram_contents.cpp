@@ -1,26 +1,19 @@
-#include "core/link/datagram_contents.h"
+#include "core/engine/headless/datagram_contents.h"
 
 #include "core/channel/inline_frame.h"
 #include "core/channel/record.h"
+#include "core/mavlink/frame_reader.h"
 
 #include <algorithm>
 
-namespace skyseal::link {
+namespace skyseal::engine {
 
 namespace {
 
-constexpr std::uint8_t kMagic1 = 0xfe, kMagic2 = 0xfd;
-constexpr std::size_t kHeader1 = 6, kHeader2 = 10, kChecksum = 2;
-constexpr std::uint8_t kIsSigned = 0x01;
-
-/// The length of the frame at the front of `bytes`; 0 when there is none or it is truncated.
-std::size_t frameLength(ByteView bytes)
+/// The length of the frame at the front of `bytes`; 0 if there is none or it is truncated.
+std::size_t wholeFrameLength(ByteView bytes)
 {
-    std::size_t length = 0;
-    if (bytes.size() > kHeader1 && bytes[0] == kMagic1)
-        length = kHeader1 + bytes[1] + kChecksum;
-    else if (bytes.size() > kHeader2 && bytes[0] == kMagic2)
-        length = kHeader2 + bytes[1] + kChecksum + ((bytes[2] & kIsSigned) != 0 ? channel::kInlineTrailer : 0);
+    const std::size_t length = mavlink::frameLength(bytes);
     return length <= bytes.size() ? length : 0;
 }
 
@@ -41,8 +34,8 @@ DatagramContents contentsOf(ByteView datagram)
         out.counters.push_back(record->counter);
         return out;
     }
-    while (const std::size_t length = frameLength(datagram)) {
-        if (datagram[0] == kMagic1)
+    while (const std::size_t length = wholeFrameLength(datagram)) {
+        if (datagram[0] == mavlink::kMagic1)
             out.frames.push_back({datagram[3], datagram[4], datagram[2], false});
         else
             out.frames.push_back({datagram[5], datagram[6], datagram[4], datagram[2] == channel::kInlineFlags});
@@ -56,4 +49,4 @@ DatagramContents contentsOf(ByteView datagram)
     return out;
 }
 
-} // namespace skyseal::link
+} // namespace skyseal::engine
