@@ -4,8 +4,6 @@
 // 15 to 255, in the next two half bytes, low half first. 0 is unused.
 #pragma once
 
-#include "core/base/bytes.h"
-
 #include <array>
 #include <cstddef>
 #include <cstdint>

@@ -2,7 +2,6 @@
 
 #include "core/vehicle/flight_modes.h"
 #include "core/vehicle/message_io.h"
-#include "core/vehicle/result_text.h"
 
 #include <cmath>
 

@@ -5,6 +5,7 @@
 #include "core/engine/station/snapshot.h"
 #include "core/keys/peers_file.h"
 #include "core/keys/secret_file.h"
+#include "core/link/make_link.h"
 #include "core/mavlink/stream_parser.h"
 
 namespace skyseal::test {

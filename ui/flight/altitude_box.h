@@ -1,7 +1,6 @@
 // Input of a take-off height in the operator's unit; the value is in metres.
 #pragma once
 
-#include "ui/settings.h"
 #include "ui/text/units.h"
 
 #include <QtWidgets/QDoubleSpinBox>

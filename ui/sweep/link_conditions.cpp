@@ -2,7 +2,6 @@
 
 #include "ui/theme/form_pieces.h"
 #include "ui/sweep/sweep_labels.h"
-#include "ui/text/state_text.h"
 #include "ui/theme/grid.h"
 
 #include <QtWidgets/QCheckBox>

@@ -1,6 +1,7 @@
 #include "core/engine/common/link_pool.h"
 
 #include "core/link/address_text.h"
+#include "core/link/make_link.h"
 
 #include <algorithm>
 #include <utility>

@@ -4,7 +4,7 @@
 
 #include "core/engine/common/carrier_writer.h"
 #include "core/engine/common/link_snapshot.h"
-#include "core/link/make_link.h"
+#include "core/link/link.h"
 #include "core/metrics/rate_meter.h"
 
 #include <functional>
