@@ -32,7 +32,7 @@ public:
 
     /// Adds a link by its URL. Fails if the URL is invalid; the snapshot shows whether the link opens.
     virtual Result<LinkId, InputError> addLink(const std::string &url) = 0;
-    /// Adds a listen-only link for a stream of MAVSec's published code, which is insecure. Fails also if its key cannot be read.
+    /// Adds a listen-only link for a stream of MAVSec's published code, which is insecure. Fails if its key cannot be read.
     virtual Result<LinkId, InputError> addMavsecLink(const std::string &url, const engine::MavsecSettings &settings) = 0;
     virtual void removeLink(LinkId link) = 0;
     virtual void switchSuite(channel::SessionId session, crypto::SuiteId suite) = 0;

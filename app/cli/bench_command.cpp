@@ -171,8 +171,8 @@ int runBench(const QStringList &arguments)
     }
     if (!plan.json && ok && here)
         printOwnText(
-            "\ncipher: the library's cipher alone; bare: the library's cipher and authentication; suite: as implemented here; record: "
-            "a complete record\nof a session; x: record over bare. CPU time, the fastest of 15 rounds.");
+            "\ncipher: the library's cipher alone; bare: the library's cipher and authentication; suite: as implemented here; "
+            "record: a complete record\nof a session; x: record over bare. CPU time, the fastest of 15 rounds.");
     return ok ? kDone : kNotReached;
 }
 

@@ -28,8 +28,8 @@ public:
             static_cast<void>(m_pool.release());
     }
 
-    /// Calls `work` in the thread, after all earlier work, and then `done` with its result in the thread of `context`, unless that
-    /// was destroyed. `work` must own all that it uses.
+    /// Calls `work` in the thread, after all earlier work, and then `done` with its result in the thread of `context`, unless
+    /// that was destroyed. `work` must own all that it uses.
     template<typename Work, typename Done> void run(QObject *context, Work work, Done done)
     {
         using Outcome = std::invoke_result_t<Work>;

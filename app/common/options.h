@@ -30,8 +30,8 @@ public:
     using LinkFilter = bool (*)(const link::LinkTraits &);
     void addLink(const char *name, const char *help, LinkFilter accepted = nullptr, const char *preset = "");
     void addArgument(const char *name, const char *help);
-    /// The same for options that exist for comparison only. A build without research does not know them (core/base/research.h): for
-    /// it, has() is false and text() the preset.
+    /// The same for options that exist for comparison only. A build without research does not know them (core/base/research.h):
+    /// for it, has() is false and text() the preset.
     void addResearchFlag(const char *name, const char *help);
     void addResearchValue(const char *name, const char *placeholder, const char *help, const char *preset = "");
 

@@ -34,7 +34,7 @@ public:
         std::string callIt;       ///< name for the peer (see statusOf); empty = the name it claims
         bool replaces = false;    ///< with `expected`: replace a key known by that name
         bool decidesRole = false; ///< the agent's side: it decides the role of the peer
-        /// The granted role; if empty, a known peer keeps its role, and the user decides on a new one (with `expected`: observer).
+        /// The granted role; if empty, a known peer keeps its role, and the user decides on a new one (`expected`: observer).
         std::optional<channel::PeerRole> role;
         bool hasPassphrase = false; ///< then there is no code to compare
         bool showsFingerprints = false;

@@ -1,5 +1,5 @@
-// Reads the passphrase of a key file: from the terminal without echo, a file or an open descriptor. Never from the command line,
-// which every user of the machine can read.
+// Reads the passphrase of a key file: from the terminal without echo, a file or an open descriptor. Never from the command
+// line, which every user of the machine can read.
 #pragma once
 
 #include "app/common/options.h"

@@ -5,8 +5,8 @@
 
 namespace skyseal::app {
 
-/// Keeps the keys in memory from core files, and from other processes of the same user; reports once, on stderr, if they cannot be
-/// kept from the swap space. Call first in main(). To debug a program, start it under the debugger: attaching to it, and
+/// Keeps the keys in memory from core files, and from other processes of the same user; reports once, on stderr, if they cannot
+/// be kept from the swap space. Call first in main(). To debug a program, start it under the debugger: attaching to it, and
 /// reading its /proc files, takes CAP_SYS_PTRACE.
 void protectKeysInMemory();
 

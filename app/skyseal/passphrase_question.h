@@ -1,5 +1,5 @@
-// Provides the passphrase of a sealed key to the reader of key files: from the desktop's keyring if it is stored there, otherwise
-// from the operator.
+// Provides the passphrase of a sealed key to the reader of key files: from the desktop's keyring if it is stored there,
+// otherwise from the operator.
 #pragma once
 
 #include "app/skyseal/passphrase_memory.h"
@@ -16,8 +16,8 @@ public:
     /// `memory` must outlive this.
     explicit PassphraseQuestion(PassphraseMemory &memory) : m_memory(memory) {}
 
-    /// Returns a function that asks until the file opens or the operator cancels. It blocks on the GUI thread and must not outlive
-    /// this.
+    /// Returns a function that asks until the file opens or the operator cancels. It blocks on the GUI thread and must not
+    /// outlive this.
     keys::AskPassphrase ask();
     /// True if the operator cancelled.
     bool declined() const { return m_declined; }

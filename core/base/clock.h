@@ -1,5 +1,5 @@
-// Time as the protocol classes see it: passed in by the caller, so that a simulated clock can run hours in milliseconds. Nothing
-// below core/link asks the operating system for the time.
+// Time as the protocol classes see it: passed in by the caller, so that a simulated clock can run hours in milliseconds.
+// Nothing below core/link asks the operating system for the time.
 #pragma once
 
 #include <chrono>

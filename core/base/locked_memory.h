@@ -17,8 +17,8 @@ namespace skyseal {
 /// reportLockFailure(). Thread-safe.
 void lockPages(const void *begin, std::size_t size) noexcept;
 
-/// Sets the function to call once, on any thread, if pages could not be locked; at once if that has happened already. `error`: an
-/// errno.
+/// Sets the function to call once, on any thread, if pages could not be locked; at once if that has happened already. `error`:
+/// an errno.
 void reportLockFailure(void (*report)(int error)) noexcept;
 
 inline void lockInMemory(const void *begin, std::size_t size) noexcept

@@ -37,8 +37,8 @@ public:
         m_slots[m_last].newest = position;
     }
 
-    /// A newer record arrived `limit` before `now`, or earlier. The answer may be true up to a sixteenth of the limit too early,
-    /// and is never false too late.
+    /// A newer record arrived `limit` before `now`, or earlier. The answer may be true up to a sixteenth of the limit too
+    /// early, and is never false too late.
     bool overtaken(TimePoint now, RecordPosition position) const
     {
         if (position >= m_slots[m_last].newest) // Spares nearly every record the search.

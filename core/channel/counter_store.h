@@ -27,7 +27,7 @@ public:
     }
     /// Returns the greatest counter accepted from `peer`, 0 if there is none.
     virtual std::uint64_t lastSeen(const PublicKey &peer) = 0;
-    /// Keeps the counter, over restarts as soon as it is stored. Returns false on failure; the endpoint then refuses the session.
+    /// Keeps the counter, over restarts as soon as it is stored. If it returns false, the endpoint refuses the session.
     virtual bool remember(const PublicKey &peer, std::uint64_t counter) = 0;
     /// Returns why the counters are not stored at present, for people; empty if they are. An agent reports it to its stations.
     virtual std::string problem() const { return {}; }

@@ -58,8 +58,8 @@ public:
 
     /// Begins epoch 0. Without effect if this machine lacks the cipher.
     void begin(crypto::SuiteId suite);
-    /// Derives the keys of the epoch after the current one, in place of one prepared before. Returns false, and changes nothing,
-    /// if this machine lacks the cipher.
+    /// Derives the keys of the epoch after the current one, in place of one prepared before. Returns false, and changes
+    /// nothing, if this machine lacks the cipher.
     bool prepareNext(crypto::SuiteId suite, const SwitchSecret &exchanged);
     void dropNext();
     /// The next epoch becomes the current one and the current one the previous; wipes the keys of the former previous one.

@@ -89,8 +89,8 @@ enum class RefusalReason : std::uint8_t {
     Flood, ///< many first messages: unknown senders must prove their address. At most once in ten seconds
 };
 
-/// Returns true if messages of senders that are not authenticated, or copies of old messages, lead to this refusal. Flood is not
-/// among them: it has a limit of its own.
+/// Returns true if messages of senders that are not authenticated, or copies of old messages, lead to this refusal. Flood is
+/// not among them: it has a limit of its own.
 bool isCausedByStrangers(RefusalReason reason);
 
 /// A refused handshake. At most one event a second and path, so that a flood cannot fill a log.

@@ -1,5 +1,5 @@
-// The time at which a station sealed frames, in front of them in the plaintext of its records (PROTOCOL.md, section 6): two bits
-// 1 0 and 22 bits of its session clock, in units of 1024 microseconds.
+// The time at which a station sealed frames, in front of them in the plaintext of its records (PROTOCOL.md, section 6): two
+// bits 1 0 and 22 bits of its session clock, in units of 1024 microseconds.
 #pragma once
 
 #include "core/base/bytes.h"
@@ -24,7 +24,7 @@ inline ByteView stampFrames(std::uint32_t stamp, ByteView frames, MutableByteVie
     return out.first(kFrameStampLength + frames.size());
 }
 
-/// The stamp in front of the frames in the plaintext of a record, in microseconds modulo 2^32, rounded down; nullopt without one.
+/// The stamp in front of the frames in the plaintext of a record: microseconds modulo 2^32, rounded down; nullopt without.
 inline std::optional<std::uint32_t> frameStamp(ByteView plaintext)
 {
     if (plaintext.size() < kFrameStampLength || (plaintext[0] & 0xc0) != 0x80)

@@ -16,8 +16,8 @@ constexpr std::size_t kChecksum = 2;
 
 using Hidden = std::array<std::uint8_t, 255>;
 
-/// Returns the traits of the message if the bytes are one MAVLink 2 frame with these flags and `trailer` bytes after it, and its
-/// checksum is right.
+/// Returns the traits of the message if the bytes are one MAVLink 2 frame with these flags and `trailer` bytes after it, and
+/// its checksum is right.
 std::optional<MessageTraits::Message> traitsOf(ByteView bytes, std::uint8_t flags, std::size_t trailer,
                                                const MessageTraits &traits)
 {

@@ -60,8 +60,8 @@ private:
     std::uint8_t m_second = kNone;
 };
 
-/// A plain frame that can be sealed in place: MAVLink 2, without incompatibility flags (so not signed), of a known message, with
-/// a right checksum. A view: valid as long as its bytes.
+/// A plain frame that can be sealed in place: MAVLink 2, without incompatibility flags (so not signed), of a known message,
+/// with a right checksum. A view: valid as long as its bytes.
 class SealableFrame
 {
 public:
@@ -87,8 +87,8 @@ private:
 class InlineFrame
 {
 public:
-    /// Returns nullopt unless the bytes are exactly one such frame: flags 0x81, the length in its header, a known message, a right
-    /// checksum, a counter within the limit.
+    /// Returns nullopt unless the bytes are exactly one such frame: flags 0x81, the length in its header, a known message, a
+    /// right checksum, a counter within the limit.
     static std::optional<InlineFrame> read(MutableByteView frame, const MessageTraits &traits);
 
     std::uint8_t epochByte() const { return m_bytes[m_bytes.size() - kInlineTrailer]; }

@@ -10,8 +10,8 @@
 //
 // Only the proposer decides. It commits when it receives the Accept, and gives up after switchConfirm; it never sends under an
 // epoch that it gave up. The answerer learns the decision from a record under the next epoch (committed) or a newer proposal
-// (given up). Until then it keeps the prepared keys, also after it has notified its owner of the failure. Therefore every record
-// can be opened, whatever is lost.
+// (given up). Until then it keeps the prepared keys, also after it has notified its owner of the failure. Therefore every
+// record can be opened, whatever is lost.
 #pragma once
 
 #include "core/channel/control.h"

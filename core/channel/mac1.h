@@ -23,8 +23,8 @@ private:
     std::array<std::uint8_t, 32> m_key;
 };
 
-/// An agent's announcement: a random nonce and a MAC keyed by the agent's public key. Without that key, two announcements cannot
-/// be related to each other. It is as long as the first message that answers it.
+/// An agent's announcement: a random nonce and a MAC keyed by the agent's public key. Without that key, two announcements
+/// cannot be related to each other. It is as long as the first message that answers it.
 class Announcement
 {
 public:

@@ -106,7 +106,7 @@ std::optional<PairingConfirmation> PairingAgent::handleOpening(TimePoint now, co
         return std::nullopt;
     const PairingHandshake &handshake = found->handshake;
     const auto opening = found->handshake.takeOpening(datagram);
-    // A right passphrase with a key that cannot be shown counts like a wrong one: any difference would confirm a guess for free.
+    // A right passphrase with a key that cannot be shown counts like a wrong one: a difference would confirm a guess for free.
     const bool isShowable = opening && opening->key != m_core.config.identity->publicKey;
     auto voice = isShowable ? handshake.finish() : std::nullopt;
     if (!voice) {

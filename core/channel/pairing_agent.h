@@ -1,6 +1,6 @@
-// The agent's part of a pairing handshake (PROTOCOL.md, section 13): it calls while its window is open, and answers stations that
-// received a call. A station guesses the passphrase by its opening. So a guess leaves no trace but its counted outcome, and after
-// the first right opening no other one is tested.
+// The agent's part of a pairing handshake (PROTOCOL.md, section 13): it calls while its window is open, and answers stations
+// that received a call. A station guesses the passphrase by its opening. So a guess leaves no trace but its counted outcome,
+// and after the first right opening no other one is tested.
 #pragma once
 
 #include "core/channel/handshake_limit.h"

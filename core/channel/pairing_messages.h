@@ -58,8 +58,8 @@ struct PairingOpening
 /// Binds the agent to its opening, and hides it.
 Commitment commitmentTo(const PairingOpening::Bytes &opening);
 
-/// The six digits that people compare, "123 456". At each end, a man in the middle is bound to his nonce before he knows the true
-/// one: two codes agree with a probability of 1 in 1,000,000.
+/// The six digits that people compare, "123 456". At each end, a man in the middle is bound to his nonce before he knows the
+/// true one: two codes agree with a probability of 1 in 1,000,000.
 std::string pairingCode(const PairingDatagram &first, const PairingAnswer &answer, const PairingOpening &station,
                         const PairingOpening &agent);
 

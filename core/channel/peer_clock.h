@@ -2,8 +2,8 @@
 //
 // A report of the peer echoes the stamp of one of ours: the peer's clock showed `peerStamp` after our clock showed the echoed
 // stamp, plus the time for which the peer held it. So whatever it sent later was sent later than that on our clock, too, by the
-// difference of its own stamps. The bound is greater than the true age by the time that our report needed on its way; nobody who
-// delays messages can make it smaller.
+// difference of its own stamps. The bound is greater than the true age by the time that our report needed on its way; nobody
+// who delays messages can make it smaller.
 #pragma once
 
 #include "core/base/clock.h"

@@ -5,7 +5,7 @@
 
 namespace skyseal::channel {
 
-/// One session of an endpoint. Not reused during the lifetime of the endpoint, and not changed by a new address, suite or epoch.
+/// One session of an endpoint. Not reused in the lifetime of the endpoint, and not changed by a new address, suite or epoch.
 enum class SessionId : std::uint32_t {};
 
 } // namespace skyseal::channel

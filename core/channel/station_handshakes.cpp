@@ -173,7 +173,7 @@ void StationHandshakes::handleCookie(TimePoint now, const Path &from, ByteView d
     sendTo(now, *attempt, place);
 }
 
-/// Returns the attempt whose first message the cookie answers, and the cookie; null if there is none, or too many cookies arrive.
+/// Returns the attempt whose first message the cookie answers, and the cookie; null if there is none or too many arrive.
 StationHandshakes::Attempt *StationHandshakes::attemptOfCookie(TimePoint now, const Path &from, ByteView datagram,
                                                                Cookie &cookie)
 {

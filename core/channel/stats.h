@@ -15,8 +15,8 @@ namespace skyseal::channel {
 /// Number of an epoch of one session, from 0. Records carry its two low bits.
 enum class Epoch : std::uint32_t {};
 
-/// The records of one direction, counted by the receiver. `lost` follows from gaps in the record counters; a record that arrives
-/// late moves from `lost` to `late`.
+/// The records of one direction, counted by the receiver. `lost` follows from gaps in the record counters; a record that
+/// arrives late moves from `lost` to `late`.
 struct ReceiveCounters
 {
     std::uint64_t good = 0;

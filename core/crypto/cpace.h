@@ -1,5 +1,5 @@
-// CPace, a password-authenticated key exchange (draft-irtf-cfrg-cpace, suite CPACE-RISTR255-SHA512, initiator-responder mode) by
-// libsodium. One attempt tests one passphrase, and what was recorded tests none. Without a passphrase it is a plain Diffie-Hellman.
+// CPace, a password-authenticated key exchange (draft-irtf-cfrg-cpace, suite CPACE-RISTR255-SHA512, initiator-responder mode)
+// by libsodium. One attempt tests one passphrase, a recording tests none. Without a passphrase it is a plain Diffie-Hellman.
 #pragma once
 
 #include "core/base/random_source.h"
@@ -43,7 +43,7 @@ public:
     static Cpace begin(Role role, const CpaceInputs &inputs, RandomSource &random);
 
     const CpaceShare &share() const { return m_share; }
-    /// The key of the exchange; `session` as in begin(). nullopt if the other end's share is invalid or the result is the identity.
+    /// The key of the exchange; `session` as in begin(). nullopt if the other share is invalid or the result is the identity.
     std::optional<CpaceKey> key(ByteView session, const CpaceMessage &initiator, const CpaceMessage &responder) const;
 
 private:

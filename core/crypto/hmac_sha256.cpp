@@ -4,9 +4,9 @@
 //   this code                                 0.72-0.90     0.63-0.72     0.98-0.99   1.03-1.09
 //   copied SHA256_CTX, library update, final  0.75-0.93     0.67-0.77     1.05-1.10   1.02-1.07
 //   copied crypto_auth_hmacsha256_state       2.3-3.0       2.1-2.3       2.7-3.1     2.5-2.8
-// libsodium's SHA-256 does not use the CPU's SHA instructions. With SHA256_Update and SHA256_Final the complete chacha20 record,
-// at 1.07 to 1.09 with this code, would be at the limit or above. OpenSSL deprecates SHA256_* in favor of EVP, whose contexts
-// cannot be copied without an allocation.
+// libsodium's SHA-256 does not use the CPU's SHA instructions. With SHA256_Update and SHA256_Final the complete chacha20
+// record, at 1.07 to 1.09 with this code, would be at the limit or above. OpenSSL deprecates SHA256_* in favor of EVP, whose
+// contexts cannot be copied without an allocation.
 #define OPENSSL_SUPPRESS_DEPRECATED
 #include "core/crypto/hmac_sha256.h"
 

@@ -34,7 +34,7 @@ enum class SuiteId : std::uint8_t {
 enum class SuiteStrength : std::uint8_t {
     None,           ///< not sealed
     Broken,         ///< a broken cipher with HMAC, for research
-    PaddedWithHmac, ///< encrypt-then-MAC with padding and a second key for the IV: the most that an implementation can get wrong
+    PaddedWithHmac, ///< encrypt-then-MAC with padding and a second key for the IV: offers the most room for errors
     CipherWithHmac, ///< encrypt-then-MAC, sound by the theorem for this composition, but composed here
     Aead,           ///< a construction that was standardised and studied as a whole
 };

@@ -1,5 +1,5 @@
-// Statistics of a sweep: a summary for each cell of the design, the significant differences between suites, and the noise of the
-// machine (A/A). Pure functions of the results. README.md describes the methods.
+// Statistics of a sweep: a summary for each cell of the design, the significant differences between suites, and the noise of
+// the machine (A/A). Pure functions of the results. README.md describes the methods.
 #pragma once
 
 #include "core/experiment/results.h"
@@ -10,8 +10,8 @@
 
 namespace skyseal::experiment {
 
-/// Compares two arms by one metric under one condition and load. The p value is corrected over all pairs of arms of that metric,
-/// condition and load. The repeated arm (A/A) is left out, and plain MAVLink where its value is zero by definition.
+/// Compares two arms by one metric under one condition and load. The p value is corrected over all pairs of arms of that
+/// metric, condition and load. The repeated arm (A/A) is left out, and plain MAVLink where its value is zero by definition.
 struct ArmComparison
 {
     std::size_t condition = 0, load = 0;
@@ -32,9 +32,9 @@ struct NoiseCheck
     bool differs() const { return comparison.significant(); }
 };
 
-/// Summarises the samples of a cell. There is no interval if the runs are not independent (MetricInfo::independent). No metric can
-/// be negative, so intervals are cut off at zero, and those of shares at one. If nothing was lost in any run, Student's t has no
-/// variance to use: the interval ends at boundOfNone() for all frames or records of these runs together.
+/// Summarises the samples of a cell. There is no interval if the runs are not independent (MetricInfo::independent). No metric
+/// can be negative, so intervals are cut off at zero, and those of shares at one. If nothing was lost in any run, Student's t
+/// has no variance to use: the interval ends at boundOfNone() for all frames or records of these runs together.
 Summary summaryOf(const Results &results, const Cell &cell, Metric metric);
 
 std::vector<ArmComparison> compareArms(const Results &results, std::size_t condition, std::size_t load, Metric metric);

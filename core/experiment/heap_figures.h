@@ -15,8 +15,8 @@ namespace skyseal::experiment {
 class HeapFigures
 {
 public:
-    /// Forks the child, which needs about 0.1 s for all suites and runs in parallel. To be called before there are threads, keys
-    /// or windows.
+    /// Forks the child, which needs about 0.1 s for all suites and runs in parallel. To be called before there are threads,
+    /// keys or windows.
     HeapFigures();
     ~HeapFigures();
     HeapFigures(const HeapFigures &) = delete;

@@ -16,9 +16,9 @@ constexpr const char *kStyle =
     "body{font-family:'DejaVu Sans',Verdana,sans-serif;font-size:14px;line-height:1.45;max-width:1180px;margin:2em auto;"
     "padding:0 1em;color:#111;background:#fff}h1{font-size:24px}h2{font-size:19px;margin-top:2em;border-bottom:1px solid #ccc}"
     "h3{font-size:15px}table{border-collapse:collapse;font-size:12px;margin:.6em 0}th,td{border:1px solid #ccc;padding:3px 7px;"
-    "text-align:right;white-space:nowrap}th:first-child,td:first-child{text-align:left}td.text{text-align:left;white-space:normal}"
-    "th{background:#f0f3f7}.insecure{color:#a33c10}.bad{color:#c00000;font-weight:bold}.wide{overflow-x:auto}"
-    "figure{margin:1em 0}svg{max-width:100%;height:auto}";
+    "text-align:right;white-space:nowrap}th:first-child,td:first-child{text-align:left}"
+    "td.text{text-align:left;white-space:normal}th{background:#f0f3f7}.insecure{color:#a33c10}"
+    ".bad{color:#c00000;font-weight:bold}.wide{overflow-x:auto}figure{margin:1em 0}svg{max-width:100%;height:auto}";
 
 std::string row(const std::vector<std::string> &cells, const char *tag = "td")
 {
@@ -109,9 +109,9 @@ std::string differences(const Results &results, std::size_t condition, std::size
     const auto &arms = results.plan.arms;
     if (std::any_of(arms.begin(), arms.end(), [](const SweepArm &arm) { return arm.suite == crypto::SuiteId::None; }))
         out +=
-            "<p>A comparison with none shows the whole cost of sealing: in plain MAVLink, too, the agent joins the frames of one wake-up "
-            "into one datagram. Besides the cipher, sealing adds a header and a tag to each record, look-up, replay window, "
-            "counters, and one report per second from each end.</p>\n";
+            "<p>A comparison with none shows the whole cost of sealing: in plain MAVLink, too, the agent joins the frames of "
+            "one wake-up into one datagram. Besides the cipher, sealing adds a header and a tag to each record, look-up, "
+            "replay window, counters, and one report per second from each end.</p>\n";
     return out;
 }
 
@@ -133,10 +133,10 @@ std::string intervalText(const NoiseCheck &noise)
 std::string criterion(std::size_t families)
 {
     if (families == 0)
-        return "No two suites were measured twice each under the same conditions, so no difference can be distinguished from noise: that "
-               "takes two runs or more of each.";
-    return "Two suites differ significantly by Welch's t test at 5 %, its p values corrected by Holm's method over all pairs of "
-           "one metric, link and load: of the "
+        return "No two suites were measured twice each under the same conditions, so no difference can be distinguished "
+               "from noise: that takes two runs or more of each.";
+    return "Two suites differ significantly by Welch's t test at 5 %, its p values corrected by Holm's method over all pairs "
+           "of one metric, link and load: of the "
         + std::to_string(families)
         + " such families of this sweep (sweep.json has them all) about one in twenty shows a difference by chance. Two frames "
           "in a run, and a step of the histogram in a percentile, are no difference. Where neither of two suites varies in "
@@ -160,11 +160,11 @@ std::string noiseTable(const Results &results)
     }
     if (rows.empty())
         return "<p>No suite was measured under two names, which takes two runs or more of each.</p>\n";
-    return "<p>One suite was measured under two names, so that what differs between the two is noise. The 95 % confidence interval "
-           "of the difference, in per cent of the mean, says how large a difference these runs could have missed: a smaller one "
-           "between two suites means nothing. \"As two suites\" is the criterion by which two suites differ above: this pair is "
-           "the only one of its metric, link and load, so its p stays as it is, and about one line in twenty differs by chance. "
-           "The last two columns are corrected by Holm's method over all "
+    return "<p>One suite was measured under two names, so that what differs between the two is noise. The 95 % confidence "
+           "interval of the difference, in per cent of the mean, says how large a difference these runs could have missed: a "
+           "smaller one between two suites means nothing. \"As two suites\" is the criterion by which two suites differ above: "
+           "this pair is the only one of its metric, link and load, so its p stays as it is, and about one line in twenty "
+           "differs by chance. The last two columns are corrected by Holm's method over all "
         + std::to_string(tests)
         + " A/A tests of the sweep (sweep.json has them all): together they say \"differs\" by chance in one sweep of twenty."
           "</p>\n<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
@@ -306,10 +306,10 @@ std::string body(const ReportParts &parts, bool inlineFigures)
         out += "<p class=\"bad\">" + escaped(failed) + "</p>\n";
     out += "<p>Means of " + runsText(results)
         + " each, in random order, ± half of the 95 % confidence interval (Student's t, from two runs on), or (≤ its end) "
-          "where it begins at zero, below which nothing can be; where nothing was lost in any run, that end is the 95 % bound by "
-          "all frames of these runs together, about 3 divided by their number; * marks outliers by Tukey's fences, which stay in. Resident "
-          "memory is that of one process through all suites: its runs are not independent, so it has no interval, and suites "
-          "are not compared by it.</p>\n<p>"
+          "where it begins at zero, below which nothing can be; where nothing was lost in any run, that end is the 95 % bound "
+          "by all frames of these runs together, about 3 divided by their number; * marks outliers by Tukey's fences, which "
+          "stay in. Resident memory is that of one process through all suites: its runs are not independent, so it has no "
+          "interval, and suites are not compared by it.</p>\n<p>"
         + criterion(familiesOf(results)) + "</p>\n<h2>Figures</h2>\n";
     out += inlineFigures ? inlined(parts.figures) : inPairs(parts.figures);
     // In the PDF each section begins a page, so that no table head is left alone at the bottom of one.

@@ -1,5 +1,5 @@
-// The far end of a sweep without a given link: a simulated vehicle, the real agent and, for an impaired link, a relay. Each is a
-// separate process, with fresh keys in a temporary folder, so that the measured process contains none of them. Lives on the
+// The far end of a sweep without a given link: a simulated vehicle, the real agent and, for an impaired link, a relay. Each is
+// a separate process, with fresh keys in a temporary folder, so that the measured process contains none of them. Lives on the
 // thread of its owner.
 #pragma once
 
@@ -35,8 +35,8 @@ public:
     engine::KeyPaths stationKeys() const;
     /// UDP port on 127.0.0.1 on which the station must listen.
     quint16 groundPort() const { return m_groundPort; }
-    /// Stops the running programs and starts them again. The agent allows plain MAVLink, inline framing and research suites, since
-    /// it is reachable on loopback only.
+    /// Stops the running programs and starts them again. The agent allows plain MAVLink, inline framing and research suites,
+    /// since it is reachable on loopback only.
     void start(Load load, const Condition &condition, std::uint64_t seed);
     void stop();
     qint64 agentProcess() const { return m_agent.processId(); }

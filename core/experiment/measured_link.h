@@ -25,8 +25,8 @@ class MeasuredLink
 public:
     /// A station was opened. Knowledge about the far end is kept.
     void stationOpened();
-    /// Notes the protection that the station is ordered to use; nullopt: that of its settings. A session that ends because of the
-    /// change is ignored from this call on. `snapshot`: the newest one, null before the first.
+    /// Notes the protection that the station is ordered to use; nullopt: that of its settings. A session that ends because of
+    /// the change is ignored from this call on. `snapshot`: the newest one, null before the first.
     void setProtection(std::optional<engine::Protection> protection, const engine::Snapshot *snapshot);
     void sessionUp(const channel::SessionUp &up) { m_framing = up.framing; }
     /// Remembers the suite of the first session.

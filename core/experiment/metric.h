@@ -1,5 +1,5 @@
 // The metrics of a run and the one table that describes them: key for scripts and files, title, unit, description, statistical
-// properties, and the places that show it. A new metric is one enumerator, its row in metric.cpp, and the code that measures it.
+// properties, and the places that show it. A new metric is an enumerator, its row in metric.cpp, and the code that measures it.
 #pragma once
 
 #include <array>

@@ -18,8 +18,8 @@ namespace skyseal::experiment {
 enum class Load : std::uint8_t { Natural, Saturated };
 std::string_view name(Load load);
 
-/// One alternative of the comparison: a suite in a framing. `again` marks the repetition of another arm under a second name: any
-/// difference between the two is noise (A/A). The framing has no meaning for plain MAVLink.
+/// One alternative of the comparison: a suite in a framing. `again` marks the repetition of another arm under a second name:
+/// any difference between the two is noise (A/A). The framing has no meaning for plain MAVLink.
 struct SweepArm
 {
     crypto::SuiteId suite{};

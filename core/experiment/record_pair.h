@@ -1,5 +1,5 @@
-// A station's and an agent's endpoint with a session between them, in memory and on a simulated clock, for benchmarks of sealing
-// and opening complete records. Also the heap measurement of such objects.
+// A station's and an agent's endpoint with a session between them, in memory and on a simulated clock, for benchmarks of
+// sealing and opening complete records. Also the heap measurement of such objects.
 #pragma once
 
 #include "core/channel/endpoint.h"
@@ -50,8 +50,8 @@ private:
     TimePoint m_now{std::chrono::hours(1)};
 };
 
-/// Heap bytes in use; nullopt if the C library has no heap statistics. glibc also counts the freed blocks in the thread caches, up
-/// to seven of each size.
+/// Heap bytes in use; nullopt if the C library has no heap statistics. glibc also counts the freed blocks in the thread caches,
+/// up to seven of each size.
 std::optional<std::size_t> heapInUse();
 
 /// Mean heap bytes of one of `count` objects; make() creates the next one and keeps it. Some objects are created first and not

@@ -1,5 +1,5 @@
-// The results of a sweep: every sample as it was measured, the plan, and the setting of machine and programs. Means, figures and
-// reports are computed from these.
+// The results of a sweep: every sample as it was measured, the plan, and the setting of machine and programs. Means, figures
+// and reports are computed from these.
 #pragma once
 
 #include "core/channel/stats.h"
@@ -12,8 +12,8 @@
 
 namespace skyseal::experiment {
 
-/// Counters at one moment, counted since the link was opened for a block of runs. Whole numbers, so that the losses of a run can be
-/// compared with an independent record of the same link.
+/// Counters at one moment, counted since the link was opened for a block of runs. Whole numbers, so that the losses of a run
+/// can be compared with an independent record of the same link.
 struct Counted
 {
     struct Frames

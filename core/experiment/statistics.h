@@ -44,14 +44,14 @@ struct Summary
 /// Samples that are not finite could not be measured and are left out.
 Summary summarise(std::span<const double> samples);
 
-/// Upper 95 % bound of the probability of an event that occurred in none of `trials` independent trials: 1 − 0.05^(1/n), about 3/n
-/// (Hanley and Lippman-Hand 1983); 1 without trials.
+/// Upper 95 % bound of the probability of an event that occurred in none of `trials` independent trials: 1 − 0.05^(1/n), about
+/// 3/n (Hanley and Lippman-Hand 1983); 1 without trials.
 double boundOfNone(double trials);
 
 /// Tests whether two groups have different means.
 ///
-/// There is no test (NaN) if a group has fewer than two samples, or if neither group varies and one has fewer than five: a count
-/// that was the same two or three times may still vary by one, and the test would rule that out.
+/// There is no test (NaN) if a group has fewer than two samples, or if neither group varies and one has fewer than five: a
+/// count that was the same two or three times may still vary by one, and the test would rule that out.
 struct WelchTest
 {
     double difference = 0;                                     ///< mean of the second less that of the first
@@ -67,8 +67,8 @@ struct WelchTest
 };
 WelchTest welch(std::span<const double> first, std::span<const double> second);
 
-/// Corrects p values by Holm's method, so that the probability of any false positive among all of them is that of a single test.
-/// Same order as given; NaN (no test) stays NaN.
+/// Corrects p values by Holm's method, so that the probability of any false positive among all of them is that of a single
+/// test. Same order as given; NaN (no test) stays NaN.
 std::vector<double> holm(std::span<const double> p);
 
 /// The comparison of one pair of groups.

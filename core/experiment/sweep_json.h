@@ -1,5 +1,5 @@
-// sweep.json and sweep.csv: the complete results of a sweep for programs, and the JSON lines of a running sweep. README.md beside
-// this file documents the schema; a change that breaks readers raises kSweepSchemaVersion.
+// sweep.json and sweep.csv: the complete results of a sweep for programs, and the JSON lines of a running sweep. README.md
+// beside this file documents the schema; a change that breaks readers raises kSweepSchemaVersion.
 #pragma once
 
 #include "core/experiment/results.h"

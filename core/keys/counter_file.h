@@ -58,9 +58,9 @@ public:
     /// A disk that takes longer counts as failed. Longer than FileLock::kPatience.
     static constexpr Duration kSlow = std::chrono::seconds(5);
 
-    /// Creates the file if it does not exist, with `first` as its next number, and reserves the first block. Fails if the file is
-    /// damaged (starting over would allow replays of old first messages), cannot be created, or is not read within kSlow. A sound
-    /// file that cannot be written is used as it is: an agent must come up again on a disk that became read-only.
+    /// Creates the file if it does not exist, with `first` as its next number, and reserves the first block. Fails if the file
+    /// is damaged (starting over would allow replays of old first messages), cannot be created, or is not read within kSlow. A
+    /// sound file that cannot be written is used as it is: an agent must come up again on a disk that became read-only.
     static Result<std::unique_ptr<FileCounterStore>, InputError> open(const std::string &path, std::uint64_t first = 1);
     static Result<std::unique_ptr<FileCounterStore>, InputError> open(CounterDisk disk, std::uint64_t first = 1);
     /// Waits until all accepted numbers are stored, or cannot be, or the disk has not answered for kSlow.

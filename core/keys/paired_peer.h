@@ -16,7 +16,7 @@ std::string fitPeerName(std::string_view claimed, const channel::PublicKey &key)
 /// Whether the key of a known name may be replaced. Accepted only if the user confirmed it after seeing both fingerprints.
 enum class KeyChange { Refused, Accepted };
 
-/// Whether several peers may be bound to one system id. Stations may share one; two agents with one id would lock each other out.
+/// Whether several peers may be bound to one system id. Stations may share one; two agents with one id lock each other out.
 enum class SharedIds { Refused, Allowed };
 
 /// Adds the peer. A known key keeps its name and system ids here, with the new role and pre-shared key. The same applies to

@@ -11,8 +11,8 @@ bool isPeerLine(std::string_view line);
 Result<PeerEntry, InputError> parsePeerLine(std::string_view line);
 std::string formatPeerLine(const PeerEntry &entry);
 
-/// Checks the values that a line allows: a name of 1..32 letters, digits, "-", "_", "." or bytes beyond ASCII, ids in 1..255, a path
-/// without blanks.
+/// Checks the values that a line allows: a name of 1..32 letters, digits, "-", "_", "." or bytes beyond ASCII, ids in 1..255, a
+/// path without blanks.
 Result<void, InputError> checkPeerEntry(const PeerEntry &entry);
 
 } // namespace skyseal::keys

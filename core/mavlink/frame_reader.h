@@ -12,8 +12,8 @@ namespace skyseal::mavlink {
 inline constexpr std::size_t kHeaderLength1 = 6, kHeaderLength2 = 10; ///< from the first byte to the payload
 inline constexpr std::size_t kChecksumLength = 2;
 
-/// The length of the frame at the start of `bytes` according to its header, which may be more than there are bytes; 0 if no whole
-/// header is there. Checks nothing else.
+/// The length of the frame at the start of `bytes` according to its header, which may be more than there are bytes; 0 if no
+/// whole header is there. Checks nothing else.
 constexpr std::size_t frameLength(ByteView bytes)
 {
     if (bytes.empty() || !isMagic(bytes[0]))
@@ -30,7 +30,7 @@ class FrameReader
 {
 public:
     /// Reads one frame at the start of `bytes`. `matches(covered, crcExtra, expected)` returns true if the checksum over the
-    /// bytes that it covers and CRC_EXTRA is the expected one; it is called once, and only for a whole frame of a known message.
+    /// bytes that it covers and CRC_EXTRA is the expected one; it is called once, only for a whole frame of a known message.
     template<std::predicate<ByteView, std::uint8_t, std::uint16_t> Matches>
     static Result<Frame, FrameError> read(ByteView bytes, const Dialect &dialect, Matches &&matches)
     {

@@ -32,7 +32,7 @@ public:
     FrameScanner(ByteView buffer, const Dialect &dialect, BufferEnd end = BufferEnd::Final)
         : FrameScanner(buffer, dialect, end, m_ownCrc, 0)
     {}
-    /// For the next part of a stream, which begins at `offset` of it. `crc` is that of the stream, and must outlive this object.
+    /// For the next part of a stream, which begins at `offset` of it. `crc` is that of the stream and must outlive this object.
     FrameScanner(ByteView buffer, const Dialect &dialect, BufferEnd end, OverlappingCrc &crc, std::size_t offset)
         : m_buffer(buffer), m_dialect(&dialect), m_end(end), m_crc(crc), m_streamOffset(offset)
     {}

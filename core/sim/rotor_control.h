@@ -1,4 +1,4 @@
-// The cascade from the demand of a flight mode to the commands of the four rotors: position controller, then attitude controller.
+// The cascade from the demand of a flight mode to the commands of the four rotors: position, then attitude controller.
 #pragma once
 
 #include "core/sim/airframe.h"

@@ -120,6 +120,7 @@ private Q_SLOTS:
     void protocolHasNoQt();
     void secretsAreComparedInConstantTime();
     void filesStaySmall();
+    void linesStayShort();
     void testsDoNotSleep();
     void testsHaveNoTightDeadlines();
 };
@@ -294,6 +295,21 @@ void LayersTest::filesStaySmall()
         QVERIFY2(file.lines.size() <= 500, qPrintable(QStringLiteral("%1: %2 lines").arg(file.path).arg(file.lines.size())));
 }
 
+/// clang-format breaks code, but neither comments nor strings.
+void LayersTest::linesStayShort()
+{
+    constexpr qsizetype kLongest = 128; // ColumnLimit in .clang-format
+    QStringList wrong;
+    for (const SourceFile &file :
+         sources({QStringLiteral("core"), QStringLiteral("ui"), QStringLiteral("app"), QStringLiteral("tests")})) {
+        for (const QString &line : file.lines) {
+            if (line.size() > kLongest)
+                wrong << file.path + QStringLiteral(": ") + line;
+        }
+    }
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
+}
+
 void LayersTest::testsDoNotSleep()
 {
     static const QRegularExpression kSleep(QStringLiteral("qWait\\(|qSleep\\(|sleep_for\\(|usleep\\(|QThread::m?sleep\\("));
@@ -305,8 +321,8 @@ void LayersTest::testsDoNotSleep()
     }
 }
 
-/// Tests wait for a condition (tests/support/eventually.h); a bound on the time fails on a busy machine. Limits are multiples of
-/// kDeadlineMs, which only ends a test that hangs.
+/// Tests wait for a condition (tests/support/eventually.h); a bound on the time fails on a busy machine. Limits are multiples
+/// of kDeadlineMs, which only ends a test that hangs.
 void LayersTest::testsHaveNoTightDeadlines()
 {
     static const QRegularExpression kBound(QStringLiteral(

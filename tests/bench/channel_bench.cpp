@@ -71,8 +71,8 @@ struct Bench
     }
 };
 
-/// The shortest time of the calls that it is given, of kBatch records each: a batch is short enough to be left undisturbed now and
-/// then, also on a busy machine.
+/// The shortest time of the calls that it is given, of kBatch records each: a batch is short enough to be left undisturbed now
+/// and then, also on a busy machine.
 class Stopwatch
 {
 public:

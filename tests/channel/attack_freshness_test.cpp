@@ -249,7 +249,7 @@ void AttackFreshnessTest::wholeFlowDelayed()
 
 void AttackFreshnessTest::onlyTheWayBackDelayed()
 {
-    // Commands arrive in time, but the agent does not know it: their answers take 7 s. The bound of before is good for a minute.
+    // Commands arrive in time, but the agent does not know it: their answers take 7 s. The previous bound holds for a minute.
     QFETCH(Way, way);
     auto pair = flight(optionsWith(way, kAge));
     pair->link.attacker = [&](TimePoint at, Flight &datagram) {

@@ -135,8 +135,8 @@ std::vector<Secret> secretsOf(const std::function<void(const WriteSecret &)> &co
     return out;
 }
 
-/// Keys in use that lie in pages which the system may write to the swap space. The IV of a suite is part of its nonces, which pass
-/// over the stack; only aes-256-cbc makes a key of it.
+/// Keys in use that lie in pages which the system may write to the swap space. The IV of a suite is part of its nonces, which
+/// pass over the stack; only aes-256-cbc makes a key of it.
 QByteArrayList unlockedKeys(const std::vector<Secret> &secrets, SuiteId suite)
 {
     auto image = std::make_unique<ProcessImage>();
@@ -276,7 +276,7 @@ void AttackMemoryTest::switchSecretsAreGone()
 
 void AttackMemoryTest::stolenChainOpensNoLaterEpoch()
 {
-    // The thief has the memory of epoch 0 (deadSecretsAreGone shows that the chain lies there) and both static keys, and listens.
+    // The thief has the memory of epoch 0 (deadSecretsAreGone shows that it holds the chain) and both static keys, and listens.
     PairOptions options = attackOptions();
     options.seed = kAttackSeed + 1; // so that no secret of the other tests comes into this process
     Pair pair(options);

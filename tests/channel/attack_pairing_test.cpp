@@ -35,8 +35,8 @@ private Q_SLOTS:
 
 namespace {
 
-/// A man in the middle: an agent of its own towards the station, and a station of its own towards the agent, at the addresses of
-/// the true ends. It receives all datagrams, and no other reaches its receiver.
+/// A man in the middle: an agent of its own towards the station, and a station of its own towards the agent, at the addresses
+/// of the true ends. It receives all datagrams, and no other reaches its receiver.
 struct InBetween
 {
     explicit InBetween(PairingPair &victims, std::shared_ptr<const crypto::Passphrase> passphrase = {}) : pair(victims)

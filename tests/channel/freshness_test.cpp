@@ -124,7 +124,7 @@ void FreshnessTest::suspendedMachineRecovers_data()
 
 void FreshnessTest::suspendedMachineRecovers()
 {
-    // Its steady clock stands still, and it receives nothing. Its first frames may be refused, and make the agent request a report.
+    // Its steady clock stands still, and it receives nothing. Its first frames may be refused; the agent requests a report.
     QFETCH(int, side);
     QFETCH(int, seconds);
     auto pair = flight(optionsWith(kRecords, kAge));

@@ -1,5 +1,5 @@
-// A session in epoch 0 whose secrets are known to a thief: computed from the handshake's bytes, both static keys and the seed of
-// the random source that made the ephemeral ones. The same secrets are in the memory of each end.
+// A session in epoch 0 whose secrets are known to a thief: computed from the handshake's bytes, both static keys and the seed
+// of the random source that made the ephemeral ones. The same secrets are in the memory of each end.
 #pragma once
 
 #include "pair.h"

@@ -1,5 +1,5 @@
-// The limit of the events that strangers can cause, on a simulated clock: one a second for all kinds, each kind in its turn, nothing
-// lost of those that count.
+// The limit of the events that strangers can cause, on a simulated clock: one a second for all kinds, each kind in its turn,
+// nothing lost of those that count.
 #include "core/engine/station/event.h"
 #include "tests/support/test_runner.h"
 

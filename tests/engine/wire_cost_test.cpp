@@ -305,8 +305,8 @@ void WireCostTest::sealedBytesAreLimited_data()
     const auto add = [](const char *name, Carrier carrier, crypto::SuiteId suite, double most) {
         QTest::newRow(name) << static_cast<int>(carrier) << static_cast<int>(suite) << most;
     };
-    // Percent of the bytes of plain MAVLink. With padding, the limit is the cost of signing on COBS; TUNNEL adds a frame for each
-    // record.
+    // Percent of the bytes of plain MAVLink. With padding, the limit is the cost of signing on COBS; TUNNEL adds a frame for
+    // each record.
     add("COBS", Carrier::Serial, crypto::SuiteId::ChaCha20Poly1305, 21.3);
     add("COBS, aes-256-cbc", Carrier::Serial, crypto::SuiteId::Aes256Cbc, 37.4);
     add("TUNNEL", Carrier::Tunnel, crypto::SuiteId::ChaCha20Poly1305, 52.4);

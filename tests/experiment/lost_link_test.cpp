@@ -1,5 +1,5 @@
-// A sweep on a connected station whose link or vehicle is lost meanwhile: each sample was measured with the suite that it names,
-// a run that lost its link before its measurement began is repeated, and the station is restored at the end.
+// A sweep on a connected station whose link or vehicle is lost meanwhile: each sample was measured with the suite that it
+// names, a run that lost its link before its measurement began is repeated, and the station is restored at the end.
 #include "core/engine/station/snapshot.h"
 #include "core/experiment/sweep_runner.h"
 #include "tests/engine/ground.h"

@@ -1,5 +1,5 @@
-// Holds so many keyed ciphers, or sessions between two ends, of one suite, and says what a cipher, or one end's session, takes by
-// our own measure: what a heap profiler sees beyond the same with fewer held is what it is checked against.
+// Holds so many keyed ciphers, or sessions between two ends, of one suite, and says what a cipher, or one end's session, takes
+// by our own measure: what a heap profiler sees beyond the same with fewer held is what it is checked against.
 //
 //     memory_probe contexts|sessions SUITE COUNT
 #include "core/base/secret_bytes.h"

@@ -1,9 +1,9 @@
 // Figures of memory against heaptrack's.
 //
-// The heap of a keyed cipher, and of one end's session: contextBytes() and sessionBytes(), which every report shows, in a run by
-// itself (heaptrack keeps its books in the same heap), against the growth of heaptrack's peak between a program that holds some
-// and one that holds more. heaptrack adds up what was asked for, glibc what it gave, which is up to 24 bytes more for each block:
-// within 15 %, or 24 bytes.
+// The heap of a keyed cipher, and of one end's session: contextBytes() and sessionBytes(), which every report shows, in a run
+// by itself (heaptrack keeps its books in the same heap), against the growth of heaptrack's peak between a program that holds
+// some and one that holds more. heaptrack adds up what was asked for, glibc what it gave, which is up to 24 bytes more for each
+// block: within 15 %, or 24 bytes.
 //
 // The resident set that monitor reports (as a sweep does) against the peak that heaptrack reads itself: within 15 %. Both hold
 // heaptrack's own memory, since it works inside the process.

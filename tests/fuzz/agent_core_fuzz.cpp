@@ -1,8 +1,8 @@
 // A whole agent between a vehicle and three stations. The input is the settings of both and a program of steps: time passes,
 // stations send frames, in records or sealed in place, frames are held back, replayed, changed or cut off, clear frames and any
-// bytes arrive, roles change, stations pair and close, the store fails. Whatever happens, each frame that leaves for the vehicle is
-// one that a station sealed, once; unless it only asks, a pilot sealed it, a moment ago, and has not closed since; nobody is paired
-// without both people; and nothing grows.
+// bytes arrive, roles change, stations pair and close, the store fails. Whatever happens, each frame that leaves for the
+// vehicle is one that a station sealed, once; unless it only asks, a pilot sealed it, a moment ago, and has not closed since;
+// nobody is paired without both people; and nothing grows.
 #include "tests/fuzz/harmless_frame.h"
 #include "tests/fuzz/remote_end.h"
 #include "tests/fuzz/simulated_host.h"

@@ -1,5 +1,5 @@
-// The other end of an engine that is fuzzed, and the attacker on its path. An endpoint, and a pairing if one is open, whose blocks
-// wait in a queue: steps of the input hold, reorder, withhold, repeat, change or cut them before they reach the engine.
+// The other end of an engine that is fuzzed, and the attacker on its path. An endpoint, and a pairing if one is open, whose
+// blocks wait in a queue: steps of the input hold, reorder, withhold, repeat, change or cut them before they reach the engine.
 #pragma once
 
 #include "core/base/byte_reader.h"
@@ -18,8 +18,8 @@ class Passphrase;
 
 namespace skyseal::test {
 
-/// Ends the run: the oracle with this name found a violation. A weakened twin exits with an error, so that its test can read the
-/// name; a fuzzer crashes.
+/// Ends the run: the oracle with this name found a violation. A weakened twin exits with an error, so that its test can read
+/// the name; a fuzzer crashes.
 [[noreturn]] void violated(const char *oracle);
 
 /// 10.0.0.1 and so on.
@@ -28,8 +28,8 @@ std::shared_ptr<const crypto::X25519KeyPair> keyPair(std::uint64_t seed);
 /// One of three passphrases, or none, as the two low bits of `choice` say.
 std::shared_ptr<const crypto::Passphrase> passphraseOf(std::uint8_t choice);
 
-/// What the configuration of one end allows and prefers, as the low bits of a byte of the input say: bit 0 prefers frames sealed in
-/// place, and the suites that have them; bit 1 forbids them; bit 2 forbids research suites.
+/// What the configuration of one end allows and prefers, as the low bits of a byte of the input say: bit 0 prefers frames
+/// sealed in place, and the suites that have them; bit 1 forbids them; bit 2 forbids research suites.
 Policy policyOf(std::uint8_t choice);
 
 class RemoteEnd
@@ -48,8 +48,8 @@ public:
     const Path &engine() const { return m_engine; }
     bool hasSession() const { return !m_endpoint->sessions().empty(); }
 
-    /// Seals frames and queues them, a single one in place if the session's framing says so and `inRecord` is false. Returns false
-    /// without a session.
+    /// Seals frames and queues them, a single one in place if the session's framing says so and `inRecord` is false. Returns
+    /// false without a session.
     bool send(TimePoint now, const Bytes &frames, bool inRecord);
     void switchSuite(TimePoint now, std::uint8_t choice);
     /// Ends its session; the Close is queued as a block of its own, with this mark.
@@ -65,7 +65,7 @@ public:
     void handleDeadline(TimePoint now);
     /// A block from the engine.
     void receive(TimePoint now, ByteView block);
-    /// Moves what the endpoint and the pairing have to send to the queue. The session follows the key of a pairing that succeeded.
+    /// Moves the output of the endpoint and the pairing to the queue. The session follows the key of a pairing that succeeded.
     void poll(TimePoint now);
 
     // the attacker

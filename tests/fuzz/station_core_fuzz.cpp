@@ -1,8 +1,8 @@
-// A whole ground station between two agents, whose keys are bound to the systems 1 and 2, and a third device in clear. The input
-// is the settings of all ends and a program of steps: time passes, agents send telemetry, in records or sealed in place, in their
-// own name or in the other's, records are held back, replayed, changed or cut off, clear frames and any bytes arrive, the list of
-// peers and the policy change, agents pair and close, the store fails. Whatever happens, a position that is shown was sealed by the
-// agent of that system and replaces no newer one; nobody is paired without both people; and nothing grows.
+// A whole ground station between two agents, whose keys are bound to the systems 1 and 2, and a third device in clear. The
+// input is the settings of all ends and a program of steps: time passes, agents send telemetry, in records or sealed in place,
+// in their own name or in the other's, records are held back, replayed, changed or cut off, clear frames and any bytes arrive,
+// the list of peers and the policy change, agents pair and close, the store fails. Whatever happens, a position that is shown
+// was sealed by the agent of that system and replaces no newer one; nobody is paired without both people; and nothing grows.
 #include "tests/fuzz/remote_end.h"
 #include "tests/fuzz/simulated_host.h"
 

@@ -1,7 +1,8 @@
 // A real autopilot: an unmodified ArduCopter SITL behind skyseal-air flies by script while the ciphers switch, and the same
 // program without an agent shows as not sealed.
 //
-// ARDUPILOT_SITL names the arducopter program (waf's build/sitl/bin/arducopter, or any prebuilt one); without it the test is skipped.
+// ARDUPILOT_SITL names the arducopter program (waf's build/sitl/bin/arducopter, or any prebuilt one); without it the test is
+// skipped.
 #include "core/mavlink/stream_parser.h"
 #include "tests/support/eventually.h"
 #include "tests/support/flight.h"

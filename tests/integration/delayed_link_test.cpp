@@ -1,5 +1,5 @@
-// Real programs over a slow link: with the defaults a flight goes on over 0.6 s each way; when the delay grows beyond the limit,
-// the agent ignores commands, and both ends report it.
+// Real programs over a slow link: with the defaults a flight goes on over 0.6 s each way; when the delay grows beyond the
+// limit, the agent ignores commands, and both ends report it.
 #include "tests/support/flight.h"
 #include "tests/support/test_runner.h"
 #include "tests/support/udp_attacker.h"

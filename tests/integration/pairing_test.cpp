@@ -1,5 +1,6 @@
-// Pairing between real programs over loopback: both persons confirm the same code and a sealed session follows; a man in the middle
-// has other fingerprints and gets nothing; the window opens while the vehicle is disarmed, and closes when it is armed or left.
+// Pairing between real programs over loopback: both users confirm the same code and a sealed session follows; a man in the
+// middle has other fingerprints and gets nothing; the pairing window opens while the vehicle is disarmed, and closes when it is
+// armed or the user leaves.
 #include "core/channel/pairing.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/x25519.h"

@@ -30,7 +30,7 @@ public:
     /// `direction`: "forward" or "backward".
     RelayLedger(const std::vector<QJsonObject> &events, const QString &direction);
 
-    /// Counters by the number of sealed units that have arrived, copies included: entry 0 is the beginning, the last is the end.
+    /// Counters by the number of sealed units that have arrived, copies included: entry 0 is the start, the last is the end.
     const std::vector<Sealed> &sealed() const { return m_sealed; }
     /// Counters by the number of frames that have reached the receiver's MAVLink layer. Copies of clear frames reach it,
     /// copies of frames sealed in place do not.

@@ -1,5 +1,5 @@
-// Draws the window in its states and sizes, and its dialogs, into a folder for people to look at: ui_gallery DIR [STATE SIZE THEME],
-// where STATE and the others are lists with commas, "dialogs" among the states being all dialogs.
+// Draws the window in its states and sizes, and its dialogs, into a folder for people to look at: ui_gallery DIR [STATE SIZE
+// THEME], where STATE and the others are lists with commas, "dialogs" among the states being all dialogs.
 #include "fake_station.h"
 #include "gallery_dialogs.h"
 #include "scripted_snapshots.h"

@@ -157,7 +157,7 @@ private Q_SLOTS:
         }
     }
 
-    /// A number beyond the type of the marks would be an overflow, which the sanitizers report, and without end on some machines.
+    /// A number beyond the type of the marks would be an overflow, which the sanitizers report, and endless on some machines.
     void tapesBearAnyNumber()
     {
         const TapeStyle style{Qt::black, Qt::red, Qt::blue, Qt::black};

@@ -24,7 +24,7 @@ private:
 /// Returns the smallest of 1, 2 or 5 times a power of ten that is not below `value`.
 double roundUp(double value);
 
-/// Returns the number of parts for an axis up to `top` (a result of roundUp()) of this length, so that labels are short numbers.
+/// Returns the number of parts for an axis up to `top` (a result of roundUp()) of this length that gives short labels.
 int axisParts(double top, double pixels);
 
 /// Returns the decimals that labels at multiples of `step` need.

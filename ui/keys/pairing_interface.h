@@ -32,7 +32,8 @@ class PairingInterface : public QObject
 public:
     using QObject::QObject;
 
-    /// Opens the pairing window and waits for an agent that does the same. With a passphrase, only an agent with the same one is found.
+    /// Opens the pairing window and waits for an agent that does the same. Finds only agents with the same
+    /// passphrase, if there is one.
     virtual void open(const std::optional<crypto::Passphrase> &passphrase) = 0;
     /// The operator accepts the device with this key.
     virtual void confirm(const channel::PublicKey &key, const QString &name, bool replaceKnownKey) = 0;

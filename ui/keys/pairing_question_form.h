@@ -1,5 +1,5 @@
-// The form in which the operator compares an agent that answers: its code, the name under which it will be known, its system id, and, on
-// demand, the complete fingerprints of both keys.
+// The form in which the operator compares an agent that answers: its code, the name under which it will be known, its system
+// id, and, on demand, the complete fingerprints of both keys.
 #pragma once
 
 #include "ui/keys/pairing_interface.h"

@@ -20,8 +20,8 @@ class PassphraseDialog : public QDialog
     Q_OBJECT
 
 public:
-    /// `again`: the previous passphrase was wrong. `keyringProblem`: reason why the desktop's keyring cannot store it; empty if it
-    /// can.
+    /// `again`: the previous passphrase was wrong. `keyringProblem`: reason why the desktop's keyring cannot store it; empty if
+    /// it can.
     PassphraseDialog(const QString &file, bool again, const QString &keyringProblem, QWidget *parent = nullptr);
 
     /// Moves the passphrase out of the dialog.

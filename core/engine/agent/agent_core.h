@@ -58,8 +58,8 @@ public:
     /// Replaces the list of stations that may connect; sessions of keys that are not in it end at once.
     void setPeers(std::vector<channel::Peer> peers);
     /// Opens the window in which a new station can be paired, until the pairing is over or a vehicle is armed. Its progress
-    /// comes as events. `name` is the agent's own. With `passphrase` only a station with the same one is shown; null without one.
-    /// A vehicle that was never heard does not count as armed, one that fell silent counts as what it was last.
+    /// comes as events. `name` is the agent's own. With `passphrase` only a station with the same one is shown; null without
+    /// one. A vehicle that was never heard does not count as armed, one that fell silent counts as what it was last.
     Result<void, PairingRefusal> openPairing(std::string name, std::shared_ptr<const crypto::Passphrase> passphrase = {});
     void confirmPairing(const channel::PublicKey &key);
     void refusePairing();

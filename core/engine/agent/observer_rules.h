@@ -1,5 +1,5 @@
-// The frames of an observer that reach the autopilot: a list of permitted messages, so that every other message, including those
-// of later or unknown dialects, is refused.
+// The frames of an observer that reach the autopilot: a list of permitted messages, so that every other message, including
+// those of later or unknown dialects, is refused.
 //
 // Permitted are questions about the vehicle that change nothing in it. Refused, though they look harmless:
 // - HEARTBEAT of a ground station: autopilots take it for the pilot's, so their failsafe would not act when the pilot's own

@@ -1,5 +1,5 @@
-// Publishes the events of a program. Those that senders without a key can cause are limited to one a second in all: they wait in
-// queues, one for each kind, which take turns, so that a flood of one kind does not hide another. No clock and no I/O; I/O thread.
+// Publishes the events of a program. Those that senders without a key can cause are limited to one a second in all: they wait
+// in queues, one for each kind, which take turns, so that a flood of one kind hides no other. No clock, no I/O; I/O thread.
 #pragma once
 
 #include "core/base/weakness.h"
@@ -33,7 +33,7 @@ struct StrangerCause
     std::uint64_t subject = 0;
 };
 
-/// The events of a channel that a stranger can cause; nullopt for all others. merge() adds the newer event to the one that waits.
+/// The events of a channel that a stranger can cause; nullopt for all others. merge() adds a newer event to the waiting one.
 struct ChannelCauses
 {
     std::optional<StrangerCause> operator()(const channel::HandshakeRefused &refused) const;
@@ -65,8 +65,8 @@ public:
     using Sink = std::function<void(Event)>;
 
     static constexpr Duration kEvery = std::chrono::seconds(1);
-    /// Events of one kind that wait; further ones are dropped, their counts stay in the statistics. So few, that even with all kinds
-    /// in turn none is published more than a minute after its cause.
+    /// Events of one kind that wait; further ones are dropped, their counts stay in the statistics. So few, that even with all
+    /// kinds in turn none is published more than a minute after its cause.
     static constexpr std::size_t kMostWaiting = 8;
 
     explicit EventPublisher(Sink sink) : m_sink(std::move(sink)) {}

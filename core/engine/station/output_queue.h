@@ -1,5 +1,5 @@
-// The station's output on its way from the I/O thread to the reader's thread: bounded, so that a reader that hangs costs a fixed
-// amount of memory. Only the newest snapshot is kept, and a limited number of events; pairing events and the
+// The station's output on its way from the I/O thread to the reader's thread: bounded, so that a reader that hangs costs a
+// fixed amount of memory. Only the newest snapshot is kept, and a limited number of events; pairing events and the
 // final snapshot are always delivered. Items keep their order. Thread-safe.
 #pragma once
 

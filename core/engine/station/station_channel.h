@@ -1,4 +1,5 @@
-// The parts that only a station with keys has: the secure channel, the pairing, and notes about sessions and agents. I/O thread.
+// The parts that only a station with keys has: the secure channel, the pairing, and notes about sessions and agents. On the
+// I/O thread.
 #pragma once
 
 #include "core/engine/common/channel_driver.h"
