@@ -1,5 +1,6 @@
 // A flight by script with a simulator on a plain link, and then what became of its recording.
 #include "tests/support/run_program.h"
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QDir>
@@ -61,7 +62,7 @@ void RecordedFlightTest::initTestCase()
     sim.start(
         QStringLiteral(SKYSEAL_BIN_DIR "/skyseal-sim"),
         {QStringLiteral("--link"), QStringLiteral("udpout:127.0.0.1:") + port, QStringLiteral("--rate"), QStringLiteral("5")});
-    QVERIFY(sim.waitForStarted(10000));
+    QVERIFY(sim.waitForStarted(kDeadlineMs));
     m_flight = runProgram(
         "skyseal-cli",
         {QStringLiteral("monitor"), QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:") + port,
@@ -70,7 +71,7 @@ void RecordedFlightTest::initTestCase()
          QStringLiteral("wait gps_fix>=3 60; mode GUIDED; arm; takeoff 5; wait alt_rel>=4.5 60; land; wait armed==0 90")},
         {}, 180000);
     sim.kill();
-    sim.waitForFinished(5000);
+    sim.waitForFinished(kDeadlineMs);
     QVERIFY2(m_flight.status == 0, m_flight.err + m_flight.out.right(2000));
     const QStringList logs = QDir(m_folder.path()).entryList({QStringLiteral("*.tlog")}, QDir::Files);
     QCOMPARE(logs.size(), 1);

@@ -139,7 +139,7 @@ void SecrecyTest::noKeyInAnyOutput()
         QProcess process;
         process.setProcessChannelMode(QProcess::MergedChannels);
         process.start(QStringLiteral(SKYSEAL_BIN_DIR "/skyseal-cli"), command);
-        QVERIFY(process.waitForFinished(60000));
+        QVERIFY(process.waitForFinished(kDeadlineMs));
         const QByteArray words = process.readAll();
         QVERIFY2(!words.isEmpty(), qPrintable(command.join(QLatin1Char(' '))));
         said += words;

@@ -327,7 +327,7 @@ void LayersTest::testsHaveNoTightDeadlines()
 {
     static const QRegularExpression kBound(QStringLiteral(
         "QTRY_(VERIFY|COMPARE)2?\\(|QVERIFY2?\\(.*elapsed\\(\\) *<|_WITH_TIMEOUT\\([^;]*\\b\\d[\\d']{2,}\\)\\s*;|"
-        "steadyNow\\(\\) *\\+"));
+        "waitFor(Started|Finished|ReadyRead|Exit)\\(\\d{3,}\\)|steadyNow\\(\\) *\\+"));
     static const QStringList kExempt{
         QStringLiteral("tests/arch/layers_test.cpp"),
         // Measures the latency of packets while other hosts flood the station, so it needs a real clock.

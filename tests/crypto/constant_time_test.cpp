@@ -3,6 +3,7 @@
 // indexed by its key (one reason for which it is a research suite). Repeated with CPU instructions masked: OpenSSL then uses
 // tables in some suites, which must be detected, and must not in the others.
 #include "core/crypto/suite.h"
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QProcess>
@@ -92,7 +93,7 @@ int ConstantTimeTest::probe(const QStringList &arguments, const QString &mask)
                               QStringLiteral("--suppressions=" SKYSEAL_SOURCE_DIR "/tests/crypto/constant_time.supp"),
                               QStringLiteral(SKYSEAL_PROBE)}
                       + arguments);
-    const bool ended = process.waitForFinished(100000) && process.exitStatus() == QProcess::NormalExit;
+    const bool ended = process.waitForFinished(2 * test::kDeadlineMs) && process.exitStatus() == QProcess::NormalExit;
     m_output = process.readAll();
     return ended ? process.exitCode() : -1;
 }

@@ -89,7 +89,7 @@ void ArduPilotTest::fliesSealedWhileCiphersSwitch()
     arguments[arguments.indexOf(QStringLiteral("--vehicle")) + 1] = QStringLiteral("tcp:127.0.0.1:%1").arg(port);
     Program air(QStringLiteral("skyseal-air"), arguments);
 
-    QCOMPARE(monitor.waitForExit(360000), 0);
+    QCOMPARE(monitor.waitForExit(6 * kDeadlineMs), 0);
     QCOMPARE(monitor.events(QStringLiteral("vehicle")).front()[QLatin1String("autopilot")].toInt(), 3);
     for (const QJsonObject &step : monitor.events(QStringLiteral("command")))
         QVERIFY(step[QLatin1String("result")] == QLatin1String("accepted")

@@ -105,7 +105,7 @@ void HostileCarriersTest::idleConnectionsDoNotBlock()
         for (int i = 0; i < count; ++i) {
             idle.push_back(std::make_unique<QTcpSocket>());
             idle.back()->connectToHost(QHostAddress(QHostAddress::LocalHost), port);
-            connected += idle.back()->waitForConnected(10000);
+            connected += idle.back()->waitForConnected(kDeadlineMs);
         }
     };
     connectIdle(40);

@@ -7,6 +7,7 @@
 #include "core/crypto/init_crypto.h"
 #include "core/engine/common/dialect_traits.h"
 #include "core/mavlink/frame_writer.h"
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QDir>
@@ -90,7 +91,7 @@ void NodeInlineTest::findsEveryPlainFrame()
                {QStringLiteral(SKYSEAL_SOURCE_DIR "/tests/integration/node_inline_reader.cjs"), QString(64, QLatin1Char('5'))});
     node.write(stream);
     node.closeWriteChannel();
-    QVERIFY(node.waitForFinished(30000));
+    QVERIFY(node.waitForFinished(test::kDeadlineMs));
     const QJsonObject seen = QJsonDocument::fromJson(node.readAllStandardOutput()).object();
     qInfo("%s", QJsonDocument(seen).toJson(QJsonDocument::Compact).constData());
     QCOMPARE(seen[QLatin1String("plain")].toInt(), kEach); // none lost behind a sealed frame, none read from one

@@ -1,4 +1,4 @@
-// The real program on real sockets: what it says, how it ends, and that it answers whoever speaks.
+// The real program on real sockets: its output, its exit status, and its answers to every sender.
 #include "core/mavlink/frame_scanner.h"
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"
@@ -39,7 +39,7 @@ private:
 
 quint16 SimProgramTest::portOf(QProcess &sim)
 {
-    while (sim.canReadLine() || sim.waitForReadyRead(20000)) {
+    while (sim.canReadLine() || sim.waitForReadyRead(test::kDeadlineMs)) {
         if (!sim.canReadLine())
             continue;
         const QJsonObject line = QJsonDocument::fromJson(sim.readLine()).object();
@@ -60,7 +60,7 @@ Bytes SimProgramTest::heartbeat()
 void SimProgramTest::stop(QProcess &sim)
 {
     sim.terminate();
-    QVERIFY(sim.waitForFinished(10000));
+    QVERIFY(sim.waitForFinished(test::kDeadlineMs));
     QCOMPARE(sim.exitStatus(), QProcess::NormalExit);
     QCOMPARE(sim.exitCode(), 0);
 }
@@ -85,7 +85,7 @@ void SimProgramTest::usageErrors()
     QFETCH(QString, words);
     QProcess sim;
     sim.start(program(), arguments);
-    QVERIFY(sim.waitForFinished(20000));
+    QVERIFY(sim.waitForFinished(test::kDeadlineMs));
     QCOMPARE(sim.exitCode(), 2);
     const QString said = QString::fromUtf8(sim.readAllStandardError());
     QVERIFY2(said.contains(words), qPrintable(said));
@@ -98,7 +98,7 @@ void SimProgramTest::takenPortIsExitThree()
     QVERIFY(taken.bind(QHostAddress::LocalHost, 0, QAbstractSocket::DontShareAddress));
     QProcess sim;
     sim.start(program(), {QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:%1").arg(taken.localPort())});
-    QVERIFY(sim.waitForFinished(20000));
+    QVERIFY(sim.waitForFinished(test::kDeadlineMs));
     QCOMPARE(sim.exitCode(), 3);
     QVERIFY(sim.readAllStandardError().contains(QByteArray::number(taken.localPort())));
 }

@@ -1,6 +1,7 @@
 // Proves that the attack tests can fail: each is run again in a program whose protocol has one weakness put in, and must
 // then fail in the named check, in no other, and without crashing. The same program without a weakness must pass, so that
 // it is the weakness that makes the difference; and no attack test is left without such a proof.
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "tests/weakened/proofs.h"
 
@@ -34,7 +35,7 @@ Run run(const char *test, const QStringList &arguments, const char *weaknesses)
     process.setProcessChannelMode(QProcess::MergedChannels);
     process.start(QStringLiteral(SKYSEAL_WEAKENED_PROGRAM), QStringList{QLatin1String(test)} + arguments);
     Run out;
-    out.ended = process.waitForFinished(120000) && process.exitStatus() == QProcess::NormalExit;
+    out.ended = process.waitForFinished(2 * kDeadlineMs) && process.exitStatus() == QProcess::NormalExit;
     out.failures = process.exitCode();
     out.output = QString::fromUtf8(process.readAll());
     for (const QString &line : out.output.split(QLatin1Char('\n'))) {
