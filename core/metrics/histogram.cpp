@@ -39,16 +39,6 @@ void Histogram::record(std::uint64_t nanoseconds, std::uint64_t times)
     m_max = std::max(m_max, nanoseconds);
 }
 
-void Histogram::merge(const Histogram &other)
-{
-    for (std::size_t i = 0; i < kBuckets; ++i)
-        m_buckets[i] += other.m_buckets[i];
-    m_count += other.m_count;
-    m_sum += other.m_sum;
-    m_min = std::min(m_min, other.m_min);
-    m_max = std::max(m_max, other.m_max);
-}
-
 Histogram Histogram::since(const Histogram &earlier) const
 {
     Histogram out;

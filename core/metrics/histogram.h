@@ -1,6 +1,6 @@
-// Histogram of durations in nanoseconds. The number of buckets is fixed, so that recording never allocates and two histograms
-// merge exactly. Buckets are log-linear (as in HdrHistogram), 32 per power of two: a percentile is at most 1/32 above the
-// true value, from 1 ns to 18 minutes.
+// Histogram of durations in nanoseconds. The number of buckets is fixed, so that recording never allocates and the
+// difference of two copies is exact. Buckets are log-linear (as in HdrHistogram), 32 per power of two: a percentile is at
+// most 1/32 above the true value, from 1 ns to 18 minutes.
 #pragma once
 
 #include "core/base/clock.h"
@@ -16,7 +16,6 @@ class Histogram
 public:
     void record(Duration value) { record(value.count() < 0 ? 0 : static_cast<std::uint64_t>(value.count())); }
     void record(std::uint64_t nanoseconds, std::uint64_t times = 1);
-    void merge(const Histogram &other);
     void reset() { *this = {}; }
     /// Returns the values recorded since `earlier`, a previous copy of this histogram. min() and max() of the result are
     /// accurate to one bucket.

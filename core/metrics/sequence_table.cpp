@@ -65,16 +65,6 @@ SequenceCounts SequenceTable::countsOfSystem(std::uint8_t system) const
     return out;
 }
 
-SequenceCounts SequenceTable::countsOfLink(LinkId link) const
-{
-    SequenceCounts out;
-    for (const auto &[sender, tracker] : m_trackers) {
-        if (sender.link == link)
-            out += tracker.counts();
-    }
-    return out;
-}
-
 SequenceCounts SequenceTable::total() const
 {
     SequenceCounts out;

@@ -34,7 +34,6 @@ public:
     /// All zero for an unknown sender.
     SequenceCounts counts(const Sender &sender) const;
     SequenceCounts countsOfSystem(std::uint8_t system) const;
-    SequenceCounts countsOfLink(LinkId link) const; ///< without replaced senders
     SequenceCounts total() const;
     std::size_t size() const { return m_trackers.size(); }
     std::uint64_t evicted() const { return m_evicted; }     ///< senders that were replaced

@@ -18,7 +18,6 @@ private Q_SLOTS:
     void emptyGivesZeros();
     void bucketsCoverEveryValueOnce();
     void percentilesMatchASortedList();
-    void mergeEqualsRecordingTogether();
     void sinceSubtractsAnEarlierCopy();
     void hugeValuesStayInTheLastBucket();
 };
@@ -61,28 +60,6 @@ void HistogramTest::percentilesMatchASortedList()
         RC_ASSERT(histogram.min() == sorted.front());
         RC_ASSERT(histogram.max() == sorted.back());
     }));
-}
-
-void HistogramTest::mergeEqualsRecordingTogether()
-{
-    Histogram first;
-    Histogram second;
-    Histogram both;
-    for (std::uint64_t i = 1; i < 2000; i += 7) {
-        (i % 2 ? first : second).record(i * i);
-        both.record(i * i);
-    }
-    first.merge(second);
-    QCOMPARE(first.count(), both.count());
-    QCOMPARE(first.sum(), both.sum());
-    QCOMPARE(first.min(), both.min());
-    QCOMPARE(first.max(), both.max());
-    for (int share = 0; share <= 100; ++share)
-        QCOMPARE(first.percentile(share / 100.0), both.percentile(share / 100.0));
-    first.reset();
-    QCOMPARE(first.count(), std::uint64_t(0));
-    first.merge(both);
-    QCOMPARE(first.min(), both.min());
 }
 
 void HistogramTest::sinceSubtractsAnEarlierCopy()
