@@ -1,0 +1,178 @@
+#include "core/engine/agent/agent_receiver.h"
+
+#include "core/base/weakness.h"
+#include "core/channel/endpoint.h"
+#include "core/mavlink/dialect.h"
+
+namespace skyseal::engine {
+
+void AgentReceiver::addLinks()
+{
+    m_parts.ingress.addLink(kVehicleLink, {.isStream = m_parts.config.vehicle.traits().isStream}, m_vehicleSink);
+    m_parts.ingress.addLink(kGroundLink, groundRules(), *this);
+}
+
+void AgentReceiver::streamChanged(const Path &path)
+{
+    m_parts.ingress.forget(path);
+    m_routes.streamChanged(path);
+}
+
+void AgentReceiver::sessionUp(const channel::SessionUp &up)
+{
+    m_gate.sessionUp(up);
+    m_sessions.add(up.session);
+    m_parts.ingress.setRules(kGroundLink, groundRules());
+}
+
+void AgentReceiver::sessionDown(channel::SessionId session)
+{
+    m_gate.sessionDown(session);
+    m_sessions.remove(session);
+    m_parts.ingress.setRules(kGroundLink, groundRules());
+}
+
+AgentCounters AgentReceiver::counters() const
+{
+    AgentCounters out = m_counters;
+    out.groundIdRefused = m_groundIdClaims.count();
+    m_gate.addTo(out);
+    return out;
+}
+
+IngressRules AgentReceiver::groundRules() const
+{
+    const bool tunnel = m_parts.config.carrier == Carrier::Tunnel;
+    const bool cobs = m_parts.config.carrier == Carrier::Serial;
+    IngressRules out;
+    out.isStream = cobs || (tunnel && m_parts.config.ground.traits().isStream);
+    out.takesDatagrams = m_parts.config.carrier == Carrier::Datagram;
+    out.takesCobs = cobs;
+    out.takesTunnel = tunnel;
+    // Clear bytes are searched only for frames that are of use: those that carry messages of the channel, those sealed in
+    // place, and those of a station that cannot seal, while they would be forwarded. Anyone can send clear bytes.
+    const bool inPlace = out.takesDatagrams && m_parts.config.policy.allowInline;
+    const bool searched = tunnel || inPlace || isPlain() || (out.takesDatagrams && weakened(Weakness::ClearAccepted));
+    out.clear = searched ? ClearScan::Always : ClearScan::Never;
+    return out;
+}
+
+void AgentReceiver::takeFromVehicle(TimePoint now, const Path &from, const mavlink::ScanItem &item)
+{
+    if (mavlink::isDamagedFrame(item))
+        m_parts.links.countBadFrame(from.link);
+    if (!mavlink::isWholeFrame(item))
+        return;
+    if (item.frame) {
+        m_parts.links.noteUse(from);
+        if (VehicleRoutes::isVehicleHeartbeat(*item.frame) && !takeVehicleHeartbeat(now, from, *item.frame))
+            return;
+        m_fromVehicle.note({from.link, item.frame->systemId(), item.frame->componentId()}, item.frame->sequence(), now);
+    }
+    if (isPlain()) {
+        m_clear.add(item.bytes);
+    } else if (m_sessions.none()) {
+        ++m_counters.undelivered;
+    } else {
+        ++m_counters.toGround;
+        for (const channel::SessionId session : m_sessions.all())
+            m_parts.channel.queue(now, session, item.bytes);
+    }
+}
+
+/// Returns false if the heartbeat must not reach the ground, where it would be shown as a vehicle.
+bool AgentReceiver::takeVehicleHeartbeat(TimePoint now, const Path &from, const mavlink::Frame &heartbeat)
+{
+    const std::uint8_t systemId = heartbeat.systemId();
+    if (m_gate.isGroundSystem(systemId) && !weakened(Weakness::VehicleTakesAnyId)) {
+        m_routes.forget(systemId);
+        if (m_groundIdClaims.note(now, systemId))
+            m_parts.events.publish(now, GroundIdClaimed{systemId});
+        return false;
+    }
+    m_routes.heard(now, from, systemId);
+    if (m_armed.note(heartbeat) && m_parts.pairing.isOpen()) // a pairing must not be possible in flight
+        m_parts.pairing.cancel(now, channel::PairingEnd::Armed);
+    if (m_parts.config.carrier == Carrier::Tunnel)
+        m_parts.node.setSystem(now, systemId, m_parts.links.carriers());
+    return true;
+}
+
+bool AgentReceiver::takePairing(const link::Link &, const link::ReceivedBlock &message)
+{
+    if (!m_parts.pairing.take(message.time, message.path, message.bytes))
+        return false;
+    m_parts.links.noteRemote(kGroundLink, message.path.remote);
+    return true;
+}
+
+bool AgentReceiver::namesSession(ByteView message) const
+{
+    return m_parts.channel.endpoint().namesSerialSession(message);
+}
+
+void AgentReceiver::takeRecord(const link::Link &, const link::ReceivedBlock &message)
+{
+    if (const auto delivery = m_parts.channel.receive(message.time, message.path, message.bytes))
+        takeDelivery(message, *delivery);
+}
+
+void AgentReceiver::takeSealedInPlace(const link::Link &, const link::ReceivedBlock &frame)
+{
+    if (const auto delivery = m_parts.channel.receiveInline(frame.time, frame.path, frame.bytes))
+        takeDelivery(frame, *delivery);
+}
+
+void AgentReceiver::takeDelivery(const link::ReceivedBlock &block, const channel::Delivery &delivery)
+{
+    // The start of a session is handled before its first frame; its end, when a goodbye overtook a record, after the record.
+    m_parts.handler.handleEvents(delivery.session);
+    std::uint64_t frames = 0;
+    mavlink::scanFrames(delivery.frames, mavlink::Dialect::builtin(), [&](const mavlink::ScanItem &item) {
+        if (!mavlink::isWholeFrame(item))
+            return;
+        ++frames;
+        if (item.frame) {
+            const auto counts = m_sessions.note(block.time, delivery.session, kGroundLink, *item.frame);
+            m_parts.channel.endpoint().noteFrames(delivery.session, counts);
+        }
+        if (m_gate.accept(block.time, delivery, item, [this](std::uint8_t systemId) { return m_routes.isVehicle(systemId); }))
+            sendToVehicle(item);
+    });
+    m_parts.channel.countFrames(delivery.session, frames);
+    m_parts.links.noteRemote(kGroundLink, block.path.remote);
+    m_parts.links.noteUse(block.path);
+}
+
+void AgentReceiver::takeClear(const link::Link &, const link::ReceivedBlock &block, const mavlink::ScanItem &item)
+{
+    if (!mavlink::isWholeFrame(item))
+        return;
+    if (isPlain() || weakened(Weakness::ClearAccepted)) {
+        m_parts.links.noteUse(block.path);
+        sendToVehicle(item);
+    } else {
+        ++m_counters.clearRefused;
+    }
+}
+
+void AgentReceiver::takeUnusable(const link::Link &, Unusable what)
+{
+    if (what == Unusable::Clear) {
+        ++m_counters.clearRefused;
+        return;
+    }
+    // Behind a router the datagrams themselves are not the station's.
+    m_counters.unusable += what == Unusable::Message || m_parts.config.carrier == Carrier::Datagram;
+}
+
+void AgentReceiver::sendToVehicle(const mavlink::ScanItem &item)
+{
+    const std::uint8_t target = item.frame ? item.frame->targetSystem() : std::uint8_t(0);
+    if (m_routes.forEachPathTo(target, [&](const Path &path) { m_parts.links.send(path, item.bytes); }))
+        ++m_counters.toVehicle;
+    else
+        ++m_counters.undelivered;
+}
+
+} // namespace skyseal::engine
