@@ -425,7 +425,7 @@ void StationCore::saveSealedSystems(TimePoint now)
 
 SnapshotSources StationCore::sources()
 {
-    return {m_links, m_channel.get(), m_receiver, m_fleet, m_sampler, m_recorder.get()};
+    return {m_links, m_channel.get(), m_receiver.datagrams(), m_receiver.gate(), m_fleet, m_sampler, m_recorder.get()};
 }
 
 std::shared_ptr<Snapshot> StationCore::takeSnapshot(TimePoint now)

@@ -4,6 +4,7 @@
 
 #include "core/engine/common/ingress.h"
 #include "core/engine/common/link_pool.h"
+#include "core/engine/station/datagram_counters.h"
 #include "core/engine/station/fleet.h"
 #include "core/engine/station/frame_gate.h"
 #include "core/engine/station/mavsec_sink.h"
@@ -16,13 +17,6 @@
 #include <optional>
 
 namespace skyseal::engine {
-
-/// Datagrams that led to neither a frame nor a record that was opened.
-struct DatagramCounters
-{
-    std::uint64_t garbage = 0;                        ///< neither records nor MAVLink
-    std::uint64_t waitingBytes = 0, waitingCount = 0; ///< records while plain MAVLink is in use; see Probe
-};
 
 class StationReceiver final : private IngressSink
 {

@@ -13,8 +13,8 @@ std::shared_ptr<const Probe> makeProbe(const SnapshotSources &from)
     out->processCpu = metrics::processCpuTime();
     out->ioThreadCpu = metrics::threadCpuTime();
     out->residentBytes = metrics::residentBytes().value_or(0);
-    out->waitingBytes = from.receiver.datagrams().waitingBytes;
-    out->waitingDatagrams = from.receiver.datagrams().waitingCount;
+    out->waitingBytes = from.datagrams.waitingBytes;
+    out->waitingDatagrams = from.datagrams.waitingCount;
     if (from.channel) {
         out->open = from.channel->driver.opening();
         out->seal = from.channel->driver.sealing();
@@ -36,8 +36,8 @@ ChannelTotals channelTotals(const SnapshotSources &from)
     ChannelTotals out;
     if (from.channel)
         out = from.channel->driver.totals();
-    out.rx.malformed += from.receiver.datagrams().garbage;
-    out.rx.plaintextDropped = from.receiver.gate().refusals().plaintextFrames();
+    out.rx.malformed += from.datagrams.garbage;
+    out.rx.plaintextDropped = from.gate.refusals().plaintextFrames();
     return out;
 }
 
@@ -48,8 +48,8 @@ std::shared_ptr<Snapshot> buildSnapshot(const SnapshotSources &from, TimePoint n
     if (from.channel) {
         from.channel->describe(now, *out);
         // Once every known agent was heard, the next clear frame is accepted or refused without asking the operator.
-        if (const std::string mayBe = from.receiver.gate().policy().neverHeard(); !mayBe.empty())
-            out->pendingApproval = from.receiver.gate().pending().all(mayBe);
+        if (const std::string mayBe = from.gate.policy().neverHeard(); !mayBe.empty())
+            out->pendingApproval = from.gate.pending().all(mayBe);
     }
     for (const auto &[systemId, vehicle] : from.fleet.vehicles().all())
         out->vehicles.push_back(from.fleet.describe(now, vehicle));
@@ -59,8 +59,8 @@ std::shared_ptr<Snapshot> buildSnapshot(const SnapshotSources &from, TimePoint n
         out->recording = from.recorder->snapshot();
     out->processCpuPercent = from.sampler.processCpuPercent();
     out->residentBytes = from.sampler.residentBytes();
-    out->plaintextRefused = from.receiver.gate().refusals().plaintextFrames() + from.receiver.gate().pending().frames();
-    out->spoofed = from.receiver.gate().refusals().systemFrames();
+    out->plaintextRefused = from.gate.refusals().plaintextFrames() + from.gate.pending().frames();
+    out->spoofed = from.gate.refusals().systemFrames();
     out->mavlink = mavlinkTotals(from);
     out->channel = channelTotals(from);
     if (withProbe)

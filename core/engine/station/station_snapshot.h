@@ -3,7 +3,8 @@
 
 #include "core/engine/common/link_pool.h"
 #include "core/engine/station/fleet.h"
-#include "core/engine/station/station_receiver.h"
+#include "core/engine/station/datagram_counters.h"
+#include "core/engine/station/frame_gate.h"
 #include "core/engine/station/metrics_sampler.h"
 #include "core/engine/station/recorder.h"
 #include "core/engine/common/totals.h"
@@ -20,7 +21,8 @@ struct SnapshotSources
 {
     LinkPool &links;
     const StationChannel *channel; ///< null without keys
-    const StationReceiver &receiver;
+    const DatagramCounters &datagrams;
+    const FrameGate &gate;
     const Fleet &fleet;
     const MetricsSampler &sampler;
     const Recorder *recorder; ///< null when nothing is recorded
