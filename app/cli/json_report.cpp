@@ -10,41 +10,27 @@ namespace skyseal::app {
 void JsonReport::eventOccurred(const engine::Event &event)
 {
     m_peers.note(event);
-    std::visit(
-        Overloaded{
-            [](const engine::LinkChanged &e) {
-        printLine(engine::linkEvent(e.link)); },
-            [](const engine::VehicleFound &e) {
-        printLine(engine::vehicleEvent(e)); },
-            [](const engine::VehicleLost &e) {
-        printLine(engine::vehicleLostEvent(e.systemId, true)); },
-            [](const engine::VehicleBack &e) {
-        printLine(engine::vehicleLostEvent(e.systemId, false)); },
-            [](const vehicle::TextReceived &e) {
-        printLine(engine::statusTextEvent(e)); },
-            [](const engine::PlaintextRefused &e) {
-        printLine(engine::plaintextEvent(e)); },
-            [](const engine::SystemRefused &e) {
-        printLine(engine::systemRefusedEvent(e)); },
-            [](const engine::AgentUnanswering &e) {
-        printLine(engine::unansweringEvent(e)); },
-            [](const engine::RecordingProblem &e) {
-        printLine(engine::recordingEvent(e)); },
-            [](const engine::EventsDropped &e) {
-        printLine(engine::eventsDroppedEvent(e)); },
-            [](const engine::CounterStorage &e) {
-        printLine(engine::counterStorageEvent(e)); },
-            [](const vehicle::MissionResult &) {},
-            [](const vehicle::ParameterResult &) {},
-            [](const vehicle::CommandResult &) {}, // the script reports its steps
-            [this]<typename T>(const T &e) requires engine::kIsChannelEvent<T> {
-                if (const std::string line = engine::channelEvent(e, m_peers); !line.empty())
-                    printLine(line);
-}
-,
-} // namespace skyseal::app
-,
-        event);
+    std::visit(Overloaded{
+                   [](const engine::LinkChanged &e) { printLine(engine::linkEvent(e.link)); },
+                   [](const engine::VehicleFound &e) { printLine(engine::vehicleEvent(e)); },
+                   [](const engine::VehicleLost &e) { printLine(engine::vehicleLostEvent(e.systemId, true)); },
+                   [](const engine::VehicleBack &e) { printLine(engine::vehicleLostEvent(e.systemId, false)); },
+                   [](const vehicle::TextReceived &e) { printLine(engine::statusTextEvent(e)); },
+                   [](const engine::PlaintextRefused &e) { printLine(engine::plaintextEvent(e)); },
+                   [](const engine::SystemRefused &e) { printLine(engine::systemRefusedEvent(e)); },
+                   [](const engine::AgentUnanswering &e) { printLine(engine::unansweringEvent(e)); },
+                   [](const engine::RecordingProblem &e) { printLine(engine::recordingEvent(e)); },
+                   [](const engine::EventsDropped &e) { printLine(engine::eventsDroppedEvent(e)); },
+                   [](const engine::CounterStorage &e) { printLine(engine::counterStorageEvent(e)); },
+                   [](const vehicle::MissionResult &) {},
+                   [](const vehicle::ParameterResult &) {},
+                   [](const vehicle::CommandResult &) {}, // the script reports its steps
+                   [this](const auto &e) {                // events of the channel; no others convert to channel::Event
+                       if (const std::string line = engine::channelEvent(e, m_peers); !line.empty())
+                           printLine(line);
+                   },
+               },
+               event);
 }
 
 void JsonReport::stepEnded(const vehicle::StepReport &report)
