@@ -38,12 +38,12 @@ void declare(Options &options)
                     "unencrypted content, and one for every copy that goes out.");
 }
 
-impair::Settings readSettings(Options &options)
+impair::ImpairmentSettings readSettings(Options &options)
 {
     const auto milliseconds = [&options](const char *name) {
         return std::chrono::duration_cast<Duration>(std::chrono::duration<double, std::milli>(options.number(name, 0, 3.6e6)));
     };
-    impair::Settings out;
+    impair::ImpairmentSettings out;
     out.loss = options.number("loss", 0, 1);
     out.duplicate = options.number("duplicate", 0, 1);
     out.reorder = options.number("reorder", 0, 1);
@@ -75,13 +75,13 @@ enum class LogLevel : std::uint8_t { None, Drops, All };
 void logDatagrams(link::Impairer &impairer, engine::RelayAccount &account, LogLevel level, const Elapsed &elapsed)
 {
     impairer.setLog(
-        [&account, level, elapsed](Direction direction, TimePoint, const impair::Verdict &verdict, ByteView datagram) {
+        [&account, level, elapsed](Direction direction, TimePoint, const impair::Treatment &treatment, ByteView datagram) {
             const engine::DatagramContents contents = engine::contentsOf(datagram);
-            account[static_cast<std::size_t>(direction)].add(verdict, contents);
+            account[static_cast<std::size_t>(direction)].add(treatment, contents);
             if (level == LogLevel::All)
-                printLine(engine::arrivalJson(direction, elapsed(), verdict, contents));
-            else if (level == LogLevel::Drops && verdict.dropped())
-                printLine(engine::dropJson(direction, elapsed(), verdict));
+                printLine(engine::arrivalJson(direction, elapsed(), treatment, contents));
+            else if (level == LogLevel::Drops && treatment.dropped())
+                printLine(engine::dropJson(direction, elapsed(), treatment));
         });
     if (level == LogLevel::All) {
         impairer.setDeliveryLog([elapsed](Direction direction, TimePoint, std::uint64_t sequence) {
@@ -102,7 +102,7 @@ int runImpair(const QStringList &arguments)
     options.arguments(0, 0);
     const auto listen = options.url("listen");
     const auto to = options.url("to");
-    const impair::Settings settings = readSettings(options);
+    const impair::ImpairmentSettings settings = readSettings(options);
     const double duration = options.has("duration") ? options.number("duration", 0, 1e6) : 0;
     if (const auto status = options.finish())
         return *status;

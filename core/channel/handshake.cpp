@@ -25,7 +25,7 @@ std::vector<Key32> presharedKeyOf(const Peer *peer)
 }
 
 /// `peer` is null for a responder, which learns its peer from the first message. The prologue must outlive the config.
-noise::HandshakeConfig configFor(noise::Role role, const Prologue &prologue, const crypto::X25519KeyPair &identity,
+noise::HandshakeConfig configFor(noise::Party role, const Prologue &prologue, const crypto::X25519KeyPair &identity,
                                  const Peer *peer)
 {
     noise::HandshakeConfig config;
@@ -49,7 +49,7 @@ std::optional<Initiator> Initiator::begin(const crypto::X25519KeyPair &identity,
                                           RandomSource &random, Carrier carrier)
 {
     const Prologue prologue(carrier);
-    auto config = configFor(noise::Role::Initiator, prologue, identity, &peer);
+    auto config = configFor(noise::Party::Initiator, prologue, identity, &peer);
     config.remoteStatic = peer.key;
     auto noise = noise::HandshakeState::initialize(std::move(config));
     if (!noise)
@@ -98,7 +98,7 @@ std::optional<std::uint64_t> Initiator::readNumber(ByteView datagram)
 Result<Responder, RefusalReason> Responder::read(const crypto::X25519KeyPair &identity, ByteView datagram, Carrier carrier)
 {
     const Prologue prologue(carrier);
-    auto noise = noise::HandshakeState::initialize(configFor(noise::Role::Responder, prologue, identity, nullptr));
+    auto noise = noise::HandshakeState::initialize(configFor(noise::Party::Responder, prologue, identity, nullptr));
     if (!noise)
         return tl::unexpected(RefusalReason::WrongKey);
     std::array<std::uint8_t, FirstPayload::kLength> plain;

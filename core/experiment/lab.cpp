@@ -50,7 +50,7 @@ QString loopback(const char *scheme, quint16 port)
     return QStringLiteral("%1:127.0.0.1:%2").arg(QLatin1String(scheme)).arg(port);
 }
 
-QStringList relayArguments(const impair::Settings &settings)
+QStringList relayArguments(const impair::ImpairmentSettings &settings)
 {
     const auto number = [](double value) { return QString::number(value, 'g', 17); };
     const auto milliseconds = [&](Duration value) { return number(seconds(value) * 1000); };

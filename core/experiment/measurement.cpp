@@ -140,7 +140,7 @@ std::optional<AgentCostReport> agentCostReport(const engine::SessionSnapshot &se
     return AgentCostReport{session.stats.peerStamp, *session.stats.peerCosts};
 }
 
-bool sequenceNumbersCountLoss(const impair::Settings &link, Load load)
+bool sequenceNumbersCountLoss(const impair::ImpairmentSettings &link, Load load)
 {
     constexpr double kShortestFrame = 12, kBitsOfByte = 10;
     if (link.jitter <= Duration::zero() || load == Load::Natural)

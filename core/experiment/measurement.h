@@ -37,7 +37,7 @@ struct Reading
 
 /// Returns true if MAVLink's 8-bit sequence numbers distinguish loss from reordering and duplicates on such a link. They do not
 /// where jitter lets a frame overtake more than metrics::SequenceTracker::kShortWindow others.
-bool sequenceNumbersCountLoss(const impair::Settings &link, Load load);
+bool sequenceNumbersCountLoss(const impair::ImpairmentSettings &link, Load load);
 
 /// All values but Metric::Switch and Metric::SessionMemory; NaN where one could not be measured. `sealed`: the link carries
 /// records. `countsLoss`: see sequenceNumbersCountLoss().

@@ -33,7 +33,7 @@ struct Field
 {
     std::string_view key;
     double most;
-    void (*set)(impair::Settings &settings, double value);
+    void (*set)(impair::ImpairmentSettings &settings, double value);
 };
 
 Duration milliseconds(double value)
@@ -42,16 +42,16 @@ Duration milliseconds(double value)
 }
 
 constexpr Field kFields[] = {
-    {"loss", 1, [](impair::Settings &s, double v) { s.loss = v; }},
-    {"duplicate", 1, [](impair::Settings &s, double v) { s.duplicate = v; }},
-    {"reorder", 1, [](impair::Settings &s, double v) { s.reorder = v; }},
-    {"corrupt", 1, [](impair::Settings &s, double v) { s.corrupt = v; }},
-    {"delay", 60000, [](impair::Settings &s, double v) { s.delay = milliseconds(v); }},
-    {"jitter", 60000, [](impair::Settings &s, double v) { s.jitter = milliseconds(v); }},
-    {"rate", 1e9, [](impair::Settings &s, double v) { s.baud = static_cast<std::uint64_t>(v); }},
+    {"loss", 1, [](impair::ImpairmentSettings &s, double v) { s.loss = v; }},
+    {"duplicate", 1, [](impair::ImpairmentSettings &s, double v) { s.duplicate = v; }},
+    {"reorder", 1, [](impair::ImpairmentSettings &s, double v) { s.reorder = v; }},
+    {"corrupt", 1, [](impair::ImpairmentSettings &s, double v) { s.corrupt = v; }},
+    {"delay", 60000, [](impair::ImpairmentSettings &s, double v) { s.delay = milliseconds(v); }},
+    {"jitter", 60000, [](impair::ImpairmentSettings &s, double v) { s.jitter = milliseconds(v); }},
+    {"rate", 1e9, [](impair::ImpairmentSettings &s, double v) { s.baud = static_cast<std::uint64_t>(v); }},
 };
 
-std::optional<InputError> setField(impair::Settings &settings, std::string_view item)
+std::optional<InputError> setField(impair::ImpairmentSettings &settings, std::string_view item)
 {
     const auto wrong = [&](const std::string &why) { return InputError{"'" + std::string(item) + "': " + why, {}}; };
     const std::size_t sign = item.find('=');
@@ -173,7 +173,7 @@ std::string conditionText(const Condition &condition)
     };
     const auto percent = [](double share) { return readable(100 * share) + " % "; };
     const auto ms = [](Duration time) { return readable(1000 * seconds(time)) + " ms"; };
-    const impair::Settings &link = condition.settings;
+    const impair::ImpairmentSettings &link = condition.settings;
     add(link.baud > 0, readable(static_cast<double>(link.baud)) + " baud");
     add(link.loss > 0, percent(link.loss) + "loss");
     add(link.duplicate > 0, percent(link.duplicate) + "duplicates");

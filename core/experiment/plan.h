@@ -48,7 +48,7 @@ bool isInsecure(const SweepArm &arm);
 struct Condition
 {
     std::string name = "clean";
-    impair::Settings settings;
+    impair::ImpairmentSettings settings;
     bool clean() const { return name == "clean"; }
 };
 

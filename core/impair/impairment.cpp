@@ -4,7 +4,7 @@
 
 namespace skyseal::impair {
 
-Impairment::Impairment(const Settings &settings, std::uint64_t stream)
+Impairment::Impairment(const ImpairmentSettings &settings, std::uint64_t stream)
     : m_settings(settings), m_random(settings.seed * 0x9e3779b97f4a7c15u + stream * 0xd1b54a32d192ed03u)
 {}
 
@@ -22,7 +22,7 @@ static Duration scaled(Duration duration, double factor)
     return Duration(static_cast<Duration::rep>(static_cast<double>(duration.count()) * factor));
 }
 
-Verdict Impairment::push(TimePoint now, ByteView datagram)
+Treatment Impairment::push(TimePoint now, ByteView datagram)
 {
     const bool lost = uniform() < m_settings.loss;
     const bool duplicated = uniform() < m_settings.duplicate;
@@ -33,39 +33,39 @@ Verdict Impairment::push(TimePoint now, ByteView datagram)
     const Duration jitter = scaled(m_settings.jitter, uniform());
     const Duration copyJitter = scaled(m_settings.jitter, uniform());
 
-    Verdict verdict{m_counters.offered++, datagram.size()};
+    Treatment treatment{m_counters.offered++, datagram.size()};
     m_counters.offeredBytes += datagram.size();
     if (lost) {
-        verdict.fate = Verdict::Fate::Lost;
+        treatment.fate = Treatment::Fate::Lost;
         ++m_counters.lost;
-        return verdict;
+        return treatment;
     }
     const TimePoint onLine = takeLine(now, datagram.size());
     if (onLine == kNever || m_counters.waiting + 2 > kMostWaiting) {
-        verdict.fate = Verdict::Fate::QueueFull;
+        treatment.fate = Treatment::Fate::QueueFull;
         ++m_counters.queueFull;
-        return verdict;
+        return treatment;
     }
     const TimePoint deadline = onLine + m_settings.delay + jitter;
-    verdict.duplicated = duplicated;
-    verdict.heldBack = heldBack;
-    verdict.corrupted = corrupted && !datagram.empty();
+    treatment.duplicated = duplicated;
+    treatment.heldBack = heldBack;
+    treatment.corrupted = corrupted && !datagram.empty();
     m_counters.duplicated += duplicated;
     m_counters.heldBack += heldBack;
-    m_counters.corrupted += verdict.corrupted;
+    m_counters.corrupted += treatment.corrupted;
 
-    if (verdict.corrupted) {
+    if (treatment.corrupted) {
         // Before the copies are made: both carry the same damage.
         const auto bit = static_cast<std::size_t>(where * static_cast<double>(datagram.size() * 8));
         m_damaged.assign(datagram.begin(), datagram.end());
         m_damaged[bit / 8] ^= static_cast<std::uint8_t>(1u << bit % 8);
         datagram = m_damaged;
     }
-    enqueue(deadline, datagram, verdict.sequence, heldBack ? holdFor : 0);
+    enqueue(deadline, datagram, treatment.sequence, heldBack ? holdFor : 0);
     if (duplicated)
-        enqueue(onLine + m_settings.delay + copyJitter, datagram, verdict.sequence, 0);
-    releaseHeld(deadline, verdict.sequence);
-    return verdict;
+        enqueue(onLine + m_settings.delay + copyJitter, datagram, treatment.sequence, 0);
+    releaseHeld(deadline, treatment.sequence);
+    return treatment;
 }
 
 TimePoint Impairment::takeLine(TimePoint now, std::size_t bytes)

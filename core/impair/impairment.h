@@ -12,7 +12,7 @@
 
 namespace skyseal::impair {
 
-struct Settings
+struct ImpairmentSettings
 {
     // Probabilities per datagram, 0…1, independent of each other.
     double loss = 0;
@@ -25,11 +25,11 @@ struct Settings
     std::size_t lineQueueBytes = 16 << 10; ///< queue in front of the line; datagrams that do not fit are dropped
     std::uint64_t seed = 1;
 
-    bool operator==(const Settings &) const = default;
+    bool operator==(const ImpairmentSettings &) const = default;
 };
 
 /// Decision about one datagram.
-struct Verdict
+struct Treatment
 {
     enum class Fate : std::uint8_t { Passed, Lost, QueueFull };
 
@@ -41,7 +41,7 @@ struct Verdict
     bool corrupted = false;
 
     bool dropped() const { return fate != Fate::Passed; }
-    bool operator==(const Verdict &) const = default;
+    bool operator==(const Treatment &) const = default;
 };
 
 /// At any time: offered + duplicated = lost + queueFull + delivered + waiting.
@@ -72,9 +72,9 @@ class Impairment
 {
 public:
     /// `stream` makes the two directions of one seed differ.
-    explicit Impairment(const Settings &settings, std::uint64_t stream = 0);
+    explicit Impairment(const ImpairmentSettings &settings, std::uint64_t stream = 0);
 
-    Verdict push(TimePoint now, ByteView datagram);
+    Treatment push(TimePoint now, ByteView datagram);
     /// Time of the next delivery; kNever when nothing waits.
     TimePoint nextDeadline() const;
 
@@ -87,7 +87,7 @@ public:
     bool pop(TimePoint now, Delivery &out);
 
     const Counters &counters() const { return m_counters; }
-    const Settings &settings() const { return m_settings; }
+    const ImpairmentSettings &settings() const { return m_settings; }
 
     /// Limit of waiting datagrams, which bounds the memory.
     static constexpr std::size_t kMostWaiting = 8192;
@@ -111,7 +111,7 @@ private:
     bool later(std::size_t a, std::size_t b) const;
     void intoHeap(std::size_t slot);
 
-    Settings m_settings;
+    ImpairmentSettings m_settings;
     std::uint64_t m_random;
     TimePoint m_lineFree{};
     Counters m_counters;

@@ -5,7 +5,8 @@
 
 namespace skyseal::link {
 
-Impairer::Impairer(const LinkUrl &listen, const LinkUrl &to, const impair::Settings &settings, const LinkOptions &options)
+Impairer::Impairer(const LinkUrl &listen, const LinkUrl &to, const impair::ImpairmentSettings &settings,
+                   const LinkOptions &options)
     : m_sides{makeSide(listen, LinkId{0}, settings, options), makeSide(to, LinkId{1}, settings, options)}
 {
     m_timer.setSingleShot(true);
@@ -13,7 +14,8 @@ Impairer::Impairer(const LinkUrl &listen, const LinkUrl &to, const impair::Setti
     connect(&m_timer, &QTimer::timeout, this, &Impairer::release);
 }
 
-Impairer::Side Impairer::makeSide(const LinkUrl &url, LinkId id, const impair::Settings &settings, const LinkOptions &options)
+Impairer::Side Impairer::makeSide(const LinkUrl &url, LinkId id, const impair::ImpairmentSettings &settings,
+                                  const LinkOptions &options)
 {
     auto link = makeLink(url, id, *this, options);
     connect(link.get(), &Link::stateChanged, this, [this, made = link.get()] { Q_EMIT linkStateChanged(*made); });
@@ -74,9 +76,9 @@ void Impairer::linkReceived(Link &link, std::span<const ReceivedBlock> blocks)
 
 void Impairer::take(const ReceivedBlock &block, Direction direction, Side &target)
 {
-    const impair::Verdict verdict = target.outgoing.push(block.time, block.bytes);
+    const impair::Treatment treatment = target.outgoing.push(block.time, block.bytes);
     if (m_log)
-        m_log(direction, block.time, verdict, block.bytes);
+        m_log(direction, block.time, treatment, block.bytes);
 }
 
 void Impairer::release()

@@ -20,7 +20,8 @@ public:
     enum class Direction : std::uint8_t { Forward, Backward }; ///< from `listen` to `to`, and back
 
     /// Impairs each datagram; on byte streams (tcp, serial) each received chunk.
-    Impairer(const LinkUrl &listen, const LinkUrl &to, const impair::Settings &settings, const LinkOptions &options = {});
+    Impairer(const LinkUrl &listen, const LinkUrl &to, const impair::ImpairmentSettings &settings,
+             const LinkOptions &options = {});
 
     void open();
     void close();
@@ -36,7 +37,7 @@ public:
     Totals totals(Direction direction) const;
 
     /// Receives the arrival time and verdict of a datagram, and its bytes as they arrived.
-    using Log = std::function<void(Direction, TimePoint, const impair::Verdict &, ByteView datagram)>;
+    using Log = std::function<void(Direction, TimePoint, const impair::Treatment &, ByteView datagram)>;
     /// `log` is called for every datagram that arrives; may be empty.
     void setLog(Log log) { m_log = std::move(log); }
     /// Called for every copy that is sent; `sequence` is that of its verdict.
@@ -61,7 +62,7 @@ private:
     bool hasPeer(const Side &side) const;
     void take(const ReceivedBlock &block, Direction direction, Side &target);
     void release();
-    Side makeSide(const LinkUrl &url, LinkId id, const impair::Settings &settings, const LinkOptions &options);
+    Side makeSide(const LinkUrl &url, LinkId id, const impair::ImpairmentSettings &settings, const LinkOptions &options);
 
     std::array<Side, 2> m_sides;
     QTimer m_timer;

@@ -52,7 +52,7 @@ Done HandshakeState::Attempt::mixDh(const std::optional<X25519KeyPair> &local, c
 /// Processes a token without bytes on the wire. In "es" and "se" the first letter is the initiator's key.
 Done HandshakeState::Attempt::mixToken(Token token)
 {
-    const bool initiator = state.m_role == Role::Initiator;
+    const bool initiator = state.m_role == Party::Initiator;
     if (token == Token::Psk) {
         if (pskIndex >= state.m_psks.size())
             return tl::unexpected(NoiseError::MissingKey);
@@ -135,8 +135,8 @@ Result<HandshakeState, NoiseError> HandshakeState::initialize(HandshakeConfig &&
 /// are not in the table.
 Done HandshakeState::mixPreMessages()
 {
-    for (const Role side : {Role::Initiator, Role::Responder}) {
-        const MessagePattern &known = side == Role::Initiator ? m_pattern.initiatorPreMessage : m_pattern.responderPreMessage;
+    for (const Party side : {Party::Initiator, Party::Responder}) {
+        const MessagePattern &known = side == Party::Initiator ? m_pattern.initiatorPreMessage : m_pattern.responderPreMessage;
         if (known.empty())
             continue;
         if (side == m_role ? !m_keys.localStatic : !m_keys.remoteStatic)
@@ -148,7 +148,7 @@ Done HandshakeState::mixPreMessages()
 
 bool HandshakeState::isMyTurnToWrite() const
 {
-    return !isComplete() && (m_messageIndex % 2 == 0) == (m_role == Role::Initiator);
+    return !isComplete() && (m_messageIndex % 2 == 0) == (m_role == Party::Initiator);
 }
 
 std::size_t HandshakeState::nextOverhead() const
@@ -243,7 +243,7 @@ Result<TransportSecrets, NoiseError> HandshakeState::finish() &&
     if (!state.isComplete() || state.m_pattern.messages.empty())
         return tl::unexpected(NoiseError::Unfinished);
     auto [sending, receiving] = state.m_symmetric.split(); // in the view of the initiator
-    if (state.m_role == Role::Responder)
+    if (state.m_role == Party::Responder)
         std::swap(sending, receiving);
     return TransportSecrets{std::move(sending), std::move(receiving), state.handshakeHash()};
 }

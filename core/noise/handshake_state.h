@@ -15,14 +15,14 @@ namespace skyseal::noise {
 using crypto::PublicKey;
 using crypto::X25519KeyPair;
 
-enum class Role : std::uint8_t { Initiator, Responder };
+enum class Party : std::uint8_t { Initiator, Responder };
 
 inline constexpr std::size_t kMaxMessageLength = 65535;
 
 /// The inputs of a handshake. `prologue` is only read by initialize().
 struct HandshakeConfig
 {
-    Role role = Role::Initiator;
+    Party role = Party::Initiator;
     std::string_view pattern = kKnownPeers;
     ByteView prologue; ///< data both ends must agree on; if it differs, the first encrypted message fails
     std::optional<X25519KeyPair> localStatic;
@@ -86,7 +86,7 @@ private:
     void commit(Attempt &&attempt);
 
     HandshakePattern m_pattern;
-    Role m_role = Role::Initiator;
+    Party m_role = Party::Initiator;
     std::size_t m_messageIndex = 0;
     std::size_t m_pskIndex = 0;
     std::vector<Key32> m_psks;

@@ -56,7 +56,7 @@ template<std::size_t N> std::array<std::uint8_t, N> flipped(std::array<std::uint
     return bytes;
 }
 
-noise::HandshakeConfig noiseConfig(noise::Role role, const X25519KeyPair &own, ByteView prologue)
+noise::HandshakeConfig noiseConfig(noise::Party role, const X25519KeyPair &own, ByteView prologue)
 {
     noise::HandshakeConfig config;
     config.role = role;
@@ -311,7 +311,7 @@ void AttackHandshakeTest::suiteOutsideTheOffers()
     // An agent, or an attacker in its place, chooses a suite that does not follow from the two offers.
     for (const auto &suite : crypto::suites()) {
         auto initiator = begin();
-        auto state = noise::HandshakeState::initialize(noiseConfig(noise::Role::Responder, m_agent, asBytes(kPrologueText)));
+        auto state = noise::HandshakeState::initialize(noiseConfig(noise::Party::Responder, m_agent, asBytes(kPrologueText)));
         std::array<std::uint8_t, FirstPayload::kLength> payload;
         QVERIFY(state->readMessage(ByteView(initiator.message()).subspan(1, kFirstNoiseLength), payload));
         AnswerMessage message{};
@@ -333,7 +333,7 @@ void AttackHandshakeTest::otherVersionOrCarrier()
     for (const char *text :
          {"skyseal channel v2\x01", "skyseal channel v1\x02", "skyseal channel v1\x03", "skyseal channel v1\x01"}) {
         const std::string prologue(text);
-        auto config = noiseConfig(noise::Role::Initiator, m_station, asBytes(prologue));
+        auto config = noiseConfig(noise::Party::Initiator, m_station, asBytes(prologue));
         config.remoteStatic = m_agent.publicKey;
         auto state = noise::HandshakeState::initialize(std::move(config));
         FirstMessage message{};

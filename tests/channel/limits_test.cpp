@@ -169,7 +169,7 @@ void LimitsTest::agentThatChoosesAnUnknownSuite()
         auto initiator = Initiator::begin(station, known, {ConnectionId{1}, offer, 1}, random);
         const std::string prologue("skyseal channel v1\x01");
         noise::HandshakeConfig config;
-        config.role = noise::Role::Responder;
+        config.role = noise::Party::Responder;
         config.prologue = asBytes(prologue);
         config.localStatic = agent.clone();
         config.psks.emplace_back();

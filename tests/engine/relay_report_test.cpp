@@ -109,15 +109,15 @@ void RelayReportTest::droppedAndDuplicatedAreSummed()
 {
     const DatagramContents contents = contentsOf(joined({sealedInPlace(3, 0, 5), frame2(4, 0), frame2(5, 0)}));
     RelayLosses losses;
-    impair::Verdict verdict;
+    impair::Treatment verdict;
     losses.add(verdict, contents);
     QCOMPARE(losses.droppedRecords + losses.droppedFrames + losses.duplicatedRecords + losses.duplicatedFrames,
              std::uint64_t(0));
     verdict.duplicated = true;
     losses.add(verdict, contents);
-    verdict.fate = impair::Verdict::Fate::QueueFull;
+    verdict.fate = impair::Treatment::Fate::QueueFull;
     losses.add(verdict, contents);
-    verdict.fate = impair::Verdict::Fate::Lost;
+    verdict.fate = impair::Treatment::Fate::Lost;
     losses.add(verdict, contents);
     QCOMPARE(losses.duplicatedRecords, std::uint64_t(1));
     QCOMPARE(losses.duplicatedFrames, std::uint64_t(2));
@@ -133,10 +133,10 @@ void RelayReportTest::jsonHasItsFields()
     const std::string stats = statsJson("summary", relay, account, milliseconds(1500));
     QCOMPARE(stats.substr(0, 49), std::string(R"({"event":"summary","t":1.5,"forward":{"offered":0)"));
     QVERIFY(stats.find(R"("dropped_frames":3)") > stats.find(R"("backward")"));
-    impair::Verdict verdict;
+    impair::Treatment verdict;
     verdict.sequence = 7;
     verdict.bytes = 50;
-    verdict.fate = impair::Verdict::Fate::Lost;
+    verdict.fate = impair::Treatment::Fate::Lost;
     QCOMPARE(dropJson(Impairer::Direction::Backward, milliseconds(250), verdict),
              std::string(R"({"event":"drop","t":0.25,"direction":"backward","sequence":7,"bytes":50,"reason":"loss"})"));
     const std::string arrival = arrivalJson(Impairer::Direction::Forward, {}, verdict, contentsOf(sealedInPlace(3, 1, 9)));

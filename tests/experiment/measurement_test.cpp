@@ -69,7 +69,7 @@ void MeasurementTest::lossIsEmptyWhereSequenceNumbersDoNotCountIt()
 
 void MeasurementTest::sequenceNumbersCountLossWithLittleJitter()
 {
-    impair::Settings link;
+    impair::ImpairmentSettings link;
     QVERIFY(sequenceNumbersCountLoss(link, Load::Saturated));
     link.delay = 50ms;
     link.loss = 0.05;

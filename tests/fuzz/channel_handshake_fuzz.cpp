@@ -142,7 +142,7 @@ private:
         std::string prologue("skyseal channel v1");
         prologue.push_back(static_cast<char>(m_path.carrier));
         noise::HandshakeConfig out;
-        out.role = m_agentIsHere ? noise::Role::Initiator : noise::Role::Responder;
+        out.role = m_agentIsHere ? noise::Party::Initiator : noise::Party::Responder;
         out.prologue = asBytes(prologue);
         out.localStatic = (m_agentIsHere ? m_keys.station : m_keys.agent)->clone();
         if (m_agentIsHere)

@@ -22,10 +22,10 @@ static HandshakeState victim(std::uint8_t choice)
     theirs.mutableView()[0] = 2;
     Key32 psk;
     psk.mutableView()[0] = 3;
-    const Role role = choice & 1 ? Role::Responder : Role::Initiator;
+    const Party role = choice & 1 ? Party::Responder : Party::Initiator;
     HandshakeConfig config{role, kPatterns[(choice >> 1) & 3], asBytes("fuzz"), {}, {}, {}};
     config.localStatic = X25519KeyPair::fromSecret(std::move(ours));
-    if (config.role == Role::Initiator && config.pattern.starts_with("IK"))
+    if (config.role == Party::Initiator && config.pattern.starts_with("IK"))
         config.remoteStatic = X25519KeyPair::fromSecret(std::move(theirs)).publicKey;
     config.psks.push_back(std::move(psk));
     return std::move(*HandshakeState::initialize(std::move(config)));

@@ -44,7 +44,7 @@ struct Arrival
 
 struct Run
 {
-    std::vector<Verdict> verdicts;
+    std::vector<Treatment> treatments;
     std::vector<Arrival> arrivals;
     Counters counters;
     bool operator==(const Run &) const = default;
@@ -60,7 +60,7 @@ Bytes datagram(int i, std::size_t size)
 }
 
 /// Pushes `count` datagrams, one per `every`, on a simulated clock, and runs until the last was delivered.
-Run drive(const Settings &settings, int count, Duration every, std::size_t size = 40, std::uint64_t stream = 0)
+Run drive(const ImpairmentSettings &settings, int count, Duration every, std::size_t size = 40, std::uint64_t stream = 0)
 {
     Impairment link(settings, stream);
     Run run;
@@ -75,7 +75,7 @@ Run drive(const Settings &settings, int count, Duration every, std::size_t size 
     TimePoint now{};
     for (int i = 0; i < count; ++i, now += every) {
         drain(now);
-        run.verdicts.push_back(link.push(now, datagram(i, size)));
+        run.treatments.push_back(link.push(now, datagram(i, size)));
         const Counters &c = link.counters();
         if (c.offered + c.duplicated != c.lost + c.queueFull + c.delivered + c.waiting)
             qFatal("the counters do not add up after datagram %d", i);
@@ -85,9 +85,9 @@ Run drive(const Settings &settings, int count, Duration every, std::size_t size 
     return run;
 }
 
-Settings bad(std::uint64_t seed)
+ImpairmentSettings bad(std::uint64_t seed)
 {
-    Settings out;
+    ImpairmentSettings out;
     out.loss = 0.2;
     out.duplicate = 0.1;
     out.reorder = 0.1;
@@ -112,8 +112,8 @@ void ImpairmentTest::perfectLinkChangesNothing()
 
 void ImpairmentTest::everyDatagramIsAccountedFor()
 {
-    QVERIFY(rc::check("the verdicts tell exactly what arrives", [] {
-        Settings settings;
+    QVERIFY(rc::check("the treatments tell exactly what arrives", [] {
+        ImpairmentSettings settings;
         settings.loss = *rc::gen::inRange(0, 101) / 100.0;
         settings.duplicate = *rc::gen::inRange(0, 101) / 100.0;
         settings.reorder = *rc::gen::inRange(0, 101) / 100.0;
@@ -133,15 +133,15 @@ void ImpairmentTest::everyDatagramIsAccountedFor()
             newest = std::max(newest, arrival.sequence);
         }
         Counters expected;
-        for (const Verdict &verdict : run.verdicts) {
+        for (const Treatment &treatment : run.treatments) {
             ++expected.offered;
-            expected.offeredBytes += verdict.bytes;
-            expected.lost += verdict.fate == Verdict::Fate::Lost;
-            expected.queueFull += verdict.fate == Verdict::Fate::QueueFull;
-            expected.duplicated += verdict.duplicated;
-            expected.heldBack += verdict.heldBack;
-            expected.corrupted += verdict.corrupted;
-            RC_ASSERT(copies[verdict.sequence] == (verdict.dropped() ? 0u : verdict.duplicated ? 2u : 1u));
+            expected.offeredBytes += treatment.bytes;
+            expected.lost += treatment.fate == Treatment::Fate::Lost;
+            expected.queueFull += treatment.fate == Treatment::Fate::QueueFull;
+            expected.duplicated += treatment.duplicated;
+            expected.heldBack += treatment.heldBack;
+            expected.corrupted += treatment.corrupted;
+            RC_ASSERT(copies[treatment.sequence] == (treatment.dropped() ? 0u : treatment.duplicated ? 2u : 1u));
         }
         expected.delivered = run.arrivals.size();
         expected.deliveredBytes = 40 * run.arrivals.size();
@@ -158,18 +158,18 @@ void ImpairmentTest::sameSeedSameRun()
 
 void ImpairmentTest::probabilitiesDoNotDisturbEachOther()
 {
-    Settings onlyLoss;
+    ImpairmentSettings onlyLoss;
     onlyLoss.loss = 0.2;
     onlyLoss.seed = 42;
     const Run with = drive(bad(42), 1000, milliseconds(5));
     const Run without = drive(onlyLoss, 1000, milliseconds(5));
-    for (std::size_t i = 0; i < with.verdicts.size(); ++i)
-        QCOMPARE(with.verdicts[i].fate, without.verdicts[i].fate);
+    for (std::size_t i = 0; i < with.treatments.size(); ++i)
+        QCOMPARE(with.treatments[i].fate, without.treatments[i].fate);
 }
 
 void ImpairmentTest::directionsOfOneSeedDiffer()
 {
-    QVERIFY(drive(bad(7), 200, milliseconds(5), 40, 0).verdicts != drive(bad(7), 200, milliseconds(5), 40, 1).verdicts);
+    QVERIFY(drive(bad(7), 200, milliseconds(5), 40, 0).treatments != drive(bad(7), 200, milliseconds(5), 40, 1).treatments);
 }
 
 void ImpairmentTest::lossComesNearItsProbability()
@@ -185,7 +185,7 @@ void ImpairmentTest::lossComesNearItsProbability()
 
 void ImpairmentTest::corruptionFlipsOneBitOfBothCopies()
 {
-    Settings settings;
+    ImpairmentSettings settings;
     settings.corrupt = 0.5;
     settings.duplicate = 0.5;
     const Run run = drive(settings, 500, milliseconds(1), 17);
@@ -199,14 +199,14 @@ void ImpairmentTest::corruptionFlipsOneBitOfBothCopies()
             if (difference)
                 bits.insert(int(i) * 8 + std::countr_zero(difference));
         }
-        QCOMPARE(flipped, run.verdicts[arrival.sequence].corrupted ? 1 : 0);
+        QCOMPARE(flipped, run.treatments[arrival.sequence].corrupted ? 1 : 0);
     }
     QVERIFY(bits.size() > 17u * 8 / 2);
 }
 
 void ImpairmentTest::reorderingDelaysAndLosesNothing()
 {
-    Settings settings;
+    ImpairmentSettings settings;
     settings.reorder = 0.1;
     const Run run = drive(settings, 5000, milliseconds(10));
     QCOMPARE(run.counters.delivered, std::uint64_t(5000));
@@ -219,7 +219,7 @@ void ImpairmentTest::reorderingDelaysAndLosesNothing()
 
 void ImpairmentTest::heldDatagramIsDeliveredWhenNothingFollows()
 {
-    Settings settings;
+    ImpairmentSettings settings;
     settings.reorder = 1;
     const Run run = drive(settings, 1, milliseconds(10));
     QCOMPARE(run.arrivals.size(), std::size_t(1));
@@ -228,7 +228,7 @@ void ImpairmentTest::heldDatagramIsDeliveredWhenNothingFollows()
 
 void ImpairmentTest::delayAndJitterStayInTheirBounds()
 {
-    Settings settings;
+    ImpairmentSettings settings;
     settings.delay = milliseconds(30);
     settings.jitter = milliseconds(20);
     const Run run = drive(settings, 2000, milliseconds(7));
@@ -245,7 +245,7 @@ void ImpairmentTest::delayAndJitterStayInTheirBounds()
 
 void ImpairmentTest::lineRateSpacesAndDropsOverflow()
 {
-    Settings settings;
+    ImpairmentSettings settings;
     settings.baud = 57'600; // 5760 bytes a second
     settings.lineQueueBytes = 1440;
     const Run slow = drive(settings, 100, milliseconds(10), 48);
@@ -263,7 +263,7 @@ void ImpairmentTest::lineRateSpacesAndDropsOverflow()
 
 void ImpairmentTest::memoryIsBounded()
 {
-    Settings settings;
+    ImpairmentSettings settings;
     settings.delay = std::chrono::hours(1);
     settings.duplicate = 0.5;
     const Run run = drive(settings, 20'000, milliseconds(1), 1);

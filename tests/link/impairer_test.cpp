@@ -27,11 +27,11 @@ private Q_SLOTS:
 private:
     struct Setup
     {
-        explicit Setup(const impair::Settings &settings)
+        explicit Setup(const impair::ImpairmentSettings &settings)
             : station(openLink("udpin:127.0.0.1:0", stationHeard)),
               relay(*LinkUrl::parse("udpin:127.0.0.1:0"), *LinkUrl::parse("udpout:" + station->localAddress()), settings)
         {
-            relay.setLog([this](Impairer::Direction direction, TimePoint, const impair::Verdict &verdict, ByteView) {
+            relay.setLog([this](Impairer::Direction direction, TimePoint, const impair::Treatment &verdict, ByteView) {
                 verdicts[direction].push_back(verdict);
             });
             relay.open();
@@ -43,7 +43,7 @@ private:
         std::unique_ptr<Link> station;
         Impairer relay;
         std::unique_ptr<Link> agent;
-        std::map<Impairer::Direction, std::vector<impair::Verdict>> verdicts;
+        std::map<Impairer::Direction, std::vector<impair::Treatment>> verdicts;
     };
 };
 
@@ -77,7 +77,7 @@ void ImpairerTest::perfectRelayCarriesBothWays()
 
 void ImpairerTest::arrivalsMatchTheLog()
 {
-    impair::Settings settings;
+    impair::ImpairmentSettings settings;
     settings.loss = 0.2;
     settings.duplicate = 0.1;
     settings.reorder = 0.1;
@@ -113,7 +113,7 @@ void ImpairerTest::arrivalsMatchTheLog()
     const auto &verdicts = setup.verdicts[Impairer::Direction::Forward];
     QCOMPARE(verdicts.size(), std::size_t(kCount));
     for (std::uint32_t i = 0; i < kCount; ++i) {
-        const impair::Verdict &verdict = verdicts[i];
+        const impair::Treatment &verdict = verdicts[i];
         const int sent = verdict.dropped() ? 0 : verdict.duplicated ? 2 : 1;
         expectedDamaged += verdict.corrupted ? sent : 0;
         QCOMPARE(copies[i], verdict.corrupted ? 0 : sent);
@@ -123,7 +123,7 @@ void ImpairerTest::arrivalsMatchTheLog()
 
 void ImpairerTest::sameSeedDropsTheSame()
 {
-    impair::Settings settings;
+    impair::ImpairmentSettings settings;
     settings.loss = 0.3;
     settings.seed = 5;
     const auto run = [&] {

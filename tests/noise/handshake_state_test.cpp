@@ -32,9 +32,9 @@ struct Ends
     std::uint8_t initiatorPsk = 1;
     std::string_view pattern = kKnownPeers;
 
-    HandshakeState make(Role role)
+    HandshakeState make(Party role)
     {
-        const bool initiator = role == Role::Initiator;
+        const bool initiator = role == Party::Initiator;
         const std::string prologue = initiator ? initiatorPrologue : "prologue";
         HandshakeConfig config{role, pattern, asBytes(prologue), {}, {}, {}};
         config.localStatic = (initiator ? initiatorKeys : responderKeys).clone();
@@ -104,8 +104,8 @@ void HandshakeStateTest::agreesOnTransportSecrets()
     QFETCH(QByteArray, pattern);
     Ends ends;
     ends.pattern = std::string_view(pattern.constData(), static_cast<std::size_t>(pattern.size()));
-    HandshakeState initiator = ends.make(Role::Initiator);
-    HandshakeState responder = ends.make(Role::Responder);
+    HandshakeState initiator = ends.make(Party::Initiator);
+    HandshakeState responder = ends.make(Party::Responder);
     while (!initiator.isComplete() || !responder.isComplete()) {
         HandshakeState &sender = initiator.isMyTurnToWrite() ? initiator : responder;
         HandshakeState &receiver = initiator.isMyTurnToWrite() ? responder : initiator;
@@ -136,8 +136,8 @@ void HandshakeStateTest::refusalsChangeNothing()
     QFETCH(QByteArray, pattern);
     Ends ends;
     ends.pattern = std::string_view(pattern.constData(), static_cast<std::size_t>(pattern.size()));
-    HandshakeState initiator = ends.make(Role::Initiator);
-    HandshakeState responder = ends.make(Role::Responder);
+    HandshakeState initiator = ends.make(Party::Initiator);
+    HandshakeState responder = ends.make(Party::Responder);
     while (!initiator.isComplete() || !responder.isComplete()) {
         HandshakeState &sender = initiator.isMyTurnToWrite() ? initiator : responder;
         HandshakeState &receiver = initiator.isMyTurnToWrite() ? responder : initiator;
@@ -167,8 +167,8 @@ void HandshakeStateTest::refusalsChangeNothing()
 void HandshakeStateTest::setupsThatDifferFail()
 {
     const auto fails = [](Ends &&ends) {
-        HandshakeState initiator = ends.make(Role::Initiator);
-        HandshakeState responder = ends.make(Role::Responder);
+        HandshakeState initiator = ends.make(Party::Initiator);
+        HandshakeState responder = ends.make(Party::Responder);
         if (!read(responder, ends.write(initiator, {})))
             return true;
         return !read(initiator, ends.write(responder, {}));
@@ -182,9 +182,9 @@ void HandshakeStateTest::setupsThatDifferFail()
     QVERIFY(fails(std::move(psk)));
 
     Ends wrongPeer;
-    HandshakeState initiator = wrongPeer.make(Role::Initiator);
+    HandshakeState initiator = wrongPeer.make(Party::Initiator);
     wrongPeer.responderKeys = X25519KeyPair::generate(wrongPeer.random);
-    HandshakeState responder = wrongPeer.make(Role::Responder);
+    HandshakeState responder = wrongPeer.make(Party::Responder);
     QCOMPARE(read(responder, wrongPeer.write(initiator, {})).error(), NoiseError::DecryptionFailed);
     QVERIFY(!responder.remoteStatic());
 }
@@ -192,8 +192,8 @@ void HandshakeStateTest::setupsThatDifferFail()
 void HandshakeStateTest::pskIsChosenAfterTheFirstMessage()
 {
     Ends ends;
-    HandshakeState initiator = ends.make(Role::Initiator);
-    HandshakeState responder = ends.make(Role::Responder);
+    HandshakeState initiator = ends.make(Party::Initiator);
+    HandshakeState responder = ends.make(Party::Responder);
     responder.setPsks({});
     QVERIFY(read(responder, ends.write(initiator, {})));
     QCOMPARE(responder.remoteStatic().value(), ends.initiatorKeys.publicKey);
@@ -208,10 +208,10 @@ void HandshakeStateTest::pskIsChosenAfterTheFirstMessage()
 void HandshakeStateTest::refusesPointsOfSmallOrder()
 {
     Ends ends;
-    HandshakeState responder = ends.make(Role::Responder);
+    HandshakeState responder = ends.make(Party::Responder);
     QCOMPARE(read(responder, Bytes(96)).error(), NoiseError::BadPublicKey); // an ephemeral key of zeros
     ends.responderKeys.publicKey = {};
-    HandshakeState initiator = ends.make(Role::Initiator);
+    HandshakeState initiator = ends.make(Party::Initiator);
     Bytes out(200);
     QCOMPARE(initiator.writeMessage({}, out, ends.random).error(), NoiseError::BadPublicKey);
 }
@@ -219,8 +219,8 @@ void HandshakeStateTest::refusesPointsOfSmallOrder()
 void HandshakeStateTest::keepsToTheTurns()
 {
     Ends ends;
-    HandshakeState initiator = ends.make(Role::Initiator);
-    HandshakeState responder = ends.make(Role::Responder);
+    HandshakeState initiator = ends.make(Party::Initiator);
+    HandshakeState responder = ends.make(Party::Responder);
     Bytes out(200);
     QCOMPARE(responder.writeMessage({}, out, ends.random).error(), NoiseError::OutOfTurn);
     QCOMPARE(read(initiator, Bytes(100)).error(), NoiseError::OutOfTurn);
@@ -237,11 +237,11 @@ void HandshakeStateTest::keepsToTheTurns()
 void HandshakeStateTest::finishesOnceAndOnlyAtTheEnd()
 {
     Ends ends;
-    HandshakeState early = ends.make(Role::Initiator);
+    HandshakeState early = ends.make(Party::Initiator);
     QCOMPARE(std::move(early).finish().error(), NoiseError::Unfinished);
 
-    HandshakeState initiator = ends.make(Role::Initiator);
-    HandshakeState responder = ends.make(Role::Responder);
+    HandshakeState initiator = ends.make(Party::Initiator);
+    HandshakeState responder = ends.make(Party::Responder);
     QVERIFY(read(responder, ends.write(initiator, {})) && read(initiator, ends.write(responder, {})));
     QVERIFY(std::move(initiator).finish().has_value());
     // NOLINTNEXTLINE(bugprone-use-after-move): a second call must fail instead of returning zero keys
@@ -250,19 +250,19 @@ void HandshakeStateTest::finishesOnceAndOnlyAtTheEnd()
 
 void HandshakeStateTest::refusesMissingKeysAndUnknownPatterns()
 {
-    const auto errorFor = [](std::string_view pattern, Role role) {
+    const auto errorFor = [](std::string_view pattern, Party role) {
         HandshakeConfig config{role, pattern, {}, {}, {}, {}};
         const auto made = HandshakeState::initialize(std::move(config));
         return made ? std::optional<NoiseError>() : made.error();
     };
-    QCOMPARE(errorFor("IKpsk2", Role::Initiator), std::optional(NoiseError::MissingKey));
-    QCOMPARE(errorFor("IKpsk2", Role::Responder), std::optional(NoiseError::MissingKey));
-    QCOMPARE(errorFor("NN", Role::Initiator), std::optional<NoiseError>());
+    QCOMPARE(errorFor("IKpsk2", Party::Initiator), std::optional(NoiseError::MissingKey));
+    QCOMPARE(errorFor("IKpsk2", Party::Responder), std::optional(NoiseError::MissingKey));
+    QCOMPARE(errorFor("NN", Party::Initiator), std::optional<NoiseError>());
     for (const char *name : {"", "ZZ", "ik", "IKpsk", "IKpsk3", "IKpsk2+", "IKpsk2+psk9", "IKpskx", "psk0", "IKfallback"})
         QVERIFY2(!handshakePattern(name), name);
     QCOMPARE(handshakePattern("NNpsk0+psk2")->pskCount, std::size_t(2));
 
-    HandshakeConfig config{Role::Initiator, "XX", {}, {}, {}, {}};
+    HandshakeConfig config{Party::Initiator, "XX", {}, {}, {}, {}};
     HandshakeState keyless = std::move(*HandshakeState::initialize(std::move(config)));
     test::SeededRandom random(1);
     Bytes out(200);
@@ -271,7 +271,7 @@ void HandshakeStateTest::refusesMissingKeysAndUnknownPatterns()
 
     // Without a static key it fails at the message that contains one, and stays there.
     Ends ends;
-    HandshakeConfig answering{Role::Responder, "XX", {}, {}, {}, {}};
+    HandshakeConfig answering{Party::Responder, "XX", {}, {}, {}, {}};
     answering.localStatic = ends.responderKeys.clone();
     HandshakeState responder = std::move(*HandshakeState::initialize(std::move(answering)));
     out.resize(*first);
@@ -286,8 +286,8 @@ void HandshakeStateTest::refusesMissingKeysAndUnknownPatterns()
 void HandshakeStateTest::limitsLengths()
 {
     Ends ends;
-    HandshakeState initiator = ends.make(Role::Initiator);
-    HandshakeState responder = ends.make(Role::Responder);
+    HandshakeState initiator = ends.make(Party::Initiator);
+    HandshakeState responder = ends.make(Party::Responder);
     QCOMPARE(initiator.nextOverhead(), std::size_t(96));
     Bytes out(70000);
     QCOMPARE(initiator.writeMessage(Bytes(65535 - 95), out, ends.random).error(), NoiseError::TooLong);

@@ -29,9 +29,9 @@ Key32 keyFrom(const Bytes &bytes)
     return bytes.size() == 32 ? Key32(ByteView(bytes).first<32>()) : Key32();
 }
 
-Side makeSide(const QJsonObject &vector, Role role)
+Side makeSide(const QJsonObject &vector, Party role)
 {
-    const std::string prefix = role == Role::Initiator ? "init_" : "resp_";
+    const std::string prefix = role == Party::Initiator ? "init_" : "resp_";
     const auto field = [&](const char *name) { return hexField(vector, (prefix + name).c_str()); };
     const Bytes prologue = field("prologue");
     const std::string protocol = vector.value(QLatin1String("protocol_name")).toString().toStdString();
@@ -102,8 +102,8 @@ void NoiseVectorsTest::publishedHandshakes()
     if (vector.isEmpty())
         QSKIP(test::externalVectorsMissing());
 
-    Side initiator = makeSide(vector, Role::Initiator);
-    Side responder = makeSide(vector, Role::Responder);
+    Side initiator = makeSide(vector, Party::Initiator);
+    Side responder = makeSide(vector, Party::Responder);
     const QString protocol = vector.value(QLatin1String("protocol_name")).toString();
     const std::string pattern = protocol.section(QLatin1Char('_'), 1, 1).toStdString();
     const bool oneWay = handshakePattern(pattern)->messages.size() == 1;

@@ -19,7 +19,7 @@ namespace {
 class LoadedLink
 {
 public:
-    explicit LoadedLink(const impair::Settings &settings)
+    explicit LoadedLink(const impair::ImpairmentSettings &settings)
         : m_up(settings, 0), m_down(settings, 1), m_vehicle({}, TimePoint()), m_station(255, 190)
     {}
 
@@ -51,7 +51,7 @@ public:
 
     const impair::Counters &up() const { return m_up.counters(); }
     void setConnected(bool connected) { m_connected = connected; }
-    void setSettings(const impair::Settings &settings)
+    void setSettings(const impair::ImpairmentSettings &settings)
     {
         m_up = impair::Impairment(settings, 0);
         m_down = impair::Impairment(settings, 1);
@@ -121,7 +121,7 @@ void SaturatorTest::slowLineIsFullAndLosesNothing()
 {
     QFETCH(int, baud);
     QFETCH(int, delay);
-    impair::Settings settings;
+    impair::ImpairmentSettings settings;
     settings.baud = static_cast<std::uint64_t>(baud);
     settings.delay = std::chrono::milliseconds(delay);
     LoadedLink link(settings);
@@ -136,7 +136,7 @@ void SaturatorTest::slowLineIsFullAndLosesNothing()
 
 void SaturatorTest::fastLinkIsAskedForAllOfIt()
 {
-    impair::Settings settings;
+    impair::ImpairmentSettings settings;
     settings.delay = 10ms;
     LoadedLink link(settings);
     link.run(5s);
@@ -145,7 +145,7 @@ void SaturatorTest::fastLinkIsAskedForAllOfIt()
 
 void SaturatorTest::lossMakesItSlower()
 {
-    impair::Settings settings;
+    impair::ImpairmentSettings settings;
     settings.delay = 10ms;
     LoadedLink clean(settings);
     settings.loss = 0.02;
@@ -171,7 +171,7 @@ void SaturatorTest::lossNeverStopsIt()
 {
     QFETCH(double, loss);
     QFETCH(int, delay);
-    impair::Settings settings;
+    impair::ImpairmentSettings settings;
     settings.loss = loss;
     settings.delay = std::chrono::milliseconds(delay);
     LoadedLink link(settings);
@@ -215,7 +215,7 @@ void SaturatorTest::longTripsAreLearnt()
 {
     LoadedLink link({});
     link.run(5s);
-    impair::Settings slow;
+    impair::ImpairmentSettings slow;
     slow.delay = 700ms;
     link.setSettings(slow);
     link.run(20s);

@@ -66,7 +66,7 @@ private Q_SLOTS:
             click(name);
         const auto conditions = dialog.order().plan.conditions;
         QCOMPARE(namesOf(conditions), QStringList{QStringLiteral("loss=0.025,delay=40,jitter=15,rate=38400")});
-        const impair::Settings &link = conditions.front().settings;
+        const impair::ImpairmentSettings &link = conditions.front().settings;
         QCOMPARE(link.loss, 0.025);
         QVERIFY(link.delay == std::chrono::milliseconds(40) && link.jitter == std::chrono::milliseconds(15));
         QCOMPARE(link.baud, std::uint64_t(38400));

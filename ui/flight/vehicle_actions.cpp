@@ -4,7 +4,7 @@
 #include "ui/flight/altitude_box.h"
 #include "ui/flight/result_label.h"
 #include "ui/text/command_permits.h"
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 

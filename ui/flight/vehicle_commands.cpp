@@ -3,7 +3,7 @@
 #include "core/engine/station/snapshot.h"
 #include "core/engine/text/event_text.h"
 #include "ui/text/command_permits.h"
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 #include "core/base/hex.h"
 #include "core/engine/station/inspector_row.h"
 #include "ui/inspector/field_text.h"
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 #include "ui/text/plain_tip.h"
 
 namespace skyseal::ui {

@@ -1,7 +1,7 @@
 #include "ui/inspector/field_text.h"
 
 #include "core/mavlink/field_value.h"
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 
 #include <QtCore/QStringList>
 

@@ -1,7 +1,7 @@
 #include "ui/inspector/inspector_model.h"
 
 #include "ui/text/units.h"
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 #include "ui/theme/palettes.h"
 
 #include <QtGui/QGuiApplication>

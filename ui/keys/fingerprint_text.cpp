@@ -1,7 +1,7 @@
 #include "ui/keys/fingerprint_text.h"
 
 #include "core/keys/public_key_text.h"
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 
 #include <QtGui/QFontDatabase>
 

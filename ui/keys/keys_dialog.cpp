@@ -3,7 +3,7 @@
 #include "ui/keys/fingerprint_text.h"
 #include "ui/keys/own_key_box.h"
 #include "ui/keys/peer_dialog.h"
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 

@@ -4,7 +4,7 @@
 #include "ui/keys/change_passphrase_dialog.h"
 #include "ui/keys/fingerprint_text.h"
 #include "ui/keys/qr_image.h"
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
 
 #include <QtGui/QClipboard>

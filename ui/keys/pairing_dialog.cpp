@@ -7,7 +7,7 @@
 #include "ui/keys/changed_key_warning.h"
 #include "ui/keys/passphrase_field.h"
 #include "ui/keys/pairing_question_form.h"
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 

@@ -5,7 +5,7 @@
 #include "ui/keys/changed_key_warning.h"
 #include "ui/keys/fingerprint_text.h"
 #include "ui/keys/peer_model.h"
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 

@@ -4,7 +4,7 @@
 #include "core/base/hex.h"
 #include "core/base/research.h"
 #include "core/link/link_url.h"
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 

@@ -2,7 +2,7 @@
 
 #include "core/engine/text/state_text.h"
 #include "ui/text/units.h"
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 #include "ui/theme/palettes.h"
 
 #include <QtGui/QGuiApplication>

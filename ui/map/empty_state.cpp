@@ -4,7 +4,7 @@
 #include "core/engine/text/state_text.h"
 #include "ui/security/allow_plain.h"
 #include "ui/text/link_ended.h"
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
 
 #include <QtGui/QFontDatabase>

@@ -1,7 +1,7 @@
 #include "ui/messages/message_model.h"
 
 #include "core/mavlink/enums.h"
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 #include "ui/theme/palettes.h"
 #include "ui/text/plain_tip.h"
 

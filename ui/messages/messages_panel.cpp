@@ -1,7 +1,7 @@
 #include "ui/messages/messages_panel.h"
 
 #include "core/engine/text/event_text.h"
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
 
 #include <QtGui/QAction>

@@ -2,7 +2,7 @@
 
 #include "core/mavlink/dialect.h"
 #include "ui/text/units.h"
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 
 #include <QtGui/QFont>
 

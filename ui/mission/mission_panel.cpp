@@ -4,7 +4,7 @@
 #include "core/engine/text/event_text.h"
 #include "ui/text/command_permits.h"
 #include "ui/mission/mission_file.h"
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
 
 #include <QtCore/QFile>

@@ -1,6 +1,6 @@
 #include "ui/parameters/parameter_model.h"
 
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 
 namespace skyseal::ui {
 

@@ -2,7 +2,7 @@
 
 #include "core/engine/station/vehicle_snapshot.h"
 #include "ui/text/command_permits.h"
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
 
 #include <QtCore/QSortFilterProxyModel>

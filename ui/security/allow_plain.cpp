@@ -3,7 +3,7 @@
 #include "core/engine/station/vehicle_snapshot.h"
 #include "core/engine/text/state_text.h"
 #include "ui/station_interface.h"
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 
 #include <QtCore/QCoreApplication>
 #include <QtWidgets/QMessageBox>

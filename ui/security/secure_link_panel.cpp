@@ -10,7 +10,7 @@
 #include "ui/text/lock_face.h"
 #include "ui/text/one_way.h"
 #include "ui/text/units.h"
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/palettes.h"

@@ -4,7 +4,7 @@
 #include "core/engine/text/common_event_text.h"
 #include "core/engine/text/common_event_text.h"
 #include "ui/text/units.h"
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 
 #include <QtGui/QAction>
 #include <QtGui/QActionGroup>

@@ -7,7 +7,7 @@
 #include "ui/text/lock_face.h"
 #include "ui/text/command_age.h"
 #include "ui/text/units.h"
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 #include "ui/theme/suite_style.h"

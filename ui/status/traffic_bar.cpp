@@ -4,7 +4,7 @@
 #include "core/engine/text/state_text.h"
 #include "ui/text/figures.h"
 #include "ui/text/units.h"
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 

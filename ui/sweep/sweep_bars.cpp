@@ -1,7 +1,7 @@
 #include "ui/sweep/sweep_bars.h"
 
 #include "ui/text/figures.h"
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 #include "ui/theme/suite_style.h"

@@ -4,7 +4,7 @@
 #include "ui/theme/form_pieces.h"
 #include "ui/sweep/link_conditions.h"
 #include "ui/sweep/sweep_labels.h"
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/suite_style.h"
 

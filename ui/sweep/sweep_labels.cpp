@@ -1,6 +1,6 @@
 #include "ui/sweep/sweep_labels.h"
 
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 #include "ui/theme/suite_style.h"
 
 #include <QtCore/QCoreApplication>
@@ -46,7 +46,7 @@ QString linkText(const experiment::Condition &link)
         return Text::tr("clean link");
     const auto text = [](double value) { return fromStd(experiment::readable(value)); };
     const auto ms = [&](Duration time) { return text(1000 * seconds(time)); };
-    const impair::Settings &is = link.settings;
+    const impair::ImpairmentSettings &is = link.settings;
     QStringList parts;
     if (is.baud > 0)
         parts << Text::tr("%1 baud").arg(text(static_cast<double>(is.baud)));

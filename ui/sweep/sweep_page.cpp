@@ -5,7 +5,7 @@
 #include "ui/sweep/sweep_bars.h"
 #include "ui/sweep/sweep_table_model.h"
 #include "ui/sweep/sweep_labels.h"
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 

@@ -3,7 +3,7 @@
 #include "core/experiment/analysis.h"
 #include "core/experiment/sweep_text.h"
 #include "ui/sweep/sweep_labels.h"
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 #include "ui/theme/suite_style.h"
 
 namespace skyseal::ui {

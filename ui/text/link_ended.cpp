@@ -3,7 +3,7 @@
 #include "core/engine/station/snapshot.h"
 #include "core/engine/text/state_text.h"
 #include "ui/text/units.h"
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 
 #include <QtCore/QCoreApplication>
 

@@ -5,7 +5,7 @@
 #include "ui/text/link_ended.h"
 #include "ui/text/one_way.h"
 #include "ui/text/units.h"
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 #include "ui/theme/suite_style.h"
 
 #include <QtCore/QCoreApplication>

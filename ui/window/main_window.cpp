@@ -15,7 +15,7 @@
 #include "ui/status/traffic_bar.h"
 #include "ui/sweep/sweep_page.h"
 #include "ui/sweep/sweep_presenter.h"
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/icons.h"
 #include "ui/window/panel_table.h"

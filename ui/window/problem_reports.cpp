@@ -4,7 +4,7 @@
 #include "core/engine/text/event_text.h"
 #include "ui/links/problem_banner.h"
 #include "ui/security/allow_plain.h"
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 
 #include <QtWidgets/QWidget>
 

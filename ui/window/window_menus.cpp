@@ -6,7 +6,7 @@
 #include "ui/security/allow_plain.h"
 #include "ui/security/suite_actions.h"
 #include "ui/text/command_permits.h"
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 #include "ui/window/view_selection.h"
 #include "ui/window/window_dialogs.h"
 #include "ui/window/window_docks.h"

@@ -47,7 +47,7 @@ JsonWriter begin(const char *event, Direction direction, Duration sinceStart, st
 
 } // namespace
 
-void RelayLosses::add(const impair::Verdict &verdict, const DatagramContents &contents)
+void RelayLosses::add(const impair::Treatment &verdict, const DatagramContents &contents)
 {
     if (verdict.dropped()) {
         droppedRecords += contents.sealedUnits();
@@ -70,19 +70,19 @@ std::string statsJson(const char *event, const link::Impairer &impairer, const R
     return json.text();
 }
 
-std::string dropJson(Direction direction, Duration sinceStart, const impair::Verdict &verdict)
+std::string dropJson(Direction direction, Duration sinceStart, const impair::Treatment &verdict)
 {
     JsonWriter json = begin("drop", direction, sinceStart, verdict.sequence);
     json.field("bytes", static_cast<std::uint64_t>(verdict.bytes))
-        .field("reason", verdict.fate == impair::Verdict::Fate::Lost ? "loss" : "queue")
+        .field("reason", verdict.fate == impair::Treatment::Fate::Lost ? "loss" : "queue")
         .endObject();
     return json.text();
 }
 
-std::string arrivalJson(Direction direction, Duration sinceStart, const impair::Verdict &verdict,
+std::string arrivalJson(Direction direction, Duration sinceStart, const impair::Treatment &verdict,
                         const DatagramContents &contents)
 {
-    using Fate = impair::Verdict::Fate;
+    using Fate = impair::Treatment::Fate;
     JsonWriter json = begin("in", direction, sinceStart, verdict.sequence);
     json.field("bytes", static_cast<std::uint64_t>(verdict.bytes));
     json.field("fate", verdict.fate == Fate::Passed ? "passed" : verdict.fate == Fate::Lost ? "lost" : "queue_full");

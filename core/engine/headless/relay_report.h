@@ -17,7 +17,7 @@ struct RelayLosses
     std::uint64_t droppedRecords = 0, droppedFrames = 0;
     std::uint64_t duplicatedRecords = 0, duplicatedFrames = 0;
 
-    void add(const impair::Verdict &verdict, const DatagramContents &contents);
+    void add(const impair::Treatment &verdict, const DatagramContents &contents);
 };
 
 /// Indexed by link::Impairer::Direction.
@@ -26,11 +26,11 @@ using RelayAccount = std::array<RelayLosses, 2>;
 /// One JSON object: {"event":EVENT,"t":…,"forward":{…},"backward":{…}}, t in seconds since the start.
 std::string statsJson(const char *event, const link::Impairer &impairer, const RelayAccount &account, Duration sinceStart);
 /// {"event":"drop","t":…,"direction":"forward"|"backward","sequence":…,"bytes":…,"reason":"loss"|"queue"}
-std::string dropJson(link::Impairer::Direction direction, Duration sinceStart, const impair::Verdict &verdict);
+std::string dropJson(link::Impairer::Direction direction, Duration sinceStart, const impair::Treatment &verdict);
 /// {"event":"in","t":…,"direction":…,"sequence":…,"bytes":…,"fate":"passed"|"lost"|"queue_full","duplicated":…,
 /// "held_back":…,"corrupted":…,"counters":[…] (sealed units),"connection":… (of a record),"epoch":… (low bits),
 /// "frames":[[system,component,sequence],…]}
-std::string arrivalJson(link::Impairer::Direction direction, Duration sinceStart, const impair::Verdict &verdict,
+std::string arrivalJson(link::Impairer::Direction direction, Duration sinceStart, const impair::Treatment &verdict,
                         const DatagramContents &contents);
 /// {"event":"out","t":…,"direction":…,"sequence":…}
 std::string deliveryJson(link::Impairer::Direction direction, Duration sinceStart, std::uint64_t sequence);

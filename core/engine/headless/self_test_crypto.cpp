@@ -82,13 +82,13 @@ private:
     Bytes m_bytes;
 };
 
-noise::HandshakeState startHandshake(noise::Role role, std::string_view own)
+noise::HandshakeState startHandshake(noise::Party role, std::string_view own)
 {
     noise::HandshakeConfig config;
     config.role = role;
     config.prologue = asBytes("John Galt");
     config.localStatic = crypto::X25519KeyPair::fromSecret(keyOf(own));
-    if (role == noise::Role::Initiator) {
+    if (role == noise::Party::Initiator) {
         const Bytes remote = hex("31e0303fd6418d2f8c0e78b91f22e8caed0fbe48656dcf4767e4834f701b8f62");
         config.remoteStatic.emplace();
         std::copy(remote.begin(), remote.end(), config.remoteStatic->begin());
@@ -100,8 +100,10 @@ noise::HandshakeState startHandshake(noise::Role role, std::string_view own)
 /// The vector of the cacophony project for Noise_IKpsk2_25519_ChaChaPoly_BLAKE2b.
 std::optional<std::string> checkHandshake()
 {
-    auto initiator = startHandshake(noise::Role::Initiator, "e61ef9919cde45dd5f82166404bd08e38bceb5dfdfded0a34c8df7ed542214d1");
-    auto responder = startHandshake(noise::Role::Responder, "4a3acbfdb163dec651dfa3194dece676d437029c62a408b4c5ea9114246e4893");
+    auto initiator = startHandshake(noise::Party::Initiator,
+                                    "e61ef9919cde45dd5f82166404bd08e38bceb5dfdfded0a34c8df7ed542214d1");
+    auto responder = startHandshake(noise::Party::Responder,
+                                    "4a3acbfdb163dec651dfa3194dece676d437029c62a408b4c5ea9114246e4893");
     ChosenRandom first(hex("893e28b9dc6ca8d611ab664754b8ceb7bac5117349a4439a6b0569da977c464a"));
     ChosenRandom second(hex("bbdb4cdbd309f1a1f2e1456967fe288cadd6f712d65dc7b7793d5e63da6b375b"));
     std::array<std::uint8_t, 256> message, payload;

@@ -1,4 +1,4 @@
-#include "ui/text/state_text.h"
+#include "ui/text/vehicle_text.h"
 
 #include "core/base/overloaded.h"
 #include "core/mavlink/enums.h"
