@@ -60,8 +60,8 @@ constexpr int kRounds = 9;
 class Receiver final : public engine::IngressSink
 {
 public:
-    Receiver(Side side, const engine::IngressRules &rules, const char *url, bool pairing)
-        : m_side(side), m_link(url, kLink), m_ingress(mavlink::Dialect::builtin(), m_carriers)
+    Receiver(Side side, Carrier carrier, const engine::IngressRules &rules, const char *url, bool pairing)
+        : m_side(side), m_pair(optionsOf(carrier)), m_link(url, kLink), m_ingress(mavlink::Dialect::builtin(), m_carriers)
     {
         m_pair.run(2s, [this] { return m_pair.bothUp(); });
         m_pair.link.attacker = [this](TimePoint, Flight &flight) {
@@ -84,7 +84,7 @@ public:
             channel::PairingConfig config;
             config.role = side == Ground ? channel::Role::Station : channel::Role::Agent;
             config.identity = end().identity;
-            config.callTo = {m_pair.pathOf(side == Ground ? Air : Ground)};
+            config.callTo = {peersPath()};
             m_pairing.emplace(std::move(config), m_random, m_pair.now);
             m_pairing->handleDeadline(m_pair.now);
             noteCalls();
@@ -93,11 +93,19 @@ public:
     }
 
     const StrangersKnowledge &knows() const { return m_knows; }
+    /// Where the session's peer sends from: on a stream, strangers send from there as well.
+    Path peersPath() const { return m_pair.pathOf(m_side == Ground ? Air : Ground); }
     void take(const Path &path, Bytes &bytes) { m_ingress.take(m_link, {path, bytes, m_pair.now}); }
     /// A flood of 50,000 a second.
     void pass() { m_pair.now += 20us; }
 
 private:
+    static PairOptions optionsOf(Carrier carrier)
+    {
+        PairOptions out;
+        out.carrier = carrier;
+        return out;
+    }
     Pair::End &end() { return m_pair.ends[m_side]; }
     void noteCalls()
     {
@@ -114,6 +122,7 @@ private:
         while (m_pairing->pollEvent()) {}
         return true;
     }
+    bool namesSession(ByteView message) const override { return m_pair.ends[m_side].endpoint->namesSerialSession(message); }
     void takeRecord(const link::Link &, const link::ReceivedBlock &message) override
     {
         channel::Endpoint &endpoint = *end().endpoint;
@@ -133,13 +142,11 @@ private:
     std::optional<channel::Pairing> m_pairing;
 };
 
-enum class Wrapping { None, Cobs, Tunnel };
-
-Bytes wrapped(Wrapping wrapping, const Bytes &message)
+Bytes wrapped(Carrier carrier, const Bytes &message)
 {
-    if (wrapping == Wrapping::None)
+    if (carrier == Carrier::Datagram)
         return message;
-    if (wrapping == Wrapping::Cobs) {
+    if (carrier == Carrier::Serial) {
         Bytes out(channel::kMaxCobs);
         out.resize(channel::writeCobs(message, out));
         return out;
@@ -169,7 +176,9 @@ void measure(const char *end, const char *carrier, const char *name, Receiver &r
     for (int i = 0; i < kMessages; ++i)
         messages.push_back(make(random));
     Path path{kLink, {}};
-    path.remote.ip = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xff, 0xff, 10, 0, 0, 1};
+    path.remote = receiver.peersPath().remote;
+    if (!isStream)
+        path.remote.ip = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xff, 0xff, 10, 0, 0, 1};
     double best = 0;
     std::int64_t state = 0;
     for (int round = 0; round < kRounds; ++round) {
@@ -206,40 +215,36 @@ int main()
     const engine::IngressRules agentTunnel{.takesTunnel = true};
     struct Setup
     {
-        const char *end, *carrier;
+        const char *end, *name;
         Side side;
+        Carrier carrier;
         engine::IngressRules rules;
-        const char *url;
-        Wrapping wrapping;
-        bool pairing = false;
     };
     const Setup setups[] = {
-        {"station", "datagram", Ground, stationDatagrams, "udpin:127.0.0.1:0", Wrapping::None},
-        {"station", "datagram, pairing open", Ground, stationDatagrams, "udpin:127.0.0.1:0", Wrapping::None, true},
-        {"station", "serial", Ground, stationStream, "tcp:127.0.0.1:1", Wrapping::Cobs},
-        {"station", "TUNNEL", Ground, stationDatagrams, "udpin:127.0.0.1:0", Wrapping::Tunnel},
-        {"agent", "datagram", Air, agentDatagrams, "udpin:127.0.0.1:0", Wrapping::None},
-        {"agent", "datagram, pairing open", Air, agentDatagrams, "udpin:127.0.0.1:0", Wrapping::None, true},
-        {"agent", "serial", Air, agentStream, "tcp:127.0.0.1:1", Wrapping::Cobs},
-        {"agent", "TUNNEL", Air, agentTunnel, "udpin:127.0.0.1:0", Wrapping::Tunnel},
+        {"station", "datagram", Ground, Carrier::Datagram, stationDatagrams},
+        {"station", "serial", Ground, Carrier::Serial, stationStream},
+        {"station", "TUNNEL", Ground, Carrier::Tunnel, stationDatagrams},
+        {"agent", "datagram", Air, Carrier::Datagram, agentDatagrams},
+        {"agent", "serial", Air, Carrier::Serial, agentStream},
+        {"agent", "TUNNEL", Air, Carrier::Tunnel, agentTunnel},
     };
     for (const Setup &setup : setups) {
-        for (const StrangerMessage &message : kStrangerMessages) {
-            const bool isPairing = std::string_view(message.name).starts_with("pairing");
-            const bool isClear = std::string_view(message.name).starts_with("clear");
-            if ((setup.pairing && !isPairing) || (isClear && setup.wrapping != Wrapping::None))
-                continue;
-            Receiver receiver(setup.side, setup.rules, setup.url, setup.pairing);
-            measure(setup.end, setup.carrier, message.name, receiver, setup.rules.isStream,
-                    [&](std::mt19937_64 &random) { return wrapped(setup.wrapping, message.make(receiver.knows(), random)); });
-        }
-        if (setup.rules.isStream) {
-            for (const auto &stream :
-                 {std::pair("1460 bytes of 0xFE", 0xfe), std::pair("1460 bytes of COBS without an end", 1)}) {
-                Receiver receiver(setup.side, setup.rules, setup.url, false);
-                measure(setup.end, setup.carrier, stream.first, receiver, true,
-                        [&](std::mt19937_64 &) { return Bytes(1460, static_cast<std::uint8_t>(stream.second)); });
+        const char *url = setup.rules.isStream ? "tcp:127.0.0.1:1" : "udpin:127.0.0.1:0";
+        for (const bool pairing : {false, true}) {
+            const std::string carrier = std::string(setup.name) + (pairing ? ", pairing open" : "");
+            for (const StrangerMessage &message : kStrangerMessages) {
+                const bool isClear = std::string_view(message.name).starts_with("clear");
+                Receiver receiver(setup.side, setup.carrier, setup.rules, url, pairing);
+                measure(setup.end, carrier.c_str(), message.name, receiver, setup.rules.isStream, [&](std::mt19937_64 &random) {
+                    const Bytes bytes = message.make(receiver.knows(), random);
+                    return isClear ? bytes : wrapped(setup.carrier, bytes);
+                });
             }
+            if (!setup.rules.isStream)
+                continue;
+            Receiver receiver(setup.side, setup.carrier, setup.rules, url, pairing);
+            measure(setup.end, carrier.c_str(), "1460 bytes of COBS without an end", receiver, true,
+                    [&](std::mt19937_64 &) { return Bytes(1460, 1); });
         }
     }
     return 0;
