@@ -222,7 +222,7 @@ int main(int argc, char **argv)
             desk->take(*pairing);
         report.notify(event);
     });
-    PairingServer pairings(agent, paths, [&report](const PairingStatus &status) { report.pairing(status); });
+    PairingServer pairings(agent, paths, [&report](const PairingStatus &pairing) { report.pairing(pairing); });
     desk = &pairings;
     if (!pairings.problem().isEmpty())
         remark("no pairing: " + pairings.problem().toStdString());
