@@ -1,14 +1,14 @@
-// What each kind of message costs that anyone can send, without a key, to a station with the longest list of peers and to an
+// Cost of each kind of message that anyone can send, without a key, to a station with the longest list of peers and to an
 // agent: nanoseconds of CPU time for one, and bytes of state after a flood of them from as many addresses. Datagrams, the same
 // messages in COBS and in TUNNEL, streams without an end, pairing open and closed.
 #include "pair.h"
 
-#include "core/channel/cobs.h"
 #include "core/channel/pairing.h"
 #include "core/crypto/init_crypto.h"
 #include "core/engine/common/ingress.h"
 #include "tests/support/idle_link.h"
 #include "tests/support/stranger_messages.h"
+#include "tests/support/stranger_wire.h"
 
 #include <algorithm>
 #include <atomic>
@@ -142,24 +142,6 @@ private:
     std::optional<channel::Pairing> m_pairing;
 };
 
-Bytes wrapped(Carrier carrier, const Bytes &message)
-{
-    if (carrier == Carrier::Datagram)
-        return message;
-    if (carrier == Carrier::Serial) {
-        Bytes out(channel::kMaxCobs);
-        out.resize(channel::writeCobs(message, out));
-        return out;
-    }
-    mavlink::Tunnel tunnel{.payload_type = channel::kTunnelPayloadType,
-                           .payload_length = static_cast<std::uint8_t>(std::min<std::size_t>(message.size(), 128))};
-    std::copy_n(message.begin(), tunnel.payload_length, tunnel.payload.begin());
-    mavlink::FrameWriter writer(1, 191);
-    std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
-    const ByteView frame = writer.write(tunnel, buffer);
-    return {frame.begin(), frame.end()};
-}
-
 double cpuNanoseconds()
 {
     timespec time{};
@@ -237,7 +219,7 @@ int main()
                 Receiver receiver(setup.side, setup.carrier, setup.rules, url, pairing);
                 measure(setup.end, carrier.c_str(), message.name, receiver, setup.rules.isStream, [&](std::mt19937_64 &random) {
                     const Bytes bytes = message.make(receiver.knows(), random);
-                    return isClear ? bytes : wrapped(setup.carrier, bytes);
+                    return isClear ? bytes : onTheWire(setup.carrier, bytes);
                 });
             }
             if (!setup.rules.isStream)
