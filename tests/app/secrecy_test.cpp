@@ -1,5 +1,5 @@
-// What the programs that hold keys leave behind: nothing that they print, log, record or keep in files shows a byte of a
-// key, and the system may not write their memory to a core file.
+// Traces of keys outside the programs that hold them: output, logs, recordings and files contain no byte of a key, and the
+// system may not write their memory to a core file.
 #include "core/base/secret_bytes.h"
 #include "core/crypto/x25519.h"
 #include "core/crypto/init_crypto.h"

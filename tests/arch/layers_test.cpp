@@ -11,7 +11,7 @@
 
 namespace {
 
-/// What each folder may include besides itself.
+/// The folders that each folder may include, besides itself.
 const QHash<QString, QStringList> &allowed()
 {
     static const QStringList kProtocol{QStringLiteral("base"),    QStringLiteral("crypto"),  QStringLiteral("noise"),
@@ -37,8 +37,8 @@ const QHash<QString, QStringList> &allowed()
     return kAllowed;
 }
 
-/// What each room of ui may include besides itself and the base files in ui/ (view state, settings, station interface, dock
-/// panel). The rooms of panels stand beside one another: what two of them need belongs into text or theme.
+/// The folders that each folder of ui may include, besides itself and the base files in ui/ (view state, settings, station
+/// interface, dock panel). Folders of panels do not include one another: code that two of them need belongs in text or theme.
 const QHash<QString, QStringList> &allowedInUi()
 {
     static const QString kTheme = QStringLiteral("theme"), kText = QStringLiteral("text"),

@@ -73,7 +73,7 @@ void PrintableTest::agreesWithUnicode()
             || category == QChar::Separator_Line || category == QChar::Separator_Paragraph;
         if (expected)
             QVERIFY2(isUnprintable(value), qPrintable(QString::number(value, 16)));
-        // What is hidden besides has no letters, digits and signs among it, but for the fillers of Hangul.
+        // Of letters and digits, only the fillers of Hangul are unprintable.
         if (QChar::isLetterOrNumber(value) && isUnprintable(value))
             QVERIFY2((value >= 0x115f && value <= 0x1160) || value == 0x3164 || value == 0xffa0,
                      qPrintable(QString::number(value, 16)));

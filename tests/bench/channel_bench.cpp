@@ -1,4 +1,4 @@
-// What an endpoint costs over the bare library call: seal() and handleDatagram() of a real session, with session look-up,
+// Cost of an endpoint relative to the bare library call: seal() and handleDatagram() of a real session, with session look-up,
 // header, associated data, replay window, counters and roaming, per suite and size, in one run. Fails above 1.15 times the bare
 // call.
 #include "pair.h"

@@ -1,5 +1,4 @@
-// What sealing and opening a record cost over the bare library calls that they cannot do without, per suite and size, in
-// one run.
+// Cost of sealing and opening a record relative to the library calls that they consist of, per suite and size, in one run.
 #include "core/base/secret_bytes.h"
 #include "record_sizes.h"
 

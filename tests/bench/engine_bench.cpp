@@ -1,4 +1,4 @@
-// What the engines cost for each frame, in CPU time of their thread, over real sockets: the agent that forwards and seals,
+// Cost of the engines for each frame, in CPU time of their thread, over real sockets: the agent that forwards and seals,
 // against a forwarder that does nothing but recvmmsg and sendmmsg; the station that receives, opens and parses; and opening
 // and parsing alone, against verifying the signature of the frame, which is the protection that stock MAVLink offers.
 #include "core/mavlink/signing.h"
@@ -21,7 +21,7 @@ using crypto::SuiteId;
 
 namespace {
 
-/// What no receiver can do without: recvmmsg, the library's call that opens, and reading the frame.
+/// The least that a receiver does: recvmmsg, the library's call that opens, and reading the frame.
 class BareReceiver
 {
 public:

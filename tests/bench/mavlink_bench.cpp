@@ -1,4 +1,4 @@
-// What a frame costs: read with its checksum, written, signed and verified. The mix is a copter's telemetry, 37 bytes a
+// Cost of a frame: read with its checksum, written, signed and verified. The mix is a copter's telemetry, 37 bytes a
 // frame in the mean.
 #include "core/base/secret_bytes.h"
 #include "core/mavlink/signing.h"

@@ -1,4 +1,4 @@
-// What receiving and sending one datagram costs through a UDP link, against the bare system calls in the same run. The
+// Cost of receiving and sending one datagram through a UDP link, against the bare system calls in the same run. The
 // socket is saturated: 512 datagrams wait in it, and the CPU time of draining them (filling is not timed) is divided by
 // their number. The limit that the project sets itself is 1.2 times recvmmsg for the link with batches.
 #include "core/link/make_link.h"

@@ -47,7 +47,7 @@ void writeSessionSecrets(const WriteSecret &write, const Pair &pair, const Tap &
     // Without the first and the last byte, which X25519 changes in its own copy.
     write("station's-ephemeral", ByteView(stations.secret.view()).subspan(1, 30), false);
     write("agent's-ephemeral", ByteView(agents.secret.view()).subspan(1, 30), false);
-    // What HMAC makes of a key is as good as the key: the two states that its object consists of.
+    // The two hash states that HMAC derives from a key are as secret as the key.
     const auto writeStates = [&](const char *name, const Key32 &key, bool lives) {
         const crypto::HmacSha256 hmac(key.view());
         static_assert(sizeof hmac == 64);

@@ -193,7 +193,7 @@ public:
         m_hello.commitment = commitmentTo(m_opening.write());
     }
     PairingAnswer answer() const { return pairingAnswer(m_hello); }
-    /// What the station shows. Returns false if it cannot be read.
+    /// Reads the code that the station shows. Returns false if it cannot be read.
     bool readStation(ByteView datagram)
     {
         PairingOpening::Bytes bytes;

@@ -222,7 +222,7 @@ void PairingTest::badLinks()
 
 void PairingTest::lastWordLost()
 {
-    // Who pairs first goes on saying so until the other end has heard it.
+    // The end that pairs first repeats its message until the other end has received it.
     for (const Side deaf : {Ground, Air}) {
         PairingPair pair;
         pair.openBoth();

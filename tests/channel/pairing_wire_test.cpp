@@ -59,7 +59,7 @@ void PairingWireTest::replayOfAWholePairing()
 
 void PairingWireTest::reflection()
 {
-    // What an end sends comes back to it, from the other end's address; and two roles of one key do not pair.
+    // Reflection: an end's messages come back to it from the other end's address. Two roles of one key do not pair.
     PairingPair pair;
     pair.link.attacker = [&](TimePoint, Flight &flight) {
         Flight back = flight;
@@ -419,7 +419,7 @@ void PairingWireTest::forgedCalls()
 
 void PairingWireTest::noMoreOutThanIn()
 {
-    // What was recorded, given to either end alone in a new window, again and again.
+    // Recorded messages are replayed to either end alone, repeatedly, in a new window.
     PairingPair pair;
     Tap recorded(pair);
     pair.openBoth();

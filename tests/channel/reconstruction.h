@@ -29,7 +29,7 @@ struct RevealedSession
         std::copy(responders.view().begin(), responders.view().end(), both.mutableView().begin() + 32);
         return crypto::hkdfExtractSha256(hash, both.view());
     }
-    /// What remains of the chain while epoch 0 is the current one.
+    /// The part of the key chain that is kept while epoch 0 is the current one.
     Key32 next(crypto::SuiteId suite) const
     {
         Bytes info;

@@ -1,5 +1,5 @@
-// What an observer can send to the vehicle: of all messages and commands only harmless questions, by the rules and on the
-// wire, where a simulated vehicle and a bare socket show what arrived.
+// An observer can send only harmless questions to the vehicle, of all messages and commands: tested on the rules alone, and on
+// the wire, where a simulated vehicle and a bare socket show what arrived.
 #include "core/engine/agent/agent_core.h"
 #include "core/engine/agent/observer_rules.h"
 #include "core/engine/station/snapshot.h"
@@ -70,7 +70,7 @@ Bytes commandInt(std::uint16_t command, float first = 0, float second = 0)
         mavlink::CommandInt{.target_system = 1, .target_component = 1, .command = command, .param1 = first, .param2 = second});
 }
 
-/// What would fly the vehicle, or take the pilot's instruments away.
+/// Messages that would fly the vehicle, or stop the pilot's telemetry.
 Frames acts()
 {
     using namespace mavlink;
@@ -178,7 +178,7 @@ private Q_SLOTS:
 
 void ObserverTest::ofAllMessagesOnlyQuestions()
 {
-    // Whatever is in the payload; those whose content decides stand below.
+    // `always`: passes with any payload. `depends`: the content decides, see below.
     const std::set<std::uint32_t> always{21, 40, 43, 51, 321}, depends{20, 47, 66, 75, 76, 111, 320};
     int passed = 0;
     for (const mavlink::MessageInfo &info : mavlink::Dialect::builtin().messages()) {

@@ -1,4 +1,4 @@
-// What is in force while a measurement replaces the configured protection, and when sessions must end for it.
+// Settings in force while a measurement replaces the configured protection, and when sessions must end for it.
 #include "core/engine/station/security_settings.h"
 
 #include "tests/support/test_runner.h"

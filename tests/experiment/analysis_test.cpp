@@ -1,5 +1,5 @@
-// What a sweep calls a difference, on sweeps that are made up so that the truth is known: the same setting twice agrees, an A/A
-// pair differs as seldom as it claims, a step of the instrument is no difference and a real one is found.
+// Differences that a sweep reports, on synthetic sweeps with known truth: the same setting twice agrees, an A/A pair differs as
+// seldom as it claims, a step of the instrument is no difference and a real one is found.
 #include "core/experiment/analysis.h"
 #include "core/metrics/histogram.h"
 #include "tests/support/test_runner.h"

@@ -61,7 +61,7 @@ QStringList words(const char *text)
     return QString::fromLatin1(text).split(QLatin1Char(' '), Qt::SkipEmptyParts);
 }
 
-/// What the only run of a sweep measured.
+/// The measurement of the only run of a sweep.
 QJsonObject runIn(const QByteArray &out)
 {
     for (const QByteArray &line : out.split('\n')) {

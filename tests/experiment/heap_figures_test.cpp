@@ -1,4 +1,4 @@
-// What suites take of the heap is the same whatever the rest of the program allocates meanwhile.
+// The heap figure of a suite does not depend on what the rest of the program allocates meanwhile.
 #include "core/crypto/init_crypto.h"
 #include "core/experiment/cipher_bench.h"
 #include "core/experiment/heap_figures.h"

@@ -99,7 +99,7 @@ void MemoryShareTest::heapIsWhatHeaptrackFinds()
     QFETCH(QString, suite);
     QFETCH(int, count);
     const auto run = [&](int held) { return profiled({q(SKYSEAL_MEMORY_PROBE), what, suite, QString::number(held)}); };
-    // What else the program takes for a while is in both peaks.
+    // Other temporary allocations of the program are in both peaks.
     const auto some = run(count), many = run(3 * count);
     QVERIFY(some && many && many->heap > some->heap);
     // Ours from a run by itself: heaptrack keeps its books in the same heap.

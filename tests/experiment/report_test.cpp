@@ -306,7 +306,7 @@ void ReportTest::nothingLostHasABound()
     QVERIFY(svg(chartOf(results, 0, 0, Metric::Loss)).find("0 (≤ 0.34)") != std::string::npos);
     std::erase_if(results.samples, [](const Sample &sample) { return sample.run.repeat > 0; });
     QCOMPARE(meanText(results, {0, 0, 1}, Metric::Loss), std::string("0 (≤ 0.017)")); // of one run, too
-    // What is no share needs no such bound.
+    // A quantity that is not a share needs no such bound.
     results = resultsWith(Metric::Overhead, [](SuiteId) { return 0.0; });
     QCOMPARE(meanText(results, {0, 0, 1}, Metric::Overhead), std::string("0 ± 0"));
 }
@@ -449,7 +449,7 @@ void ReportTest::noiseIsJudgedAsSuitesAre()
     }
 }
 
-/// What the paper compared stands among the differences, what no two suites are compared by does not.
+/// The differences contain the quantities that the paper compared, and none by which suites are not compared.
 void ReportTest::comparedIsWhatThePaperCompared()
 {
     Results results = resultsWith(Metric::Packets, [](SuiteId suite) { return 1000.0 + static_cast<double>(suite); });

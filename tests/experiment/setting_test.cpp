@@ -1,5 +1,5 @@
-// What is said of the machine and the build that measured, and what the benchmark says of AES instructions: the truth, whatever
-// somebody set OpenSSL's mask to before.
+// The description of the machine and the build that measured, and the benchmark's report of AES instructions, are correct
+// for any value of OpenSSL's capability mask.
 #include "core/experiment/setting.h"
 #include "tests/support/run_program.h"
 #include "tests/support/test_runner.h"

@@ -92,7 +92,8 @@ private:
     void checkFigure(const QJsonObject &report, const char *metric, const char *load, const QByteArray &svg);
 };
 
-/// What the page and the figures say of a place, arm by arm as the plan has them; empty for an arm that has none.
+/// The summaries of a metric under a load as the page and the figures show them, in the order of the plan's arms; an empty
+/// object for an arm without one.
 static QList<QJsonObject> summariesOf(const QJsonObject &report, const QString &load, const QString &metric)
 {
     QList<QJsonObject> out;

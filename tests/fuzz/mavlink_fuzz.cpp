@@ -21,7 +21,7 @@ void require(bool condition)
         std::abort();
 }
 
-/// What MAVLink 2 makes of a payload: no zeros at the end, but at least one byte.
+/// The length of a payload in MAVLink 2: without the zeros at its end, but at least one byte.
 std::size_t trimmedLength(ByteView payload)
 {
     std::size_t length = payload.size();

@@ -28,7 +28,7 @@ std::shared_ptr<const crypto::X25519KeyPair> keyPair(std::uint64_t seed);
 /// One of three passphrases, or none, as the two low bits of `choice` say.
 std::shared_ptr<const crypto::Passphrase> passphraseOf(std::uint8_t choice);
 
-/// What the configuration of one end allows and prefers, as the low bits of a byte of the input say: bit 0 prefers frames
+/// The policy of one end, from the low bits of a byte of the input: bit 0 prefers frames
 /// sealed in place, and the suites that have them; bit 1 forbids them; bit 2 forbids research suites.
 Policy policyOf(std::uint8_t choice);
 

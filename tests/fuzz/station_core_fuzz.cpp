@@ -293,7 +293,7 @@ private:
 
     // ---- the oracles
 
-    /// What the operator sees.
+    /// The state that the operator sees.
     void judge(const engine::Snapshot &snapshot)
     {
         for (const engine::VehicleSnapshot &vehicle : snapshot.vehicles) {

@@ -1,5 +1,5 @@
-// Whatever arrives, the vehicle goes on: valid frames with random contents, random bytes, and random flights by random
-// requests. Nothing that it sends may hold a number that is none.
+// The simulated vehicle goes on under any input: valid frames with random contents, random bytes, and random flights by random
+// requests. Nothing that it sends contains a NaN.
 #include "tests/sim/test_flight.h"
 #include "tests/sim/test_station.h"
 #include "tests/support/test_runner.h"

@@ -1,4 +1,4 @@
-// What the simulated vehicle tells a station: parameters, streams at exact rates, texts, time; and two runs that are equal
+// Messages of the simulated vehicle to a station: parameters, streams at exact rates, texts, time; and two runs that are equal
 // to the last byte.
 #include "tests/sim/test_station.h"
 #include "tests/support/test_runner.h"

@@ -5,8 +5,8 @@
 
 namespace skyseal::test {
 
-/// What `channel` of a report says of received records: its `rx` without the datagrams that belong to no session, which are
-/// mostly repeated handshake messages (a busy machine or a slow link makes the station repeat its first message).
+/// The counters of received records in `channel` of a report: its `rx` without the datagrams that belong to no session, which
+/// are mostly repeated handshake messages (a busy machine or a slow link makes the station repeat its first message).
 inline QJsonObject receivedRecords(const QJsonValue &channel)
 {
     QJsonObject out = channel[QLatin1String("rx")].toObject();

@@ -16,7 +16,7 @@
 
 namespace skyseal::test {
 
-/// What a stranger on the wire knows.
+/// The knowledge of a stranger on the wire.
 struct StrangersKnowledge
 {
     channel::PublicKey receiver{}; ///< the public key of the end that receives

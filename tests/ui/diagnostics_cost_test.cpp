@@ -1,4 +1,4 @@
-// What looking at the diagnostics costs: CPU time of the window's thread while samples come as they do in flight, over the time
+// Cost of looking at the diagnostics: CPU time of the window's thread while samples come as they do in flight, over the time
 // that passes, once with the view in sight at its own refresh and once hidden, ten minutes of history behind it; less what the
 // same snapshots take without a visible panel.
 #include "core/metrics/process_usage.h"

@@ -5,7 +5,7 @@
 
 namespace skyseal::ui {
 
-/// What the tests' agent permits: all but the research suite.
+/// The suites that the tests' agent permits: all but the research suite.
 std::vector<crypto::SuiteId> usualSuites();
 
 engine::Snapshot waitingSnapshot();

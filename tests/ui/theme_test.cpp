@@ -1,4 +1,4 @@
-// What can be filled in is seen as such in every theme: the edges of fields, measured in pictures of them.
+// Input fields are recognizable in every theme: the contrast of their edges, measured in pictures.
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/theme/palettes.h"

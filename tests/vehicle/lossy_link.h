@@ -12,7 +12,7 @@ namespace skyseal::vehicle {
 /// A message on its way to the station, packed only when it arrives.
 using ToStation = std::function<void(Harness &)>;
 
-/// What the other side of the radio does.
+/// The vehicle at the other end of the radio link.
 class ScriptedPeer
 {
 public:

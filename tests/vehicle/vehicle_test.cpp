@@ -1,4 +1,4 @@
-// What makes a vehicle, how it gets lost and comes back, what it is asked for at the beginning, and the small trackers.
+// When a vehicle exists, how it is lost and found again, what it is asked for at the beginning, and the small trackers.
 #include "tests/support/test_runner.h"
 #include "vehicle_harness.h"
 
@@ -195,7 +195,7 @@ void VehicleTest::silentGroupIsAskedForAgain()
     const auto again = h.sentOf<mavlink::RequestDataStream>();
     QCOMPARE(again.size(), std::size_t(6));
     QVERIFY(std::none_of(again.begin(), again.end(), [](const auto &m) { return m.req_stream_id == 10; }));
-    // What never comes is asked for ever more rarely: at 6, 14, 30, 62, 126 and 190 s.
+    // A request without an answer is repeated at growing intervals: at 6, 14, 30, 62, 126 and 190 s.
     std::size_t rc = 0;
     for (int second = 103; second <= 300; ++second) {
         h.runUntil(at(second));
