@@ -66,7 +66,7 @@ void FreshnessTest::ageIsNeverTooSmall()
             return TimePoint(std::chrono::duration_cast<Duration>(std::chrono::duration<double>(t * ours)));
         };
         const auto theirStamp = [&](double t) {
-            return static_cast<std::uint32_t>(static_cast<std::uint64_t>(t * theirs * 1e6));
+            return static_cast<std::uint32_t>(static_cast<std::int64_t>(t * theirs * 1e6)); // t may be negative
         };
         PeerClock clock(ourClock(0));
         for (double t = 0; t < 900; t += randomly(.1, 3)) { // our report leaves at t
