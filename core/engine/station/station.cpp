@@ -3,7 +3,7 @@
 #include "core/base/research.h"
 
 #include "core/crypto/thread_end.h"
-#include "core/engine/station/mailbox.h"
+#include "core/engine/common/mailbox.h"
 #include "core/engine/station/output_queue.h"
 #include "core/crypto/mavsec_cipher.h"
 #include "core/engine/station/station_core.h"
