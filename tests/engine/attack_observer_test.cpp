@@ -194,7 +194,7 @@ void AttackObserverTest::thousandQuestions_data()
     QTest::addColumn<int>("lists"); // of each ten questions
     QTest::addColumn<double>("atOnce");
     QTest::addColumn<double>("perSecond");
-    using Limit = engine::QuestionLimit;
+    using Limit = engine::QuestionBudget;
     QTest::newRow("single values") << 0 << Limit::kAtOnce << Limit::kPerSecond;
     QTest::newRow("whole lists") << 10 << Limit::kListsAtOnce << Limit::kListsPerSecond;
 }

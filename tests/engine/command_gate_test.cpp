@@ -196,7 +196,8 @@ void CommandGateTest::questionsAreLimitedForEachPeer()
             passed += gate.take(session, question);
         return passed;
     };
-    constexpr int kAtOnce = static_cast<int>(QuestionLimit::kAtOnce), kPerSecond = static_cast<int>(QuestionLimit::kPerSecond);
+    constexpr int kAtOnce = static_cast<int>(QuestionBudget::kAtOnce),
+                  kPerSecond = static_cast<int>(QuestionBudget::kPerSecond);
     QCOMPARE(askedBy(kObserver), kAtOnce);
     QCOMPARE(gate.counters().observerTooOften, std::uint64_t(300 - kAtOnce));
     const auto refused = gate.takeRefused();

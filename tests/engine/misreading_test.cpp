@@ -2,6 +2,7 @@
 // missing at the front; one lost byte anywhere makes no other message; and no request for information becomes a command.
 #include "core/engine/agent/misreading.h"
 #include "core/engine/agent/observer_rules.h"
+#include "core/engine/common/question_rules.h"
 #include "core/mavlink/enums.h"
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"

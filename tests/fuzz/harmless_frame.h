@@ -1,5 +1,5 @@
 // Which frames only ask, and so may reach a vehicle from an observer, or late from a pilot: the list of THREATS.md, "What an
-// observer may send", read independently of core/engine/agent/observer_rules.cpp.
+// observer may send", read independently of core/engine/common/question_rules.cpp.
 #pragma once
 
 #include "core/mavlink/dialect.h"

@@ -3,6 +3,7 @@
 #include "core/base/weakness.h"
 #include "core/engine/agent/misreading.h"
 #include "core/engine/agent/observer_rules.h"
+#include "core/mavlink/frame_header.h"
 #include "core/mavlink/messages.h"
 
 namespace skyseal::engine {
@@ -11,13 +12,6 @@ namespace {
 
 /// Of most ground stations; used before they are heard as well.
 constexpr std::uint8_t kCustomaryGroundSystem = 255;
-
-std::uint32_t messageIdOf(const mavlink::ScanItem &item)
-{
-    if (item.bytes[0] != mavlink::kMagic2)
-        return item.bytes[5];
-    return item.bytes[7] | item.bytes[8] << 8 | static_cast<std::uint32_t>(item.bytes[9]) << 16;
-}
 
 std::uint64_t AgentCounters::*counterOf(FramesRefused::Reason reason)
 {
@@ -55,11 +49,6 @@ bool CommandGate::isGroundSystem(std::uint8_t systemId) const
     return systemId == kCustomaryGroundSystem || m_policy.isPilotsSystem(systemId);
 }
 
-std::uint8_t CommandGate::systemOf(const mavlink::ScanItem &item)
-{
-    return item.bytes[item.bytes[0] == mavlink::kMagic2 ? 5 : 3];
-}
-
 bool CommandGate::mayCommand(TimePoint now, const channel::Delivery &delivery, const mavlink::ScanItem &item)
 {
     using Reason = FramesRefused::Reason;
@@ -85,7 +74,7 @@ bool CommandGate::mayCommand(TimePoint now, const channel::Delivery &delivery, c
 
 bool CommandGate::maySpeakAs(channel::SessionId session, const mavlink::ScanItem &item, bool isVehicle)
 {
-    if ((!isVehicle || weakened(Weakness::NoSenderCheck)) && m_policy.acceptSealed(session, systemOf(item)))
+    if ((!isVehicle || weakened(Weakness::NoSenderCheck)) && m_policy.acceptSealed(session, mavlink::systemIdOf(item.bytes)))
         return true;
     refuse(session, item, FramesRefused::Reason::System);
     return false;
@@ -103,7 +92,7 @@ void CommandGate::refuse(channel::SessionId session, const mavlink::ScanItem &it
         if (const auto sender = m_senders.find(session); sender != m_senders.end())
             refused.peer = sender->second.name;
     }
-    refused.messageId = messageIdOf(item);
+    refused.messageId = mavlink::messageIdOf(item.bytes);
     refused.messageName = item.frame ? std::string(item.frame->info().name) : std::string();
     refused.command = 0;
     if (item.frame && refused.messageId == mavlink::CommandLong::kId)

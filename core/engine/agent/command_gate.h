@@ -7,6 +7,7 @@
 #include "core/engine/agent/agent_snapshot.h"
 #include "core/engine/agent/question_limit.h"
 #include "core/engine/common/sender_policy.h"
+#include "core/mavlink/frame_header.h"
 #include "core/mavlink/frame_scanner.h"
 
 #include <map>
@@ -30,7 +31,8 @@ public:
     template<typename IsVehicle>
     bool accept(TimePoint now, const channel::Delivery &delivery, const mavlink::ScanItem &item, IsVehicle &&isVehicle)
     {
-        return mayCommand(now, delivery, item) && maySpeakAs(delivery.session, item, isVehicle(systemOf(item)));
+        return mayCommand(now, delivery, item)
+            && maySpeakAs(delivery.session, item, isVehicle(mavlink::systemIdOf(item.bytes)));
     }
 
     /// Whether the system id belongs to a ground station: the customary one, and those that the list binds to pilots or that
@@ -43,7 +45,6 @@ public:
     void addTo(AgentCounters &counters) const;
 
 private:
-    static std::uint8_t systemOf(const mavlink::ScanItem &item);
     bool mayCommand(TimePoint now, const channel::Delivery &delivery, const mavlink::ScanItem &item);
     bool maySpeakAs(channel::SessionId session, const mavlink::ScanItem &item, bool isVehicle);
     void refuse(channel::SessionId session, const mavlink::ScanItem &item, FramesRefused::Reason reason);

@@ -1,6 +1,6 @@
 #include "core/engine/agent/misreading.h"
 
-#include "core/engine/agent/observer_rules.h"
+#include "core/engine/common/question_rules.h"
 #include "core/mavlink/messages.h"
 
 #include <algorithm>

@@ -2,93 +2,13 @@
 
 #include "core/base/weakness.h"
 #include "core/engine/agent/misreading.h"
-#include "core/mavlink/enums.h"
-#include "core/mavlink/messages.h"
-
-#include <bit>
-#include <cmath>
-#include <type_traits>
+#include "core/engine/common/question_rules.h"
 
 namespace skyseal::engine {
 
-namespace {
-
-/// Messages for which no typed struct is generated.
-constexpr std::uint32_t kParamExtRequestRead = 320, kParamExtRequestList = 321;
-/// Of the streams that an observer may start; the defaults of stations are within.
-constexpr std::uint16_t kLeastRate = 1, kGreatestRate = 10; // Hz
-
-bool isWholeUpTo(float value, float most)
-{
-    return value >= 0 && value <= most && std::trunc(value) == value;
-}
-
-/// Zero, or the one NaN that libraries write; any other value would be usable space for an attacker.
-bool isUnused(float value)
-{
-    return value == 0 || std::bit_cast<std::uint32_t>(value) == 0x7fc00000;
-}
-
-/// A question has a message id, an index and the address of the answer; other parameters would be usable space for an
-/// attacker.
-template<typename Command> bool asks(const Command &said)
-{
-    bool rest = isUnused(said.param3) && isUnused(said.param4);
-    if constexpr (std::is_same_v<Command, mavlink::CommandLong>)
-        rest = rest && isUnused(said.param5) && isUnused(said.param6) && (isWholeUpTo(said.param7, 2) || isUnused(said.param7));
-    else
-        rest = rest && said.x == 0 && said.y == 0 && (isWholeUpTo(said.z, 2) || isUnused(said.z));
-    return rest && isQuestion(said.command) && (isWholeUpTo(said.param1, 0xffffff) || isUnused(said.param1))
-        && (isWholeUpTo(said.param2, 255) || isUnused(said.param2));
-}
-
-bool startsStream(const mavlink::RequestDataStream &request)
-{
-    if (weakened(Weakness::AnyStreamRate))
-        return request.start_stop == 1;
-    return request.start_stop == 1 && request.req_message_rate >= kLeastRate && request.req_message_rate <= kGreatestRate;
-}
-
-} // namespace
-
-bool isListRequest(std::uint32_t messageId)
-{
-    return messageId == mavlink::ParamRequestList::kId || messageId == kParamExtRequestList;
-}
-
-bool isQuestion(std::uint16_t command)
-{
-    switch (command) {
-    case mavlink::MAV_CMD_GET_HOME_POSITION:
-    case mavlink::MAV_CMD_REQUEST_MESSAGE:
-    case mavlink::MAV_CMD_REQUEST_PROTOCOL_VERSION:
-    case mavlink::MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES: return true;
-    default: return false;
-    }
-}
-
 bool observerMaySend(const mavlink::Frame &frame, bool pilotThere)
 {
-    if (!isPlainlySaid(frame) && !weakened(Weakness::Misreadable))
-        return false;
-    switch (frame.messageId()) {
-    case mavlink::ParamRequestRead::kId:
-    case mavlink::ParamRequestList::kId:
-    case kParamExtRequestRead:
-    case kParamExtRequestList:
-    case mavlink::MissionRequestList::kId:
-    case mavlink::MissionRequest::kId:
-    case mavlink::MissionRequestInt::kId: return true;
-    case mavlink::Timesync::kId: // only the question: PX4 sets its clock offset by an answer
-        return mavlink::Timesync::decode(frame.payload()).tc1 == 0;
-    case mavlink::MissionAck::kId: // ends a download; any other result would cancel one
-        return mavlink::MissionAck::decode(frame.payload()).type == mavlink::MAV_MISSION_ACCEPTED;
-    case mavlink::RequestDataStream::kId:
-        return !pilotThere && startsStream(mavlink::RequestDataStream::decode(frame.payload()));
-    case mavlink::CommandLong::kId: return asks(mavlink::CommandLong::decode(frame.payload()));
-    case mavlink::CommandInt::kId: return asks(mavlink::CommandInt::decode(frame.payload()));
-    default: return false;
-    }
+    return (isPlainlySaid(frame) || weakened(Weakness::Misreadable)) && isHarmlessQuestion(frame, !pilotThere);
 }
 
 } // namespace skyseal::engine

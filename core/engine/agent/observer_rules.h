@@ -1,26 +1,12 @@
-// The frames of an observer that reach the autopilot: a list of permitted messages, so that every other message, including
-// those of later or unknown dialects, is refused.
-//
-// Permitted are questions about the vehicle that change nothing in it. Refused, though they look harmless:
-// - HEARTBEAT of a ground station: autopilots take it for the pilot's, so their failsafe would not act when the pilot's own
-//   link is lost. https://ardupilot.org/copter/docs/gcs-failsafe.html
-// - SET_MESSAGE_INTERVAL, and REQUEST_DATA_STREAM while a pilot is there: the rates are the autopilot's, one set for all
-//   stations behind an agent, so an observer could take the pilot's instruments away. Without a pilot, only 1 to 10 Hz: a
-//   rate of 0 stops a stream, and the highest ones fill the line.
-// - SYSTEM_TIME sets clocks, and an answer by TIMESYNC moves PX4's; FILE_TRANSFER_PROTOCOL writes as well as it reads;
-//   LOG_REQUEST_DATA stops logging.
-// - PING, which TIMESYNC replaced long ago, has fourteen bytes of the sender's choice: room for a whole MAVLink 1 frame. And
-//   GET_MESSAGE_INTERVAL, whose id 510 contains the first byte of a frame: REQUEST_MESSAGE asks the same (misreading.h).
+// The frames of an observer that reach the autopilot: questions (question_rules.h) that are said plainly, and no request for
+// streams while a pilot is there: the rates are the autopilot's, one set for all stations behind an agent, so an observer
+// could take the pilot's instruments away. SET_MESSAGE_INTERVAL is refused for the same reason.
 #pragma once
 
 #include "core/mavlink/frame.h"
 
 namespace skyseal::engine {
 
-/// Returns true for a command that only asks.
-bool isQuestion(std::uint16_t command);
-/// Returns true for messages that make the vehicle send a whole list.
-bool isListRequest(std::uint32_t messageId);
 /// `pilotThere`: a peer that may command has a session. A permitted frame must still pass mayBeMisread().
 bool observerMaySend(const mavlink::Frame &frame, bool pilotThere);
 

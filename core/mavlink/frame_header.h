@@ -1,0 +1,21 @@
+// Fields in the header of a whole frame, also of a message that the dialect does not know (isWholeFrame()).
+// https://mavlink.io/en/guide/serialization.html
+#pragma once
+
+#include "core/mavlink/frame.h"
+
+namespace skyseal::mavlink {
+
+inline std::uint8_t systemIdOf(ByteView frame)
+{
+    return frame[frame[0] == kMagic2 ? 5 : 3];
+}
+
+inline std::uint32_t messageIdOf(ByteView frame)
+{
+    if (frame[0] != kMagic2)
+        return frame[5];
+    return frame[7] | frame[8] << 8 | static_cast<std::uint32_t>(frame[9]) << 16;
+}
+
+} // namespace skyseal::mavlink
