@@ -51,15 +51,20 @@ void ParameterClient::handleDeadline(TimePoint now)
 {
     if (now >= m_publishDue)
         publish(now);
-    if (now >= m_listDeadline)
+    if (now >= m_giveUp)
+        giveUp();
+    else if (now >= m_listDeadline)
         handleListDeadline(now);
+    else if (isReading())
+        requestGaps(now);
     if (!m_writes.empty() && now >= m_writes.front().deadline)
         handleWriteDeadline(now);
 }
 
 TimePoint ParameterClient::nextDeadline() const
 {
-    return std::min({m_publishDue, m_listDeadline, m_writes.empty() ? kNever : m_writes.front().deadline});
+    const TimePoint gaps = isReading() ? m_window.nextDeadline() : kNever;
+    return std::min({m_publishDue, m_listDeadline, m_giveUp, gaps, m_writes.empty() ? kNever : m_writes.front().deadline});
 }
 
 std::shared_ptr<const std::vector<Parameter>> ParameterClient::parameters() const
@@ -105,9 +110,10 @@ float ParameterClient::encode(double value, std::uint8_t type) const
 void ParameterClient::read(TimePoint now, RequestId id)
 {
     m_read = id;
-    m_have.clear();
-    m_received = 0;
-    m_roundsWithoutNew = 0;
+    m_window.begin();
+    m_reached = 0;
+    m_interval = m_variation = Duration::zero();
+    m_giveUp = now + kGiveUp;
     requestList(now);
 }
 
@@ -146,19 +152,43 @@ void ParameterClient::handleValue(TimePoint now, const mavlink::ParamValue &valu
 
 void ParameterClient::noteIndex(TimePoint now, std::uint16_t index, std::uint16_t count)
 {
-    if (m_expected != count || m_have.size() != count) {
+    if (m_expected != count || m_window.count() != count) {
         // The number changes when a write makes further parameters visible; those received before still count.
         m_expected = count;
-        m_have.resize(count, false);
-        m_received = static_cast<std::size_t>(std::count(m_have.begin(), m_have.end(), true));
+        m_window.setCount(count);
     }
-    if (!m_have[index]) {
-        m_have[index] = true;
-        ++m_received;
-        m_roundsWithoutNew = 0;
+    const bool isNew = m_window.arrived(now, index);
+    if (!isReading())
+        return;
+    if (m_window.isComplete()) {
+        m_giveUp = m_listDeadline = kNever;
+        return;
     }
-    if (isReading())
-        m_listDeadline = m_received == m_expected ? kNever : now + kListTimeout;
+    if (isNew)
+        m_giveUp = now + kGiveUp;
+    if (index >= m_reached) {
+        noteInterval(now);
+        m_reached = index + std::size_t(1);
+        m_listDeadline = now
+            + (m_interval == Duration::zero() ? kListTimeout : std::max(m_interval + m_variation * 4, kLeastPause));
+        m_window.openUpTo(m_reached > kReordered ? m_reached - kReordered : 0);
+    }
+    requestGaps(now);
+}
+
+/// Of the list, not of the answers to single requests.
+void ParameterClient::noteInterval(TimePoint now)
+{
+    const Duration interval = m_reached > 0 ? now - m_latest : Duration::zero();
+    m_latest = now;
+    if (m_interval == Duration::zero()) {
+        m_interval = interval;
+        m_variation = interval / 2;
+    } else {
+        const Duration difference = interval > m_interval ? interval - m_interval : m_interval - interval;
+        m_variation += (difference - m_variation) / 4;
+        m_interval += (interval - m_interval) / 8;
+    }
 }
 
 /// Returns true if something changed.
@@ -202,30 +232,33 @@ void ParameterClient::requestList(TimePoint now)
 
 void ParameterClient::requestGaps(TimePoint now)
 {
-    std::size_t requested = 0;
-    for (std::size_t index = 0; index < m_have.size() && requested < kBatch; ++index) {
-        if (m_have[index])
-            continue;
+    while (const auto index = m_window.poll(now)) {
         mavlink::ParamRequestRead request;
-        request.param_index = static_cast<std::int16_t>(index);
+        request.param_index = static_cast<std::int16_t>(*index);
         send(request);
-        ++requested;
     }
-    m_listDeadline = now + kListTimeout;
 }
 
+/// The list is over, or was not answered.
 void ParameterClient::handleListDeadline(TimePoint now)
 {
-    if (++m_roundsWithoutNew <= kRounds)
-        return m_received == 0 ? requestList(now) : requestGaps(now);
+    if (m_reached == 0)
+        return requestList(now);
     m_listDeadline = kNever;
+    m_window.openUpTo(m_window.count());
+    requestGaps(now);
+}
+
+void ParameterClient::giveUp()
+{
+    m_giveUp = m_listDeadline = kNever;
     report(ParameterResult{m_read,
                            addressing().system,
                            {},
                            false,
-                           m_received == 0 ? "the vehicle does not send its parameters"
-                                           : "only " + std::to_string(m_received) + " of " + std::to_string(m_expected)
-                                   + " parameters came"});
+                           m_window.received() == 0 ? "the vehicle does not send its parameters"
+                                                    : "only " + std::to_string(m_window.received()) + " of "
+                                   + std::to_string(m_expected) + " parameters came"});
 }
 
 void ParameterClient::handleWriteDeadline(TimePoint now)

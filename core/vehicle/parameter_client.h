@@ -1,9 +1,10 @@
-// Client of the parameter protocol: reads the whole list, requests lost parameters again by index, and checks each write by
-// the value that the vehicle reports.
+// Client of the parameter protocol: reads the whole list, requests lost parameters by index while the others still arrive
+// (RequestWindow), and checks each write by the value that the vehicle reports.
 // https://mavlink.io/en/services/parameter.html
 #pragma once
 
 #include "core/vehicle/micro_protocol.h"
+#include "core/vehicle/request_window.h"
 
 #include <cstdint>
 #include <deque>
@@ -19,11 +20,15 @@ namespace skyseal::vehicle {
 class ParameterClient : public MicroProtocol
 {
 public:
-    static constexpr Duration kListTimeout = std::chrono::seconds(1); ///< without a parameter, then gaps are requested
+    /// Without an answer for so long, the list is requested again; with a single one, it has ended.
+    static constexpr Duration kListTimeout = std::chrono::seconds(1);
+    static constexpr Duration kGiveUp = std::chrono::seconds(10); ///< without a new parameter, then the read fails
+    /// A parameter is lost when so many later ones arrived: datagrams overtake each other.
+    static constexpr std::size_t kReordered = 8;
+    /// The list has ended when nothing came for several of its intervals, and at least for so long.
+    static constexpr Duration kLeastPause = std::chrono::milliseconds(50);
     static constexpr Duration kWriteTimeout = std::chrono::seconds(1);
-    static constexpr int kRounds = 10; ///< without a new parameter, then the read fails
     static constexpr int kWriteAttempts = 5;
-    static constexpr std::size_t kBatch = 10; ///< gaps requested at a time, so that a slow radio keeps up
     /// Names kept in all, and beyond the number that the vehicle announces: a write can make further parameters visible.
     static constexpr std::size_t kMostNames = 8192;
     static constexpr std::size_t kNamesBeyondCount = 64;
@@ -57,7 +62,7 @@ private:
     bool isBytewise() const;
     double decode(float raw, std::uint8_t type) const;
     float encode(double value, std::uint8_t type) const;
-    bool isReading() const { return m_listDeadline != kNever; }
+    bool isReading() const { return m_giveUp != kNever; }
     void read(TimePoint now, RequestId id);
     void write(TimePoint now, RequestId id, const WriteParameter &request);
     void handleValue(TimePoint now, const mavlink::ParamValue &value);
@@ -67,7 +72,9 @@ private:
     void publish(TimePoint now);
     void requestList(TimePoint now);
     void requestGaps(TimePoint now);
+    void noteInterval(TimePoint now);
     void handleListDeadline(TimePoint now);
+    void giveUp();
     void handleWriteDeadline(TimePoint now);
     void sendWrite(TimePoint now);
     bool checkWrite(TimePoint now, const Parameter &parameter);
@@ -75,11 +82,14 @@ private:
 
     std::map<std::string, Parameter, std::less<>> m_values;
     RequestId m_read{};
-    std::vector<bool> m_have; ///< by index
+    RequestWindow m_window; ///< of the read in progress, or the latest one
     std::uint32_t m_expected = 0;
-    std::size_t m_received = 0;
-    TimePoint m_listDeadline = kNever;
-    int m_roundsWithoutNew = 0;
+    std::size_t m_reached = 0; ///< the list has come this far
+    TimePoint m_latest{};      ///< arrival of the latest value
+    Duration m_interval{};     ///< between values of the list: the mean and its variation, as of round trips
+    Duration m_variation{};
+    TimePoint m_listDeadline = kNever;                              ///< the list has paused, or is not answered
+    TimePoint m_giveUp = kNever;                                    ///< kNever while nothing is read
     std::deque<Write> m_writes;                                     ///< the first one is in progress
     mutable std::shared_ptr<const std::vector<Parameter>> m_shared; ///< built on demand
     TimePoint m_published = TimePoint::min();                       ///< time of the latest change of the shared list

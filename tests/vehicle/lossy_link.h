@@ -33,8 +33,8 @@ protected:
 class LossyLink
 {
 public:
-    LossyLink(Harness &harness, ScriptedPeer &peer, double loss, unsigned seed)
-        : m_harness(harness), m_peer(peer), m_random(seed), m_lost(loss)
+    LossyLink(Harness &harness, ScriptedPeer &peer, double loss, unsigned seed, Duration delay = std::chrono::milliseconds(20))
+        : m_harness(harness), m_peer(peer), m_random(seed), m_lost(loss), m_delay(delay)
     {}
 
     /// Runs until `done` or the end of the time; false when it ran out.
@@ -76,13 +76,14 @@ private:
             return;
         }
         ++m_carried;
-        m_events.emplace(m_harness.now + std::chrono::milliseconds(20), std::move(arrival));
+        m_events.emplace(m_harness.now + m_delay, std::move(arrival));
     }
 
     Harness &m_harness;
     ScriptedPeer &m_peer;
     std::mt19937 m_random;
     std::bernoulli_distribution m_lost;
+    const Duration m_delay;
     std::multimap<TimePoint, std::function<void(std::vector<ToStation> &)>> m_events;
     int m_dropped = 0;
     int m_carried = 0;

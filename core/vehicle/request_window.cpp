@@ -1,0 +1,114 @@
+#include "core/vehicle/request_window.h"
+
+#include <algorithm>
+
+namespace skyseal::vehicle {
+
+void RequestWindow::begin()
+{
+    m_items.clear();
+    m_requests.clear();
+    m_again.reset();
+    m_received = m_end = m_firstMissing = 0;
+    m_window = kFirst;
+}
+
+void RequestWindow::setCount(std::size_t count)
+{
+    m_items.resize(count);
+    m_received = static_cast<std::size_t>(std::ranges::count_if(m_items, &Item::here));
+    std::erase_if(m_requests, [count](const Request &request) { return request.index >= count; });
+    m_firstMissing = 0;
+    m_again.reset();
+}
+
+bool RequestWindow::arrived(TimePoint now, std::size_t index)
+{
+    if (index >= m_items.size() || m_items[index].here)
+        return false;
+    m_items[index].here = true;
+    ++m_received;
+    const auto request = std::ranges::find(m_requests, index, &Request::index);
+    if (request != m_requests.end()) {
+        // An item that was asked for again may answer either request: it measures nothing (Karn's algorithm).
+        if (m_items[index].attempts == 1)
+            measure(now - request->sent);
+        std::erase_if(m_requests, [index](const Request &other) { return other.index == index; });
+    }
+    return true;
+}
+
+std::optional<std::size_t> RequestWindow::poll(TimePoint now)
+{
+    expire(now);
+    if (m_again) {
+        const std::size_t index = *m_again;
+        m_again.reset();
+        if (!m_items[index].here)
+            return index;
+    }
+    while (m_firstMissing < m_items.size() && m_items[m_firstMissing].here)
+        ++m_firstMissing;
+    if (m_requests.size() >= m_window)
+        return std::nullopt;
+    const auto index = nextMissing();
+    if (!index)
+        return std::nullopt;
+    m_requests.push_back({*index, now});
+    ++m_items[*index].attempts;
+    if (missing() <= kAskedTwice && m_end >= m_items.size())
+        m_again = index;
+    return index;
+}
+
+TimePoint RequestWindow::nextDeadline() const
+{
+    if (m_again || (m_requests.size() < m_window && nextMissing()))
+        return TimePoint::min();
+    return m_requests.empty() ? kNever : m_requests.front().sent + m_timeout;
+}
+
+/// Requests whose answer is overdue may be made again. If none is answered at all, they are made more and more slowly.
+void RequestWindow::expire(TimePoint now)
+{
+    const std::size_t overdue = std::erase_if(m_requests,
+                                              [&](const Request &request) { return now >= request.sent + m_timeout; });
+    if (overdue > 0 && m_roundTrip == Duration::zero())
+        m_timeout = std::min(m_timeout * 2, kMostTimeout);
+}
+
+void RequestWindow::measure(Duration roundTrip)
+{
+    if (m_roundTrip == Duration::zero()) {
+        m_roundTrip = roundTrip;
+        m_variation = roundTrip / 2;
+    } else {
+        const Duration difference = roundTrip > m_roundTrip ? roundTrip - m_roundTrip : m_roundTrip - roundTrip;
+        m_variation = (m_variation * 3 + difference) / 4;
+        m_roundTrip = (m_roundTrip * 7 + roundTrip) / 8;
+    }
+    m_shortest = std::min(m_shortest, roundTrip);
+    m_timeout = std::clamp(m_roundTrip + std::max(m_variation * 4, m_roundTrip / 4), kLeastTimeout, kMostTimeout);
+    // Answers that queue up arrive later than the first ones did.
+    if (m_roundTrip > m_shortest * 2)
+        m_window = std::max(m_window - 1, kLeast);
+    else
+        m_window = std::min(m_window + 1, kMost);
+}
+
+std::optional<std::size_t> RequestWindow::nextMissing() const
+{
+    const std::size_t end = std::min(m_end, m_items.size());
+    for (std::size_t index = m_firstMissing; index < end; ++index) {
+        if (!m_items[index].here && !isAsked(index))
+            return index;
+    }
+    return std::nullopt;
+}
+
+bool RequestWindow::isAsked(std::size_t index) const
+{
+    return std::ranges::find(m_requests, index, &Request::index) != m_requests.end();
+}
+
+} // namespace skyseal::vehicle

@@ -1,0 +1,73 @@
+// Decides which items of a numbered list to ask for, and when, over a link that delays and loses: a window of requests whose
+// size follows the round trip. A request without an answer within the retransmission timeout (RFC 6298, section 2) is made
+// again. Growing delay shrinks the window, loss does not: radios lose without being overloaded. No I/O and no clock.
+#pragma once
+
+#include "core/base/clock.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace skyseal::vehicle {
+
+class RequestWindow
+{
+public:
+    static constexpr std::size_t kFirst = 8, kLeast = 2, kMost = 48; ///< requests without an answer yet
+    static constexpr Duration kFirstTimeout = std::chrono::milliseconds(500), kLeastTimeout = std::chrono::milliseconds(20),
+                              kMostTimeout = std::chrono::seconds(3);
+    /// With so few items missing each is asked for twice at a time: the last ones decide when the list is complete.
+    static constexpr std::size_t kAskedTwice = 16;
+
+    /// Begins a list of which nothing has arrived. What is known of the round trip is kept.
+    void begin();
+    /// The list has so many items; those that have arrived stay.
+    void setCount(std::size_t count);
+    /// Items before this one may be asked for; the others still come by themselves.
+    void openUpTo(std::size_t end) { m_end = end; }
+    /// Notes an item. Returns false if it had arrived before.
+    bool arrived(TimePoint now, std::size_t index);
+
+    /// The next item to ask for now; nullopt if none is due.
+    std::optional<std::size_t> poll(TimePoint now);
+    /// When poll() returns an item again; TimePoint::min() for at once, kNever if none is missing.
+    TimePoint nextDeadline() const;
+
+    std::size_t count() const { return m_items.size(); }
+    std::size_t received() const { return m_received; }
+    bool isComplete() const { return !m_items.empty() && m_received == m_items.size(); }
+    /// How long an answer may take.
+    Duration timeout() const { return m_timeout; }
+
+private:
+    struct Item
+    {
+        bool here = false;
+        std::uint16_t attempts = 0;
+    };
+    struct Request
+    {
+        std::size_t index = 0;
+        TimePoint sent{};
+    };
+
+    void expire(TimePoint now);
+    void measure(Duration roundTrip);
+    std::size_t missing() const { return m_items.size() - m_received; }
+    std::optional<std::size_t> nextMissing() const;
+    bool isAsked(std::size_t index) const;
+
+    std::vector<Item> m_items;
+    std::size_t m_received = 0;
+    std::size_t m_end = 0;
+    std::size_t m_firstMissing = 0;  ///< nothing before it is missing
+    std::vector<Request> m_requests; ///< without an answer, the oldest first
+    std::optional<std::size_t> m_again;
+    std::size_t m_window = kFirst;
+    Duration m_timeout = kFirstTimeout;
+    Duration m_roundTrip{}, m_variation{}, m_shortest = Duration::max(); ///< zero until one was measured
+};
+
+} // namespace skyseal::vehicle
