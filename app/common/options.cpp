@@ -1,5 +1,6 @@
 #include "app/common/options.h"
 
+#include "app/common/config_file.h"
 #include "app/common/exit_status.h"
 #include "app/common/output.h"
 #include "core/base/research.h"
@@ -51,6 +52,8 @@ template<typename T> std::optional<T> parsed(const std::string &text)
     return value;
 }
 
+constexpr const char *kConfig = "config";
+
 std::string shortText(double number)
 {
     char out[32];
@@ -80,12 +83,23 @@ Options::Options(QString name, const QString &description) : m_name(std::move(na
 
 void Options::addFlag(const char *name, const char *help)
 {
-    m_parser.addOption({QLatin1String(name), QString::fromUtf8(help)});
+    declare({QLatin1String(name), QString::fromUtf8(help)});
 }
 
 void Options::addValue(const char *name, const char *placeholder, const char *help, const char *preset)
 {
-    m_parser.addOption({QLatin1String(name), QString::fromUtf8(help), QLatin1String(placeholder), QLatin1String(preset)});
+    declare({QLatin1String(name), QString::fromUtf8(help), QLatin1String(placeholder), QLatin1String(preset)});
+}
+
+void Options::declare(const QCommandLineOption &option)
+{
+    m_parser.addOption(option);
+    m_declared[option.names().front()] = !option.valueName().isEmpty();
+}
+
+void Options::addConfig()
+{
+    addValue(kConfig, "FILE", "Read further options from a file: NAME = VALUE in each line, yes or no for a flag.");
 }
 
 void Options::addLink(const char *name, const char *help, LinkFilter accepted, const char *preset)
@@ -134,7 +148,43 @@ std::optional<int> Options::parse(const QStringList &arguments)
         std::printf("%s " SKYSEAL_VERSION "\n", qPrintable(m_name.section(QLatin1Char(' '), 0, 0)));
         return kDone;
     }
+    return m_declared.contains(QLatin1String(kConfig)) && has(kConfig) ? parseWithConfig(arguments) : std::nullopt;
+}
+
+std::optional<int> Options::parseWithConfig(const QStringList &arguments)
+{
+    const auto fromFile = argumentsOf(text(kConfig));
+    if (!fromFile) {
+        complain(m_name, fromFile.error().text());
+        return fromFile.error().line ? kUsage : kCannotOpen;
+    }
+    m_parser.parse(QStringList{m_name} + *fromFile + arguments); // each part alone is valid
     return std::nullopt;
+}
+
+/// The options of the file that the command line leaves open.
+Result<QStringList, InputError> Options::argumentsOf(const std::string &configFile) const
+{
+    const auto lines = readConfig(configFile);
+    if (!lines)
+        return tl::unexpected(lines.error());
+    QStringList out;
+    for (const ConfigLine &line : *lines) {
+        const auto wrong = [&](const std::string &problem) {
+            return tl::unexpected(InputError{problem, configFile, line.number, 0});
+        };
+        const QString name = QString::fromStdString(line.name);
+        const auto declared = m_declared.find(name);
+        if (declared == m_declared.end() || line.name == kConfig)
+            return wrong("no option is named " + quoted(line.name));
+        const bool isFlag = !declared->second;
+        if (isFlag && line.value != "yes" && line.value != "no")
+            return wrong(line.name + " " + quoted(line.value) + ": yes or no is expected");
+        if (m_parser.isSet(name) || (isFlag && line.value == "no"))
+            continue;
+        out << QStringLiteral("--") + name + (isFlag ? QString() : QLatin1Char('=') + QString::fromStdString(line.value));
+    }
+    return out;
 }
 
 std::optional<int> Options::finish() const

@@ -30,6 +30,8 @@ public:
     using LinkFilter = bool (*)(const link::LinkTraits &);
     void addLink(const char *name, const char *help, LinkFilter accepted = nullptr, const char *preset = "");
     void addArgument(const char *name, const char *help);
+    /// --config: the other options may stand in a file (config_file.h). Those of the command line replace the file's.
+    void addConfig();
     /// The same for options that exist for comparison only. A build without research does not know them (core/base/research.h):
     /// for it, has() is false and text() the preset.
     void addResearchFlag(const char *name, const char *help);
@@ -67,8 +69,13 @@ private:
     std::optional<link::LinkUrl> parsedUrl(const std::string &option, const std::string &text,
                                            std::string_view unnamedHost = link::LinkUrl::kAnyHost);
 
+    void declare(const QCommandLineOption &option);
+    std::optional<int> parseWithConfig(const QStringList &arguments);
+    Result<QStringList, InputError> argumentsOf(const std::string &configFile) const;
+
     QString m_name;
     QCommandLineParser m_parser;
+    std::map<QString, bool> m_declared;        ///< option names; true if the option takes a value
     std::map<std::string, LinkFilter> m_links; ///< by the name of their option
     std::map<std::string, std::string> m_left; ///< presets of the options that this build does not know
     std::string m_problem;

@@ -5,9 +5,11 @@
 
 #include <QtCore/QSocketNotifier>
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstring>
+#include <string_view>
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -32,12 +34,17 @@ namespace {
 // The only state accessible to a signal handler.
 std::atomic<int> g_stopPipe{-1};
 
+constexpr char kStop = 's', kReload = 'r';
+
 extern "C" void handleStop(int number)
 {
-    const char byte = 0;
-    if (write(g_stopPipe, &byte, 1) != 1)
-        std::signal(number, SIG_DFL);
+    static_cast<void>(!write(g_stopPipe, &kStop, 1));
     std::signal(number, SIG_DFL); // a second signal ends the process
+}
+
+extern "C" void handleReload(int)
+{
+    static_cast<void>(!write(g_stopPipe, &kReload, 1)); // if the pipe is full, a reload is due anyway
 }
 
 } // namespace
@@ -67,16 +74,26 @@ StopSignals::StopSignals(QObject *parent) : QObject(parent)
     auto *notifier = new QSocketNotifier(m_pipe[0], QSocketNotifier::Read, this);
     connect(notifier, &QSocketNotifier::activated, this, [this] {
         char bytes[16];
-        if (read(m_pipe[0], bytes, sizeof bytes) > 0)
+        const ssize_t count = read(m_pipe[0], bytes, sizeof bytes);
+        const std::string_view signals(bytes, static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+        if (signals.find(kStop) != std::string_view::npos)
             Q_EMIT stopRequested();
+        else if (!signals.empty())
+            Q_EMIT reloadRequested();
     });
     std::signal(SIGINT, handleStop);
     std::signal(SIGTERM, handleStop);
     std::signal(SIGPIPE, SIG_IGN); // a closed pipe is an error of write(), not the end of the process
 }
 
+void StopSignals::takeReload()
+{
+    std::signal(SIGHUP, handleReload);
+}
+
 StopSignals::~StopSignals()
 {
+    std::signal(SIGHUP, SIG_DFL);
     std::signal(SIGINT, SIG_DFL);
     std::signal(SIGTERM, SIG_DFL);
     g_stopPipe = -1;

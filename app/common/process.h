@@ -10,7 +10,7 @@ namespace skyseal::app {
 /// reading its /proc files, takes CAP_SYS_PTRACE.
 void protectKeysInMemory();
 
-/// Converts SIGINT and SIGTERM into a Qt signal. A second one ends the process at once.
+/// Converts SIGINT and SIGTERM into a Qt signal; a second one ends the process at once. SIGHUP as well, where it is asked for.
 class StopSignals : public QObject
 {
     Q_OBJECT
@@ -19,8 +19,12 @@ public:
     explicit StopSignals(QObject *parent = nullptr);
     ~StopSignals() override;
 
+    /// From now on SIGHUP does not end the process.
+    void takeReload();
+
 Q_SIGNALS:
     void stopRequested();
+    void reloadRequested();
 
 private:
     int m_pipe[2] = {-1, -1};

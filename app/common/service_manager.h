@@ -1,0 +1,31 @@
+// Tells systemd that the service is ready, alive, and stopping (sd_notify(3)). Does nothing where no service manager asked for
+// it (NOTIFY_SOCKET and WATCHDOG_USEC of the environment).
+#pragma once
+
+#include <QtCore/QTimer>
+
+#include <string>
+
+namespace skyseal::app {
+
+/// Lives on the thread of the event loop whose life the watchdog follows.
+class ServiceManager
+{
+public:
+    ServiceManager();
+
+    /// The service is ready; from now on the watchdog hears of it as long as the event loop runs.
+    void ready();
+    void stopping();
+
+private:
+    void send(const std::string &state) const;
+
+    const std::string m_socket; ///< empty: nobody listens
+    QTimer m_alive;
+};
+
+/// Whether stderr goes to the journal, which then takes the severity of a line from a prefix (sd-daemon(3)).
+bool stderrIsTheJournal();
+
+} // namespace skyseal::app
