@@ -6,6 +6,10 @@
 namespace skyseal::app {
 
 int runMonitor(const QStringList &arguments);
+int runGateway(const QStringList &arguments);
+int runStatus(const QStringList &arguments);
+int runSwitch(const QStringList &arguments);
+int runRevoke(const QStringList &arguments);
 int runDecode(const QStringList &arguments);
 int runImpair(const QStringList &arguments);
 int runKeys(const QStringList &arguments);

@@ -22,6 +22,10 @@ void JsonReport::eventOccurred(const engine::Event &event)
                    [](const engine::RecordingProblem &e) { printLine(engine::recordingEvent(e)); },
                    [](const engine::EventsDropped &e) { printLine(engine::eventsDroppedEvent(e)); },
                    [](const engine::CounterStorage &e) { printLine(engine::counterStorageEvent(e)); },
+                   [](const engine::ServedLinkChanged &e) { printLine(engine::servedLinkEvent(e)); },
+                   [](const engine::ClientConnected &e) { printLine(engine::clientEvent(e)); },
+                   [](const engine::ClientGone &e) { printLine(engine::clientEvent(e)); },
+                   [](const engine::ClientDenied &e) { printLine(engine::clientDeniedEvent(e)); },
                    [](const vehicle::MissionResult &) {},
                    [](const vehicle::ParameterResult &) {},
                    [](const vehicle::CommandResult &) {}, // the script reports its steps

@@ -22,6 +22,10 @@ struct Command
 
 constexpr Command kCommands[] = {
     {"monitor", "follows vehicles, switches ciphers, flies scripts", runMonitor},
+    {"gateway", "serves other ground stations and programs through the sealed link", runGateway},
+    {"status", "shows the state of a gateway that runs", runStatus},
+    {"switch", "switches the sessions of a gateway that runs to another suite", runSwitch},
+    {"revoke", "removes a peer of a gateway that runs", runRevoke},
     {"sweep", "measures what each cipher suite costs, and compares", runSweep},
     {"bench", "measures sealing and opening on this machine, with and without AES instructions", runBench},
     {"decode", "decodes MAVLink bytes or a .tlog, one message per line", runDecode},

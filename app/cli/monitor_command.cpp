@@ -1,21 +1,13 @@
 // skyseal-cli monitor: runs a station without a window.
 #include "app/cli/commands.h"
-#include "app/cli/json_report.h"
 #include "app/cli/mavsec_options.h"
-#include "app/cli/people_report.h"
+#include "app/cli/station_options.h"
+#include "app/cli/station_run.h"
 #include "app/common/exit_status.h"
 #include "app/common/options.h"
-#include "app/common/output.h"
-#include "app/common/passphrase_input.h"
-#include "app/common/peers_watch.h"
-#include "app/common/process.h"
 #include "core/crypto/mavsec_cipher.h"
 #include "core/base/research.h"
-#include "core/channel/suite_strength.h"
 #include "core/crypto/inline_cipher.h"
-
-#include <QtCore/QCoreApplication>
-#include <QtCore/QStandardPaths>
 
 #include <algorithm>
 
@@ -30,12 +22,7 @@ void declare(Options &options)
     options.addLink("link", "Link to vehicles or their agents, e.g. udpin:0.0.0.0:14550. May be given several times.");
     options.addResearchValue("secure", "required|off",
                              "required: accept only sealed vehicles (default with --identity); off: no sealed links.");
-    options.addValue("identity", "FILE", "Private key of this station.");
-    PassphraseInput::declare(options);
-    options.addValue("peers", "FILE", "File of known peers: the agents of the vehicles.");
-    options.addValue("suite", "NAME", "Suite at the start of every session.");
-    options.addValue("weakest-suite", "NAME", "Use no suite that is weaker than this one.",
-                     crypto::suiteInfo(crypto::weakestSealedSuite()).name.data());
+    declareKeys(options);
     options.addResearchFlag("allow-research", "Also accept insecure research suites, for comparison.");
     options.addValue("switch-to", "LIST", "Suites to switch through, repeatedly.");
     options.addValue("switch-every", "S", "Seconds between two switches.", "1");
@@ -48,30 +35,8 @@ void declare(Options &options)
     options.addValue("stream-rate", "HZ", "Request every stream at this rate instead of the default profile.");
     options.addValue("duration", "S", "Exit after this many seconds.");
     options.addValue("do", "SCRIPT", "A flight: 'mode GUIDED; arm; takeoff 10; wait alt_rel>=9.5 60; land; wait armed==0 90'.");
-    options.addValue("record", "FOLDER", "Folder of the .tlog files.");
-    options.addFlag("no-record", "Write no .tlog.");
+    declareRecording(options);
     options.addFlag("json", "One JSON object per line on stdout.");
-}
-
-std::string defaultLogFolder()
-{
-    return (QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + QStringLiteral("/skyseal/logs"))
-        .toStdString();
-}
-
-/// Rejects a suite that would be refused at run time before anything starts.
-void checkSuite(Options &options, const engine::StationConfig &config, const char *option, crypto::SuiteId suite)
-{
-    const crypto::SuiteInfo &info = crypto::suiteInfo(suite);
-    const std::string what = std::string("--") + option + " '" + std::string(info.name) + "': ";
-    if (config.secure != engine::SecureMode::Required)
-        options.fail(what + "there is no sealed link; --secure required");
-    else if (!info.authenticated)
-        options.fail(what + "a sealed link has no plain suite");
-    else if (info.research && !config.policy.allowResearch)
-        options.fail(what + "insecure, for research only; --allow-research");
-    else if (std::find(config.policy.suites.begin(), config.policy.suites.end(), suite) == config.policy.suites.end())
-        options.fail(what + "weaker than --weakest-suite allows");
 }
 
 void readFraming(Options &options, engine::StationConfig &config)
@@ -97,15 +62,8 @@ void readSecurity(Options &options, engine::StationConfig &config)
     if (secure != "required" && secure != "off")
         options.fail("--secure '" + secure + "': required or off is expected");
     config.secure = secure == "required" ? engine::SecureMode::Required : engine::SecureMode::Off;
-    if (config.secure == engine::SecureMode::Required) {
-        config.keys = {options.required("identity"), options.required("peers"), PassphraseInput::read(options).ask()};
-        config.policy.suites = channel::defaultSuites();
-        if (const auto weakest = options.suite("weakest-suite"))
-            config.policy.suites = channel::notWeakerThan(*weakest, config.policy.suites);
-        config.policy.allowResearch = options.has("allow-research");
-    }
-    if (options.has("suite") && (config.preferredSuite = options.suite("suite")))
-        checkSuite(options, config, "suite", *config.preferredSuite);
+    config.policy.allowResearch = config.secure == engine::SecureMode::Required && options.has("allow-research");
+    readKeys(options, config);
     readFraming(options, config);
 }
 
@@ -113,8 +71,7 @@ engine::StationConfig readConfig(Options &options)
 {
     engine::StationConfig config;
     readSecurity(options, config);
-    config.record = !options.has("no-record");
-    config.recordFolder = options.has("record") ? options.text("record") : defaultLogFolder();
+    readRecording(options, config);
     if (options.has("stream-rate"))
         config.streamRate = options.number("stream-rate", 0.1, 1000);
     config.snapshotsPerSecond = 20;
@@ -153,15 +110,6 @@ engine::RunPlan readPlan(Options &options, const engine::StationConfig &config)
     return plan;
 }
 
-int exitStatus(engine::RunOutcome outcome)
-{
-    switch (outcome) {
-    case engine::RunOutcome::Reached: return kDone;
-    case engine::RunOutcome::CannotOpen: return kCannotOpen;
-    default: return kNotReached;
-    }
-}
-
 } // namespace
 
 int runMonitor(const QStringList &arguments)
@@ -189,31 +137,7 @@ int runMonitor(const QStringList &arguments)
         plan.mavsec = std::make_shared<const crypto::MavsecCipher>(std::move(*cipher));
         complain(name, "INSECURE: anyone can read, change and forge frames that are encrypted as in MAVSec's code");
     }
-    auto station = engine::Station::create(config);
-    if (!station) {
-        complain(name, station.error().text());
-        return kCannotOpen;
-    }
-    std::unique_ptr<engine::RunListener> report;
-    if (options.has("json"))
-        report = std::make_unique<JsonReport>();
-    else
-        report = std::make_unique<PeopleReport>(config.record ? config.recordFolder : std::string());
-    engine::HeadlessRun run(**station, *report, std::move(plan), links);
-    std::optional<PeersWatch> watch;
-    if (config.secure == engine::SecureMode::Required) {
-        watch.emplace(config.keys.peers, [&](std::vector<channel::Peer> peers) { (*station)->setPeers(std::move(peers)); });
-        tellPeers(*watch, options.has("json"));
-    }
-    StopSignals signals;
-    QObject::connect(&signals, &StopSignals::stopRequested, &run, &engine::HeadlessRun::stop);
-    QObject::connect(&run, &engine::HeadlessRun::finished, qApp, [&](engine::RunOutcome outcome, const std::string &problem) {
-        if (outcome != engine::RunOutcome::Reached)
-            complain(name, problem);
-        QCoreApplication::exit(exitStatus(outcome));
-    });
-    QMetaObject::invokeMethod(&run, &engine::HeadlessRun::start, Qt::QueuedConnection);
-    return QCoreApplication::exec();
+    return runStation({name, config, std::move(plan), links, options.has("json")});
 }
 
 } // namespace skyseal::app

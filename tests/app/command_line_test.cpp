@@ -45,6 +45,11 @@ void CommandLineTest::helpAndVersion_data()
     row("skyseal-cli", "--help", "monitor");
     row("skyseal-cli", "--version", "skyseal-cli ");
     row("skyseal-cli", "monitor --help", "--switch-every");
+    row("skyseal-cli", "gateway --help", "write=none|all");
+    row("skyseal-cli", "gateway --help", "failsafe");
+    row("skyseal-cli", "status --help", "--control");
+    row("skyseal-cli", "switch --help", "SUITE");
+    row("skyseal-cli", "revoke --help", "PEER");
     row("skyseal-cli", "impair --help", "--jitter");
     row("skyseal-cli", "sweep --help", "--expect");
     row("skyseal-cli", "decode --help", "FILE");
@@ -121,6 +126,13 @@ void CommandLineTest::usageErrors_data()
     row("skyseal-cli", "bench --sizes 28,2000", "1100");
     row("skyseal-cli", "bench --aes maybe", "maybe");
     row("skyseal-cli", "bench --suites none", "is not sealed");
+    row("skyseal-cli", "gateway --link udpin:14550 --identity a --peers b", "--serve is missing");
+    row("skyseal-cli", "gateway --link tlog:a.tlog --identity a --peers b --serve udpin:1", "--link");
+    row("skyseal-cli", "gateway --link udpin:14550 --identity a --peers b --serve udpin:1,write=everything",
+        "write='everything'");
+    row("skyseal-cli", "gateway --link udpin:14550 --identity a --peers b --serve udpin:1 --control tcp:1", "unix:/PATH");
+    row("skyseal-cli", "status", "--control is missing");
+    row("skyseal-cli", "switch --control unix:/tmp/s", "argument");
     row("skyseal-cli", "decode", "argument");
     row("skyseal-cli", "decode a b", "b");
     row("skyseal-cli", "decode --framing rot13 a", "rot13");
@@ -175,6 +187,8 @@ void CommandLineTest::cannotOpen_data()
         QTest::addRow("%s %s", program, arguments)
             << QString::fromUtf8(program) << words(arguments) << QString::fromUtf8(named);
     };
+    row("skyseal-cli", "gateway --config /nonexistent/gateway.conf", "/nonexistent/gateway.conf");
+    row("skyseal-cli", "switch rc4 --control unix:/nonexistent/s", "/nonexistent/s");
     row("skyseal-cli", "decode /nonexistent/flight.tlog", "/nonexistent/flight.tlog");
     row("skyseal-cli", "decode /tmp", "/tmp");
     row("skyseal-cli", "log info /nonexistent/flight.tlog", "/nonexistent/flight.tlog");

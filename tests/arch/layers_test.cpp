@@ -200,10 +200,11 @@ void LayersTest::roomsOfTheEngine()
                          kAgent = QStringLiteral("agent"), kText = QStringLiteral("text");
     static const QHash<QString, QStringList> kAllowed{
         {kCommon, {}},
-        {kStation, {kCommon}},
+        {QStringLiteral("gateway"), {kCommon}},
+        {kStation, {kCommon, QStringLiteral("gateway")}},
         {kAgent, {kCommon}},
-        {kText, {kCommon, kStation, kAgent}},
-        {QStringLiteral("headless"), {kCommon, kStation, kAgent, kText}},
+        {kText, {kCommon, QStringLiteral("gateway"), kStation, kAgent}},
+        {QStringLiteral("headless"), {kCommon, QStringLiteral("gateway"), kStation, kAgent, kText}},
     };
     QStringList wrong;
     for (const SourceFile &file : sources({QStringLiteral("core/engine")})) {

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""What the service of the agent may do, as systemd-analyze judges it: an exposure of at most 2.0, also with serial ports.
+"""What the services may do, as systemd-analyze judges it: an exposure of at most 2.0, the agent's also with serial ports.
 
-check_unit.py FOLDER, that of skyseal-air.service. Skipped where systemd-analyze is not installed. A unit without its protections
+check_unit.py FOLDER, that of the units. Skipped where systemd-analyze is not installed. A unit without its protections
 is shown to exceed the limit.
 """
 
@@ -15,18 +15,18 @@ import tempfile
 
 LIMIT = 2.0
 SKIPPED = 77  # the exit status that ctest takes for a skip
-UNIT, DROP_IN = "skyseal-air.service", "skyseal-air-serial.conf"
+AGENT, GATEWAY, DROP_IN = "skyseal-air.service", "skyseal-gateway.service", "skyseal-air-serial.conf"
 
 
-def exposure(unit, drop_in=None):
+def exposure(name, unit, drop_in=None):
     """The overall exposure level of a unit's text, from 0 to 10."""
     with tempfile.TemporaryDirectory() as root:
         folder = pathlib.Path(root, "etc/systemd/system")
-        (folder / f"{UNIT}.d").mkdir(parents=True)
-        (folder / UNIT).write_text(unit)
+        (folder / f"{name}.d").mkdir(parents=True)
+        (folder / name).write_text(unit)
         if drop_in:
-            (folder / f"{UNIT}.d" / DROP_IN).write_text(drop_in)
-        report = subprocess.run(["systemd-analyze", "security", "--no-pager", "--offline=yes", f"--root={root}", UNIT],
+            (folder / f"{name}.d" / DROP_IN).write_text(drop_in)
+        report = subprocess.run(["systemd-analyze", "security", "--no-pager", "--offline=yes", f"--root={root}", name],
                                 capture_output=True, text=True)
     level = re.search(r"Overall exposure level for \S+: ([\d.]+)", report.stdout)
     if not level:
@@ -42,28 +42,35 @@ def settings(text):
     return parser["Service"]
 
 
+def uncounted(service, user):
+    """What is wrong with the settings that the exposure does not count."""
+    wanted = {"User": user, "LimitCORE": "0", "CapabilityBoundingSet": "", "DevicePolicy": "closed"}
+    out = [f"{name}={service.get(name)}, where {name}={value} is expected"
+           for name, value in wanted.items() if service.get(name) != value]
+    if "LimitMEMLOCK" not in service:
+        out.append("LimitMEMLOCK is missing: keys might be written to the swap space")
+    return out
+
+
 def main():
     if not shutil.which("systemd-analyze"):
         print("SKIP   : Unit::exposure() systemd-analyze is not installed: the exposure of the service is not judged")
         return SKIPPED
     folder = pathlib.Path(sys.argv[1])
-    unit, drop_in = (folder / UNIT).read_text(), (folder / DROP_IN).read_text()
+    drop_in = (folder / DROP_IN).read_text()
     user = re.search(r"^u (\S+) ", (folder / "sysusers.conf").read_text(), re.M)[1]
-    bare = unit[:unit.index("# A fixed user")]
-
-    levels = {"as installed": exposure(unit), "with serial ports": exposure(unit, drop_in), "bare": exposure(bare)}
-    print(", ".join(f"{name}: {level}" for name, level in levels.items()))
-    failures = [f"{name}: exposure {level}, more than {LIMIT}" for name, level in levels.items()
-                if name != "bare" and level > LIMIT]
-    if levels["bare"] <= LIMIT:
-        failures.append("a unit without protections passes as well")
-    service = settings(unit)
-    # Settings that the exposure does not count.
-    for name, wanted in {"User": user, "LimitCORE": "0", "CapabilityBoundingSet": "", "DevicePolicy": "closed"}.items():
-        if service.get(name) != wanted:
-            failures.append(f"{name}={service.get(name)}, where {name}={wanted} is expected")
-    if "LimitMEMLOCK" not in service:
-        failures.append("LimitMEMLOCK is missing: keys might be written to the swap space")
+    failures = []
+    for name in (AGENT, GATEWAY):
+        unit = (folder / name).read_text()
+        levels = {"as installed": exposure(name, unit), "bare": exposure(name, unit[:unit.index("# A fixed user")])}
+        if name == AGENT:
+            levels["with serial ports"] = exposure(name, unit, drop_in)
+        print(name, ", ".join(f"{case}: {level}" for case, level in levels.items()))
+        failures += [f"{name} {case}: exposure {level}, more than {LIMIT}" for case, level in levels.items()
+                     if case != "bare" and level > LIMIT]
+        if levels["bare"] <= LIMIT:
+            failures.append(f"{name}: a unit without protections passes as well")
+        failures += [f"{name}: {problem}" for problem in uncounted(settings(unit), user)]
     devices = re.findall(r"^DeviceAllow=(\S+)", drop_in, re.M)
     if not devices or not all(device.startswith("char-tty") for device in devices):
         failures.append(f"the drop-in for serial ports admits {devices}")

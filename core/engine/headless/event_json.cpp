@@ -83,9 +83,51 @@ std::string eventsDroppedEvent(const EventsDropped &dropped)
     return endEvent(json);
 }
 
-std::string statsEvent(std::string_view event, const Snapshot &snapshot, double time)
+std::string servedLinkEvent(const ServedLinkChanged &served)
 {
-    JsonWriter json = beginEvent(event);
+    return linkEvent(served.link, "clients");
+}
+
+std::string clientEvent(const ClientConnected &client)
+{
+    JsonWriter json = beginEvent("client");
+    json.field("state", "connected").field("name", client.name).field("address", client.address);
+    json.field("write", client.write);
+    return endEvent(json);
+}
+
+std::string clientEvent(const ClientGone &client)
+{
+    JsonWriter json = beginEvent("client");
+    json.field("state", "gone").field("name", client.name).field("address", client.address);
+    return endEvent(json);
+}
+
+std::string clientDeniedEvent(const ClientDenied &denied)
+{
+    JsonWriter json = beginEvent("client_denied");
+    json.field("name", denied.name).field("address", denied.address).field("message", denied.message);
+    json.field("frames", denied.frames);
+    return endEvent(json);
+}
+
+namespace {
+
+void writeClients(JsonWriter &json, const std::vector<ClientSnapshot> &clients)
+{
+    json.key("clients").beginArray();
+    for (const ClientSnapshot &client : clients) {
+        json.beginObject();
+        json.field("name", client.name).field("address", client.address).field("write", client.write);
+        json.field("forwarded", client.counters.forwarded).field("denied", client.counters.denied);
+        json.field("too_often", client.counters.tooOften).field("not_its_system", client.counters.notItsSystem);
+        json.endObject();
+    }
+    json.endArray();
+}
+
+void writeStatistics(JsonWriter &json, const Snapshot &snapshot, double time)
+{
     json.field("t", time);
     writeMavlink(json, snapshot.mavlink);
     writeChannel(json, snapshot.channel);
@@ -93,10 +135,35 @@ std::string statsEvent(std::string_view event, const Snapshot &snapshot, double 
     json.field("events_dropped", snapshot.eventsDropped);
     if (!snapshot.storageProblem.empty())
         json.field("storage_problem", snapshot.storageProblem);
+    if (!snapshot.served.empty())
+        writeClients(json, snapshot.clients);
     json.key("vehicles").beginArray();
     for (const VehicleSnapshot &vehicle : snapshot.vehicles) {
         json.beginObject();
         vehicle::writeStateFields(json, vehicle.state);
+        json.endObject();
+    }
+    json.endArray();
+}
+
+} // namespace
+
+std::string statsEvent(std::string_view event, const Snapshot &snapshot, double time)
+{
+    JsonWriter json = beginEvent(event);
+    writeStatistics(json, snapshot, time);
+    return endEvent(json);
+}
+
+std::string statusEvent(const Snapshot &snapshot)
+{
+    JsonWriter json = beginEvent("status");
+    writeStatistics(json, snapshot, snapshot.time);
+    json.key("sessions").beginArray();
+    for (const SessionSnapshot &session : snapshot.sessions) {
+        json.beginObject();
+        json.field("peer", session.info.peerName).field("suite", crypto::suiteInfo(session.info.suite).name);
+        json.field("epoch", static_cast<std::uint32_t>(session.info.epoch));
         json.endObject();
     }
     json.endArray();

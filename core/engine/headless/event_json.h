@@ -23,7 +23,13 @@ std::string commandEvent(const vehicle::StepReport &report);
 /// Events that are missing before this line, because the reader of the output did not keep up.
 std::string eventsDroppedEvent(const EventsDropped &dropped);
 std::string recordingEvent(const RecordingProblem &problem);
+std::string servedLinkEvent(const ServedLinkChanged &served);
+std::string clientEvent(const ClientConnected &client);
+std::string clientEvent(const ClientGone &client);
+std::string clientDeniedEvent(const ClientDenied &denied);
 
+/// The state at this moment: the statistics, and the sessions.
+std::string statusEvent(const Snapshot &snapshot);
 /// `event` is "stats" or "summary"; `time` is seconds since the start.
 std::string statsEvent(std::string_view event, const Snapshot &snapshot, double time);
 

@@ -39,6 +39,8 @@ HeadlessRun::HeadlessRun(Station &station, RunListener &listener, RunPlan plan, 
 void HeadlessRun::start()
 {
     m_clock.start();
+    if (!m_plan.serve.empty())
+        m_station.serve(m_plan.serve);
     for (const link::LinkUrl &url : m_urls) {
         const LinkId id = addLink(url);
         m_links[id] = false;
@@ -86,6 +88,8 @@ void HeadlessRun::hear(const Event &event)
     m_listener.eventOccurred(event);
     if (const auto *changed = std::get_if<LinkChanged>(&event))
         watchLinks(changed->link);
+    else if (const auto *served = std::get_if<ServedLinkChanged>(&event))
+        watchServed(served->link);
     drainScript();
 }
 
@@ -105,6 +109,15 @@ void HeadlessRun::watchLinks(const LinkSnapshot &link)
         m_brokenLink = link.url + ": " + link.problem;
         stop();
     }
+}
+
+/// A gateway without one of its ports is no gateway.
+void HeadlessRun::watchServed(const LinkSnapshot &link)
+{
+    if (!link.addressInUse && link.phase != LinkPhase::Failed)
+        return;
+    m_brokenLink = link.url + ": " + link.problem;
+    stop();
 }
 
 void HeadlessRun::tick()

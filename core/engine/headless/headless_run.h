@@ -25,7 +25,8 @@ struct RunPlan
     bool sessionRequired = false;
     /// All links carry the encryption of MAVSec's published code and are never sent to.
     std::shared_ptr<const crypto::MavsecCipher> mavsec;
-    bool inlineRequired = false; ///< a session must agree to inline framing
+    bool inlineRequired = false;    ///< a session must agree to inline framing
+    std::vector<ServeConfig> serve; ///< links for other ground stations
 };
 
 /// Called on the run's thread, in the order of the events.
@@ -71,6 +72,7 @@ private:
     void take(const std::shared_ptr<const Snapshot> &snapshot);
     void hear(const Event &event);
     void watchLinks(const LinkSnapshot &link);
+    void watchServed(const LinkSnapshot &link);
     void tick();
     void fly(TimePoint now);
     void drainScript();

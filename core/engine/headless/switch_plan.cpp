@@ -13,6 +13,8 @@ void SwitchPlan::sessionUp(TimePoint now, channel::SessionId session)
 
 void SwitchPlan::switchDone(const channel::SwitchDone &done)
 {
+    if (std::find(m_suites.begin(), m_suites.end(), done.to) == m_suites.end())
+        return; // requested by another: the peer, or a user of the control socket
     const auto walk = m_walks.find(done.session);
     // A session also rekeys by itself, and a requested switch to the suite in use is reported as a rekey too.
     if (done.rekey && (walk == m_walks.end() || walk->second.pending != done.to))

@@ -6,6 +6,7 @@
 #include "core/engine/common/event_publisher.h"
 #include "core/engine/common/link_snapshot.h"
 #include "core/engine/common/storage_watch.h"
+#include "core/engine/gateway/gateway_event.h"
 #include "core/engine/station/unanswering_agent.h"
 #include "core/vehicle/event.h"
 
@@ -79,8 +80,8 @@ struct Joined<std::variant<T...>, std::variant<U...>, Rest...> : Joined<std::var
 
 using StationEvent = std::variant<LinkChanged, VehicleFound, VehicleLost, VehicleBack, PlaintextRefused, SystemRefused,
                                   AgentUnanswering, RecordingProblem, EventsDropped, CounterStorage>;
-/// An event of the station itself, of a vehicle or of the channel.
-using Event = Joined<StationEvent, vehicle::Event, channel::Event>::Type;
+/// An event of the station itself, of its gateway, of a vehicle or of the channel.
+using Event = Joined<StationEvent, GatewayEvent, vehicle::Event, channel::Event>::Type;
 /// Whether `T` is an alternative of channel::Event.
 template<typename T> inline constexpr bool kIsChannelEvent = std::is_constructible_v<channel::Event, std::in_place_type_t<T>>;
 

@@ -5,6 +5,7 @@
 #include "core/channel/session_info.h"
 #include "core/engine/common/link_snapshot.h"
 #include "core/engine/common/totals.h"
+#include "core/engine/gateway/client_snapshot.h"
 #include "core/engine/station/inspector_row.h"
 #include "core/engine/station/metrics_sample.h"
 #include "core/engine/station/probe.h"
@@ -28,6 +29,8 @@ struct Snapshot
     double time = 0; ///< seconds since the station started
     Security security{};
     std::vector<LinkSnapshot> links;
+    std::vector<LinkSnapshot> served; ///< links on which the gateway serves clients
+    std::vector<ClientSnapshot> clients;
     std::vector<SessionSnapshot> sessions;
     std::vector<VehicleSnapshot> vehicles;
     std::vector<UnansweringAgent> unanswering;

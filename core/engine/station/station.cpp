@@ -207,6 +207,11 @@ void Station::removeLink(LinkId id)
     d->post([id](StationCore &core) { core.removeLink(id); });
 }
 
+void Station::serve(std::vector<ServeConfig> served)
+{
+    d->post([served = std::move(served)](StationCore &core) mutable { core.serve(std::move(served)); });
+}
+
 void Station::switchSuite(channel::SessionId session, crypto::SuiteId suite)
 {
     d->post([=](StationCore &core) { core.switchSuite(session, suite); });

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "core/channel/pairing.h"
+#include "core/engine/gateway/serve_config.h"
 #include "core/engine/station/event.h"
 #include "core/engine/station/protection.h"
 #include "core/engine/station/station_config.h"
@@ -48,6 +49,8 @@ public:
     /// A link whose frames are encrypted as by the published code of the paper MAVSec: INSECURE, received, never sent to.
     LinkId addMavsecLink(const link::LinkUrl &url, crypto::MavsecCipher cipher);
     void removeLink(LinkId);
+    /// Serves other ground stations on these links, in place of those of an earlier call; see Gateway.
+    void serve(std::vector<ServeConfig> served);
     void switchSuite(channel::SessionId, crypto::SuiteId);
     /// For measurements: new sessions begin with this suite, in place of the configured preference. nullopt ends that.
     void holdSuite(std::optional<crypto::SuiteId>);

@@ -27,6 +27,7 @@ struct StationConfig
     double streamRate = 0;     ///< Hz for every stream of every vehicle, instead of a profile; 0 = the profile's
     Duration timeSyncEvery = std::chrono::seconds(1); ///< how often latency is measured
     int snapshotsPerSecond = 30;                      ///< at most 30
+    bool ownHeartbeat = true;                         ///< off: vehicles hear no heartbeat of this station, which has no pilot
 };
 
 } // namespace skyseal::engine

@@ -76,6 +76,29 @@ void StationCore::removeLink(LinkId id)
     finishWake();
 }
 
+void StationCore::serve(std::vector<ServeConfig> served)
+{
+    if (m_gateway)
+        m_gateway->close();
+    m_gateway.reset();
+    if (!served.empty())
+        m_gateway = std::make_unique<Gateway>(
+            std::move(served), static_cast<Gateway::Vehicles &>(*this), [this](GatewayEvent event) {
+                std::visit([this](auto &&value) { m_sinks.event(std::forward<decltype(value)>(value)); }, std::move(event));
+                m_pace.markChanged();
+            });
+    m_receiver.setGateway(m_gateway.get());
+    if (m_gateway)
+        m_gateway->open();
+    m_pace.markChanged();
+    finishWake();
+}
+
+void StationCore::forward(TimePoint now, std::uint8_t systemId, ByteView frame)
+{
+    m_sender.forward(now, systemId, frame, m_receiver.gate().policy());
+}
+
 void StationCore::switchSuite(channel::SessionId session, crypto::SuiteId suite)
 {
     if (m_channel)
@@ -235,6 +258,8 @@ std::shared_ptr<const Snapshot> StationCore::stop()
         link.disconnect();
         link.close();
     });
+    if (m_gateway)
+        m_gateway->close();
     setRecording(false);
     return last;
 }
@@ -286,6 +311,8 @@ void StationCore::finishWake()
         m_channel->pairing.flush();
     }
     m_links.flush();
+    if (m_gateway)
+        m_gateway->flush();
     if (m_pace.takeIfDue(now))
         m_sinks.snapshot(takeSnapshot(now));
     m_timer.set(nextDeadline());
@@ -303,14 +330,16 @@ void StationCore::handleDeadline()
     if (now >= m_clock.nextQuarter)
         everyQuarterSecond(now);
     m_events.publishDue(now);
-    m_sender.sendHeartbeats(now, m_receiver.gate().policy());
+    if (m_config.ownHeartbeat)
+        m_sender.sendHeartbeats(now, m_receiver.gate().policy());
     finishWake();
 }
 
 TimePoint StationCore::nextDeadline() const
 {
-    TimePoint next = std::min({m_clock.nextQuarter, m_fleet.vehicles().nextDeadline(), m_sender.nextHeartbeat(),
-                               m_pace.nextDeadline(), m_events.nextDeadline()});
+    TimePoint next = std::min({m_clock.nextQuarter, m_fleet.vehicles().nextDeadline(),
+                               m_config.ownHeartbeat ? m_sender.nextHeartbeat() : kNever, m_pace.nextDeadline(),
+                               m_events.nextDeadline()});
     if (isSealing())
         next = std::min({next, m_channel->endpoint().nextDeadline(), m_channel->driver.flushDue()});
     if (m_channel)
@@ -381,10 +410,12 @@ void StationCore::everySecond(TimePoint now)
 {
     m_sender.routes().forgetSilent(now);
     m_receiver.gate().forgetSilent(now);
+    if (m_gateway)
+        m_gateway->everySecond(now);
     m_receiver.gate().publishRefusals(now, [&](Event event) { m_events.publish(now, std::move(event)); });
     saveSealedSystems(now);
     if (m_secrets) {
-        if (auto storage = m_storage.note(now, m_secrets->counters->problem()))
+        if (auto storage = m_storage.counters.note(now, m_secrets->counters->problem()))
             m_sinks.event(std::move(*storage));
     }
     if (m_channel) {
@@ -412,15 +443,15 @@ void StationCore::publishUnanswering(TimePoint now)
 void StationCore::saveSealedSystems(TimePoint now)
 {
     const SealedSystems &heard = m_receiver.gate().policy().sealedSystems();
-    if (!m_secrets || m_secrets->paths.peers.empty() || heard == m_secrets->sealedSystems || now < m_saveSystemsAgain)
+    if (!m_secrets || m_secrets->paths.peers.empty() || heard == m_secrets->sealedSystems || now < m_storage.saveSystemsAgain)
         return;
     const std::string file = sealedSystemsFile(m_secrets->paths);
     const auto written = writeSealedSystems(file, heard);
     if (written)
         m_secrets->sealedSystems = heard;
-    else if (m_saveSystemsAgain == TimePoint::min())
+    else if (m_storage.saveSystemsAgain == TimePoint::min())
         m_sinks.event(RecordingProblem{file, written.error().message}); // still in force for this run
-    m_saveSystemsAgain = written || now == kNever ? TimePoint::min() : now + keys::FileCounterStore::kRetryAfter;
+    m_storage.saveSystemsAgain = written || now == kNever ? TimePoint::min() : now + keys::FileCounterStore::kRetryAfter;
 }
 
 SnapshotSources StationCore::sources()
@@ -433,7 +464,11 @@ std::shared_ptr<Snapshot> StationCore::takeSnapshot(TimePoint now)
     auto out = buildSnapshot(sources(), now, m_measuring);
     out->number = m_pace.takeNumber();
     out->time = seconds(now - m_clock.start);
-    out->storageProblem = m_storage.problem();
+    if (m_gateway) {
+        out->served = m_gateway->links(now);
+        out->clients = m_gateway->clients();
+    }
+    out->storageProblem = m_storage.counters.problem();
     if (m_sinks.eventsDropped)
         out->eventsDropped = m_sinks.eventsDropped();
     return out;

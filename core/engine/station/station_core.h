@@ -37,7 +37,7 @@ struct StationSinks
     std::function<std::uint64_t()> eventsDropped = {};
 };
 
-class StationCore : private link::LinkListener, private StationReceiver::EventHandler
+class StationCore : private link::LinkListener, private StationReceiver::EventHandler, private Gateway::Vehicles
 {
 public:
     /// `secrets` is empty for a station that can only use plain links.
@@ -49,6 +49,9 @@ public:
     /// A link whose frames are encrypted as by the published code of MAVSec: received, never sent to.
     void addMavsecLink(LinkId id, const link::LinkUrl &url, crypto::MavsecCipher cipher);
     void removeLink(LinkId id);
+
+    /// Serves clients on these links, in place of the earlier ones.
+    void serve(std::vector<ServeConfig> served);
 
     // Security.
     void switchSuite(channel::SessionId session, crypto::SuiteId suite);
@@ -92,11 +95,21 @@ private:
         unsigned quarters = 0;
     };
 
+    /// Problems of the files that are written.
+    struct Storage
+    {
+        StorageWatch counters;
+        TimePoint saveSystemsAgain = TimePoint::min(); ///< after a failure
+    };
+
     void linkReceived(link::Link &link, std::span<const link::ReceivedBlock> blocks) override;
     void linkPeerJoined(link::Link &link, const Path &path) override;
     void linkPeerLeft(link::Link &link, const Path &path) override;
     void linkChanged(link::Link &link);
     void followLinks();
+    bool isVehicle(std::uint8_t systemId) const override { return m_fleet.vehicles().all().contains(systemId); }
+    void forward(TimePoint now, std::uint8_t systemId, ByteView frame) override;
+    void sendForwarded() override { finishWake(); }
 
     void finishWake();
     void handleDeadline();
@@ -126,11 +139,11 @@ private:
     std::unique_ptr<Recorder> m_recorder;
     StationSender m_sender;
     StationReceiver m_receiver;
+    std::unique_ptr<Gateway> m_gateway; ///< null while no clients are served
     MetricsSampler m_sampler;
     SnapshotPace m_pace;
     EventPublisher<Event, StationCauses> m_events; ///< those that strangers can cause; the others go to m_sinks
-    StorageWatch m_storage;
-    TimePoint m_saveSystemsAgain = TimePoint::min(); ///< after a failure
+    Storage m_storage;
     Clock m_clock;
     bool m_measuring = false;
     bool m_stopped = false;

@@ -3,6 +3,7 @@
 #include "core/channel/endpoint.h"
 #include "core/crypto/mavsec_cipher.h"
 #include "core/link/steady_now.h"
+#include "core/mavlink/frame_header.h"
 #include "core/mavlink/messages.h"
 
 namespace skyseal::engine {
@@ -92,6 +93,8 @@ void StationReceiver::takeDelivery(const link::ReceivedBlock &block, const chann
         if (!item.frame) {
             if (mavlink::isDamagedFrame(item))
                 m_parts.links.countBadFrame(block.path.link);
+            else if (mavlink::isWholeFrame(item))
+                takeUnknownMessage(delivery, item.bytes);
             return;
         }
         ++frames;
@@ -106,6 +109,15 @@ void StationReceiver::takeDelivery(const link::ReceivedBlock &block, const chann
     m_parts.links.noteRemote(block.path.link, block.path.remote);
 }
 
+/// A message that only clients may know. Without its definition it can be neither shown nor told from a newer one, so the
+/// clients receive it only if its record is fresh.
+void StationReceiver::takeUnknownMessage(const channel::Delivery &delivery, ByteView frame)
+{
+    if (m_gateway && delivery.freshness == channel::Freshness::Fresh
+        && m_gate.acceptSealed(delivery.session, mavlink::systemIdOf(frame)))
+        m_gateway->sendToClients(frame);
+}
+
 void StationReceiver::takeClear(const link::Link &, const link::ReceivedBlock &block, const mavlink::ScanItem &item)
 {
     takeClearItem(block, item, FrameOrigin::Live);
@@ -117,6 +129,9 @@ void StationReceiver::takeClearItem(const link::ReceivedBlock &block, const mavl
         takeClearFrame(block.time, block.path, *item.frame, origin);
     else if (mavlink::isDamagedFrame(item))
         m_parts.links.countBadFrame(block.path.link);
+    else if (mavlink::isWholeFrame(item) && origin == FrameOrigin::Live
+             && m_gate.judgeClear(block.path, mavlink::systemIdOf(item.bytes), origin, false) == FrameGate::Verdict::Accept)
+        serve(item.bytes);
 }
 
 void StationReceiver::takeUnusable(const link::Link &, Unusable what)
@@ -155,6 +170,8 @@ void StationReceiver::acceptFrame(TimePoint now, const Path &from, const mavlink
     const WallTime wall = wallNow();
     if (origin != FrameOrigin::Recording)
         record(frame, wall);
+    if (live)
+        serve(frame.bytes());
     if (session) {
         m_parts.routes.heardSealed(systemId, *session);
     } else if (frame.messageId() == mavlink::Heartbeat::kId && live) {

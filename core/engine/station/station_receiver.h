@@ -4,6 +4,7 @@
 
 #include "core/engine/common/ingress.h"
 #include "core/engine/common/link_pool.h"
+#include "core/engine/gateway/gateway.h"
 #include "core/engine/station/datagram_counters.h"
 #include "core/engine/station/fleet.h"
 #include "core/engine/station/frame_gate.h"
@@ -47,6 +48,8 @@ public:
     void setChannel(StationChannel *channel) { m_channel = channel; }
     /// Null when nothing is recorded.
     void setRecorder(Recorder *recorder) { m_recorder = recorder; }
+    /// Receives the accepted frames of vehicles; null when no clients are served.
+    void setGateway(Gateway *gateway) { m_gateway = gateway; }
 
     FrameGate &gate() { return m_gate; }
     const FrameGate &gate() const { return m_gate; }
@@ -89,7 +92,13 @@ private:
     void acceptFrame(TimePoint now, const Path &from, const mavlink::Frame &frame, FrameOrigin origin,
                      std::optional<channel::SessionId> session);
     void acceptLateFrame(TimePoint now, const Path &from, const mavlink::Frame &frame);
+    void takeUnknownMessage(const channel::Delivery &delivery, ByteView frame);
     void record(const mavlink::Frame &frame, WallTime wall);
+    void serve(ByteView frame)
+    {
+        if (m_gateway)
+            m_gateway->sendToClients(frame);
+    }
     IngressRules rulesFor(const link::LinkTraits &traits) const;
     bool isSealing() const { return m_channel && !m_parts.settings.isPlain(); }
 
@@ -97,6 +106,7 @@ private:
     const Parts m_parts;
     StationChannel *m_channel = nullptr;
     Recorder *m_recorder = nullptr;
+    Gateway *m_gateway = nullptr;
     FrameGate m_gate;
     RecordingSink m_recordings{*this};
     std::map<LinkId, MavsecSink> m_mavsec;

@@ -33,6 +33,19 @@ bool StationSender::sendOutgoing(TimePoint now, std::uint8_t systemId, vehicle::
     return route && route->session;
 }
 
+void StationSender::forward(TimePoint now, std::uint8_t systemId, ByteView frame, const SenderPolicy &policy)
+{
+    if (systemId != 0) {
+        if (const Route *route = m_routes.leadingTo(systemId))
+            transmit(now, *route, frame);
+        return;
+    }
+    for (const Route &route : m_routes.all()) {
+        if (mayHeartbeat(route, policy))
+            transmit(now, route, frame);
+    }
+}
+
 void StationSender::sendHeartbeats(TimePoint now, const SenderPolicy &policy)
 {
     const auto message = m_heartbeat.poll(now);
@@ -65,6 +78,11 @@ void StationSender::send(TimePoint now, Route &route, const vehicle::OutMessage 
     if (frame.empty())
         return;
     ++route.sequence;
+    transmit(now, route, frame);
+}
+
+void StationSender::transmit(TimePoint now, const Route &route, ByteView frame)
+{
     if (m_recorder)
         m_recorder->record(wallNow(), frame);
     if (route.session)

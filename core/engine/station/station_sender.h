@@ -36,6 +36,8 @@ public:
 
     /// Sends what a vehicle's conversations produced; without a route it is dropped. Returns true if it went into a session.
     bool sendOutgoing(TimePoint now, std::uint8_t systemId, vehicle::Vehicle &vehicle);
+    /// Sends a frame of the gateway's clients, unchanged: to a system, or for 0 to every route where a heartbeat is allowed.
+    void forward(TimePoint now, std::uint8_t systemId, ByteView frame, const SenderPolicy &policy);
     /// Sends the heartbeat to every route where it is allowed, if it is due.
     void sendHeartbeats(TimePoint now, const SenderPolicy &policy);
     TimePoint nextHeartbeat() const { return m_heartbeat.nextDeadline(); }
@@ -45,6 +47,7 @@ public:
 private:
     bool mayHeartbeat(const Route &route, const SenderPolicy &policy) const;
     void send(TimePoint now, Route &route, const vehicle::OutMessage &message);
+    void transmit(TimePoint now, const Route &route, ByteView frame);
 
     const Node m_self;
     LinkPool &m_links;

@@ -88,6 +88,24 @@ public:
                 .arg(qt(e.problem)),
             kError};
     }
+    EventText operator()(const ServedLinkChanged &e) const { return linkText(e.link); }
+    EventText operator()(const ClientConnected &e) const
+    {
+        const QString name = qt(e.name), address = qt(e.address);
+        return {e.write == "none" ? tr("Client %1 at %2 connected, read-only").arg(name, address)
+                                  : tr("Client %1 at %2 connected, may write: %3").arg(name, address, qt(e.write)),
+                kNotice};
+    }
+    EventText operator()(const ClientGone &e) const
+    {
+        return {tr("Client %1 at %2 is gone").arg(qt(e.name), qt(e.address)), kNotice};
+    }
+    EventText operator()(const ClientDenied &e) const
+    {
+        return {tr("Denied %1 of client %2 at %3, the newest one %4")
+                    .arg(counted(e.frames, tr("one frame"), tr("%1 frames")), qt(e.name), qt(e.address), qt(e.message)),
+                kWarning};
+    }
     EventText operator()(const vehicle::MissionResult &e) const
     {
         return e.ok ? EventText{missionDone(e.transfer), kInfo, e.systemId}

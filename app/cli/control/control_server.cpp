@@ -1,0 +1,201 @@
+#include "app/cli/control/control_server.h"
+
+#include "app/cli/people_report.h"
+#include "core/crypto/suite.h"
+#include "core/engine/headless/event_json.h"
+#include "core/engine/headless/event_names.h"
+#include "core/engine/station/snapshot.h"
+#include "core/keys/peers_file.h"
+
+#include <QtCore/QJsonArray>
+#include <QtCore/QJsonDocument>
+
+namespace skyseal::app {
+
+namespace {
+
+QString qt(std::string_view text)
+{
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+void answer(QLocalSocket *asker, QJsonObject content)
+{
+    asker->write(QJsonDocument(content).toJson(QJsonDocument::Compact) + '\n');
+}
+
+void answerOk(QLocalSocket *asker, QJsonObject content = {})
+{
+    content.insert(QStringLiteral("ok"), true);
+    answer(asker, content);
+}
+
+void answerError(QLocalSocket *asker, const QString &problem)
+{
+    answer(asker, {{QStringLiteral("ok"), false}, {QStringLiteral("error"), problem}});
+}
+
+std::string clientLine(const engine::ClientSnapshot &client)
+{
+    return "client " + client.name + " at " + client.address + ", write=" + client.write + ": "
+        + std::to_string(client.counters.forwarded) + " frames forwarded, " + std::to_string(client.counters.denied)
+        + " denied";
+}
+
+} // namespace
+
+ControlServer::ControlServer(engine::Station &station, std::string peersFile)
+    : m_station(station), m_peersFile(std::move(peersFile))
+{
+    connect(&m_station, &engine::Station::snapshotReady, this,
+            [this](const std::shared_ptr<const engine::Snapshot> &snapshot) { m_snapshot = snapshot; });
+    connect(&m_station, &engine::Station::eventOccurred, this, [this](const engine::Event &event) { noteEvent(event); });
+    connect(&m_server, &QLocalServer::newConnection, this, [this] { accept(); });
+}
+
+ControlServer::~ControlServer() = default;
+
+Result<void, InputError> ControlServer::listen(const QString &path)
+{
+    m_server.setSocketOptions(QLocalServer::UserAccessOption);
+    m_server.setMaxPendingConnections(kMostConnections);
+    QLocalSocket probe;
+    probe.connectToServer(path);
+    if (probe.waitForConnected(1000))
+        return tl::unexpected(InputError{"another program listens there", path.toStdString()});
+    if (probe.error() == QLocalSocket::ConnectionRefusedError)
+        QLocalServer::removeServer(path); // of a program that was killed
+    if (!m_server.listen(path))
+        return tl::unexpected(InputError{m_server.errorString().toStdString(), path.toStdString()});
+    return {};
+}
+
+void ControlServer::accept()
+{
+    while (QLocalSocket *asker = m_server.nextPendingConnection()) {
+        connect(asker, &QLocalSocket::disconnected, asker, &QObject::deleteLater);
+        if (m_server.findChildren<QLocalSocket *>(QString(), Qt::FindDirectChildrenOnly).size() > kMostConnections) {
+            asker->abort();
+            continue;
+        }
+        asker->setReadBufferSize(kLongestRequest);
+        connect(asker, &QLocalSocket::readyRead, this, [this, asker] { readRequests(asker); });
+    }
+}
+
+void ControlServer::readRequests(QLocalSocket *asker)
+{
+    while (asker->canReadLine()) {
+        const QJsonDocument request = QJsonDocument::fromJson(asker->readLine());
+        if (request.isObject())
+            handle(asker, request.object());
+        else
+            answerError(asker, QStringLiteral("a JSON object in one line is expected"));
+    }
+    if (asker->bytesAvailable() >= kLongestRequest) {
+        answerError(asker, QStringLiteral("the request is too long"));
+        asker->disconnectFromServer();
+    }
+}
+
+void ControlServer::handle(QLocalSocket *asker, const QJsonObject &request)
+{
+    const QString name = request.value(QStringLiteral("request")).toString();
+    if (name == QLatin1String("status"))
+        sendStatus(asker);
+    else if (name == QLatin1String("switch"))
+        switchSuite(asker, request.value(QStringLiteral("suite")).toString());
+    else if (name == QLatin1String("revoke"))
+        revoke(asker, request.value(QStringLiteral("peer")).toString());
+    else
+        answerError(asker, QStringLiteral("status, switch or revoke is expected"));
+}
+
+void ControlServer::sendStatus(QLocalSocket *asker)
+{
+    if (!m_snapshot)
+        return answerError(asker, QStringLiteral("not started yet"));
+    QJsonArray text{qt(statusLine(*m_snapshot))};
+    for (const engine::ClientSnapshot &client : m_snapshot->clients)
+        text.append(qt(clientLine(client)));
+    const std::string status = engine::statusEvent(*m_snapshot);
+    answerOk(asker,
+             {{QStringLiteral("status"), QJsonDocument::fromJson(QByteArray::fromStdString(status)).object()},
+              {QStringLiteral("text"), text}});
+}
+
+void ControlServer::switchSuite(QLocalSocket *asker, const QString &name)
+{
+    const auto suite = crypto::suiteFromName(name.toStdString());
+    if (!suite)
+        return answerError(asker, QStringLiteral("no suite is named '%1'").arg(name));
+    Switch pending{.asker = asker};
+    if (m_snapshot) {
+        for (const engine::SessionSnapshot &session : m_snapshot->sessions) {
+            ++pending.sessions;
+            if (session.info.suite == *suite && !session.info.pending)
+                continue;
+            pending.waitsFor.insert(session.info.session);
+            m_station.switchSuite(session.info.session, *suite);
+        }
+    }
+    if (pending.sessions == 0)
+        return answerError(asker, QStringLiteral("there is no session"));
+    if (pending.waitsFor.empty())
+        return answerOk(asker, {{QStringLiteral("sessions"), static_cast<int>(pending.sessions)}});
+    m_switches.push_back(std::move(pending));
+}
+
+void ControlServer::revoke(QLocalSocket *asker, const QString &peer)
+{
+    if (m_peersFile.empty())
+        return answerError(asker, QStringLiteral("this station has no list of peers"));
+    // The station follows the file, so that the session ends at once.
+    m_files.run(
+        this,
+        [file = m_peersFile, name = peer.toStdString()] {
+            return keys::editPeers(file, [&name](keys::PeersFile &peers) -> Result<void, InputError> {
+                if (!peers.remove(name))
+                    return tl::unexpected(InputError{"there is no peer named \"" + name + "\"", {}});
+                return {};
+            });
+        },
+        [asker = QPointer<QLocalSocket>(asker)](const Result<void, InputError> &edited) {
+            if (!asker)
+                return;
+            if (edited)
+                answerOk(asker);
+            else
+                answerError(asker, qt(edited.error().text()));
+        });
+}
+
+void ControlServer::noteEvent(const engine::Event &event)
+{
+    if (const auto *done = std::get_if<channel::SwitchDone>(&event)) {
+        if (!done->rekey)
+            sessionEnded(done->session, qt(engine::keyword(done->failure)));
+    } else if (const auto *down = std::get_if<channel::SessionDown>(&event)) {
+        sessionEnded(down->session, qt(engine::keyword(channel::SwitchFailure::SessionEnded)));
+    }
+}
+
+/// The session has done with its switch; `problem` is empty if it succeeded.
+void ControlServer::sessionEnded(channel::SessionId session, const QString &problem)
+{
+    std::erase_if(m_switches, [&](Switch &pending) {
+        if (pending.waitsFor.erase(session) == 0)
+            return false;
+        if (!problem.isEmpty())
+            pending.problem = problem;
+        if (!pending.waitsFor.empty())
+            return false;
+        if (pending.asker && pending.problem.isEmpty())
+            answerOk(pending.asker, {{QStringLiteral("sessions"), static_cast<int>(pending.sessions)}});
+        else if (pending.asker)
+            answerError(pending.asker, pending.problem);
+        return true;
+    });
+}
+
+} // namespace skyseal::app

@@ -1,0 +1,95 @@
+// skyseal-cli gateway: other ground stations and programs use the vehicles through the sealed links of this station.
+#include "app/cli/commands.h"
+#include "app/cli/control/control_url.h"
+#include "app/cli/station_options.h"
+#include "app/cli/station_run.h"
+#include "app/common/options.h"
+#include "app/common/output.h"
+
+namespace skyseal::app {
+
+namespace {
+
+constexpr double kLongestRun = 1e9;
+
+void declare(Options &options)
+{
+    options.addLink("link", "Link to vehicles or their agents, e.g. udpin:0.0.0.0:14550. May be given several times.", isLive);
+    declareKeys(options);
+    options.addValue(
+        "serve", "URL[,OPTION...]",
+        "Serve ground stations and programs there: udpout:127.0.0.1:14550 (a station that listens), udpin:PORT, tcpin:PORT. "
+        "May be given several times. Options: write=none|all|mission,param,command,ftp,rc (default none: questions are "
+        "answered, commands denied); from=ADDRESS/PREFIX; sysid=ID,...; name=NAME. Only the heartbeat of a client that may "
+        "write reaches the vehicle: it arms the failsafe for a lost ground station, and its end triggers it. The gateway "
+        "itself sends none.");
+    declareControl(options, "Local socket on which skyseal-cli status, switch and revoke act on this gateway.");
+    options.addValue("metrics", "HOST:PORT", "Serve the counters to Prometheus at http://HOST:PORT/metrics (OpenMetrics).");
+    declareRecording(options);
+    options.addValue("duration", "S", "Exit after this many seconds.");
+    options.addConfig();
+    options.addFlag("json", "One JSON object per line on stdout.");
+}
+
+std::vector<engine::ServeConfig> readServed(Options &options)
+{
+    options.required("serve");
+    std::vector<engine::ServeConfig> out;
+    for (const std::string &text : options.texts("serve")) {
+        auto config = engine::ServeConfig::parse(text);
+        if (config)
+            out.push_back(std::move(*config));
+        else
+            options.fail("--serve '" + text + "': " + config.error());
+    }
+    return out;
+}
+
+/// Clients are not authenticated: whoever reaches the port is served.
+void warnOfOpenLinks(const QString &program, const std::vector<engine::ServeConfig> &served)
+{
+    for (const engine::ServeConfig &config : served) {
+        if (!config.isOpenToOthers())
+            continue;
+        const std::string who = config.url.isListening() && !config.from ? "anyone who reaches this address can "
+                                                                         : "others can ";
+        complain(program,
+                 config.name + ": not sealed, and not of this machine alone: " + who
+                     + (config.write.any() ? "see the vehicles and send (write=" + config.write.toText() + ")"
+                                           : "see the vehicles"));
+    }
+}
+
+} // namespace
+
+int runGateway(const QStringList &arguments)
+{
+    const QString name = QStringLiteral("skyseal-cli gateway");
+    Options options(name, QStringLiteral("Serves other ground stations and programs through sealed links."));
+    declare(options);
+    if (const auto status = options.parse(arguments))
+        return *status;
+    options.arguments(0, 0);
+    options.required("link");
+    StationRun run{.program = name, .links = options.urls("link"), .json = options.has("json")};
+    run.config.secure = engine::SecureMode::Required;
+    run.config.ownHeartbeat = false;
+    run.config.componentId = mavlink::MAV_COMP_ID_UDP_BRIDGE; // so that no client takes the answers for its own
+    run.config.snapshotsPerSecond = 4;
+    readKeys(options, run.config);
+    readRecording(options, run.config);
+    run.plan.serve = readServed(options);
+    if (options.has("control"))
+        run.control = readControl(options);
+    if (options.has("metrics"))
+        run.metrics = options.required("metrics");
+    if (options.has("duration"))
+        run.plan.duration = std::chrono::duration_cast<Duration>(
+            std::chrono::duration<double>(options.number("duration", 0, kLongestRun)));
+    if (const auto status = options.finish())
+        return *status;
+    warnOfOpenLinks(name, run.plan.serve);
+    return runStation(std::move(run));
+}
+
+} // namespace skyseal::app

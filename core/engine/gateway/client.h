@@ -1,0 +1,62 @@
+// One client of the gateway: another ground station or program. Decides which of its frames go to the vehicles and keeps
+// account of the others. No I/O and no clock.
+//
+// A client that may only read asks questions (question_rules.h), for message rates of 1 to 10 Hz, and for the version.
+#pragma once
+
+#include "core/engine/common/question_budget.h"
+#include "core/engine/gateway/client_snapshot.h"
+#include "core/engine/gateway/serve_config.h"
+#include "core/mavlink/frame_scanner.h"
+
+#include <optional>
+
+namespace skyseal::engine {
+
+/// What a client is told about frames that it may not send, at most once a minute.
+struct Denial
+{
+    std::string message;      ///< name of the newest one
+    std::uint64_t frames = 0; ///< since the last time
+};
+
+class Client
+{
+public:
+    /// A client whose address was not configured is forgotten after so much silence.
+    static constexpr Duration kForgetAfter = std::chrono::seconds(60);
+    static constexpr Duration kTellEvery = std::chrono::minutes(1);
+
+    enum class Verdict : std::uint8_t {
+        Forward,
+        Ignore, ///< the heartbeat of a client that may only read: it would count as a pilot's
+        TooOften,
+        NotItsSystem,
+        Deny
+    };
+
+    /// `config` must outlive this object.
+    explicit Client(const ServeConfig &config) : m_config(config) {}
+
+    /// Judges a whole frame (mavlink::isWholeFrame()) and counts it. `isVehicle`: its system id is a vehicle's.
+    Verdict judge(TimePoint now, const mavlink::ScanItem &item, bool isVehicle);
+    /// Call after Verdict::Deny. Returns what the client has to be told, if it is due.
+    std::optional<Denial> takeDenial(TimePoint now, const mavlink::ScanItem &item);
+
+    bool isSilent(TimePoint now) const { return now - m_heard >= kForgetAfter; }
+    void noteHeard(TimePoint now) { m_heard = now; }
+    const ServeConfig &config() const { return m_config; }
+    const ClientCounters &counters() const { return m_counters; }
+
+private:
+    Verdict judgeUncounted(TimePoint now, const mavlink::ScanItem &item, bool isVehicle);
+
+    const ServeConfig &m_config;
+    QuestionBudget m_questions;
+    ClientCounters m_counters;
+    TimePoint m_heard{};
+    TimePoint m_tellAt = TimePoint::min();
+    std::uint64_t m_told = 0; ///< denied frames that the client was told of
+};
+
+} // namespace skyseal::engine

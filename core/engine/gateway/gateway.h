@@ -1,0 +1,81 @@
+// Serves other ground stations and programs: they receive the frames of the vehicles byte for byte, as the autopilots sent
+// them, and what they may send goes to the vehicles unchanged, neither signed nor renumbered. Part of the station's engine;
+// the vehicles may be sealed, the clients are not. I/O thread.
+//
+// A denied command is answered by COMMAND_ACK in the name of its target, since stations look for the answer of the component
+// that they asked; its sequence number is not the autopilot's. A STATUSTEXT a minute says what was denied.
+#pragma once
+
+#include "core/engine/common/link_pool.h"
+#include "core/engine/gateway/client.h"
+#include "core/engine/gateway/gateway_event.h"
+#include "core/mavlink/frame_intake.h"
+
+#include <functional>
+#include <map>
+#include <vector>
+
+namespace skyseal::engine {
+
+class Gateway final : private link::LinkListener
+{
+public:
+    /// The vehicles that are served.
+    class Vehicles
+    {
+    public:
+        virtual ~Vehicles() = default;
+        virtual bool isVehicle(std::uint8_t systemId) const = 0;
+        /// Queues a frame of a client for a system; 0: for all.
+        virtual void forward(TimePoint now, std::uint8_t systemId, ByteView frame) = 0;
+        /// Sends what was queued. Called once for each batch of received frames.
+        virtual void sendForwarded() = 0;
+    };
+    using Notify = std::function<void(GatewayEvent)>;
+
+    /// Clients whose addresses are not configured, for each link.
+    static constexpr std::size_t kMostClients = 32;
+
+    /// `vehicles` must outlive this object.
+    Gateway(std::vector<ServeConfig> served, Vehicles &vehicles, Notify notify);
+
+    /// Opens the links.
+    void open();
+    /// Queues a frame of a vehicle for all clients.
+    void sendToClients(ByteView frame);
+    /// Sends what was queued.
+    void flush() { m_links.flush(); }
+    /// Forgets clients that are silent. Call about once a second.
+    void everySecond(TimePoint now);
+    void close();
+
+    std::vector<LinkSnapshot> links(TimePoint now) { return m_links.snapshots(now); }
+    std::vector<ClientSnapshot> clients() const;
+
+private:
+    void linkReceived(link::Link &link, std::span<const link::ReceivedBlock> blocks) override;
+    void linkPeerJoined(link::Link &link, const Path &path) override;
+    void linkPeerLeft(link::Link &link, const Path &path) override;
+    void linkChanged(link::Link &link);
+
+    const ServeConfig &configOf(LinkId link) const { return m_served[static_cast<std::size_t>(link)]; }
+    void receive(const link::Link &link, const link::ReceivedBlock &block);
+    Client *clientAt(TimePoint now, const link::Link &link, const Path &path);
+    Client &connect(TimePoint now, const Path &path);
+    void disconnect(std::map<Path, Client>::iterator client);
+    void takeFrame(TimePoint now, const Path &from, Client &client, const mavlink::ScanItem &item);
+    void deny(TimePoint now, const Path &to, Client &client, const mavlink::ScanItem &item);
+    void answerCommand(const Path &to, const mavlink::Frame &frame);
+    template<typename Message>
+    void answer(const Path &to, const mavlink::Frame &frame, std::uint8_t component, const Message &message);
+    std::string addressOf(const Path &path) const;
+
+    const std::vector<ServeConfig> m_served; ///< the link's id is the index
+    Vehicles &m_vehicles;
+    Notify m_notify;
+    LinkPool m_links;
+    mavlink::FrameIntake m_frames;
+    std::map<Path, Client> m_clients;
+};
+
+} // namespace skyseal::engine

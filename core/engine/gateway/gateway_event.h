@@ -1,0 +1,35 @@
+// Rare events of the gateway, as values.
+#pragma once
+
+#include "core/engine/common/link_snapshot.h"
+
+#include <string>
+#include <variant>
+
+namespace skyseal::engine {
+
+/// The state of a link on which clients are served.
+struct ServedLinkChanged
+{
+    LinkSnapshot link;
+};
+struct ClientConnected
+{
+    std::string name, address;
+    std::string write; ///< what it may write: "none", "all" or classes of messages
+};
+struct ClientGone
+{
+    std::string name, address;
+};
+/// Frames of a client were not forwarded; at most once a minute for each client.
+struct ClientDenied
+{
+    std::string name, address;
+    std::string message; ///< the newest one's name; its number if no definition is known
+    std::uint64_t frames = 0;
+};
+
+using GatewayEvent = std::variant<ServedLinkChanged, ClientConnected, ClientGone, ClientDenied>;
+
+} // namespace skyseal::engine

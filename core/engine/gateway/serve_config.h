@@ -1,0 +1,36 @@
+// The configuration of one link on which a gateway serves other ground stations and programs.
+#pragma once
+
+#include "core/engine/gateway/write_rights.h"
+#include "core/link/link_url.h"
+
+#include <QtNetwork/QHostAddress>
+
+#include <bitset>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace skyseal::engine {
+
+struct ServeConfig
+{
+    /// "URL[,OPTION=VALUE…]": write=none|all|CLASS,…; from=ADDRESS/PREFIX; sysid=ID,…; name=NAME. A listening link whose host
+    /// is left out listens on the loopback interface. The error names the invalid part.
+    static Result<ServeConfig, std::string> parse(std::string_view text);
+
+    /// Whether clients may have this address.
+    bool isFrom(const Address &remote) const;
+    /// Whether a client may send with this system id, as far as the configuration says.
+    bool maySpeakAs(std::uint8_t systemId) const { return systems.none() || systems.test(systemId); }
+    /// Whether others than programs of this machine can become clients.
+    bool isOpenToOthers() const;
+
+    link::LinkUrl url;
+    WriteRights write = {};
+    std::optional<std::pair<QHostAddress, int>> from = {}; ///< network and length of its prefix; anyone if empty
+    std::bitset<256> systems = {};                         ///< none: any
+    std::string name = {};                                 ///< shown to people; the URL if not given
+};
+
+} // namespace skyseal::engine

@@ -1,0 +1,17 @@
+// A snapshot of a station in the OpenMetrics text format, for Prometheus and others.
+// https://github.com/prometheus/OpenMetrics/blob/main/specification/OpenMetrics.md
+#pragma once
+
+#include "core/engine/station/snapshot.h"
+
+#include <string>
+
+namespace skyseal::engine {
+
+/// The Content-Type of the text.
+inline constexpr const char *kOpenMetricsType = "application/openmetrics-text; version=1.0.0; charset=utf-8";
+
+/// The whole exposition, with its end mark. Quantities that are unknown are left out.
+std::string openMetrics(const Snapshot &snapshot);
+
+} // namespace skyseal::engine

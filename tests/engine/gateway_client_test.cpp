@@ -1,0 +1,197 @@
+// What a client of the gateway may send, on a simulated clock.
+#include "core/engine/gateway/client.h"
+#include "core/mavlink/enums.h"
+#include "core/mavlink/frame_intake.h"
+#include "core/mavlink/frame_writer.h"
+#include "core/mavlink/message_ids.h"
+#include "core/mavlink/messages.h"
+#include "tests/support/test_runner.h"
+
+#include <QtTest/QTest>
+
+using namespace skyseal;
+using namespace skyseal::engine;
+using Verdict = Client::Verdict;
+
+namespace {
+
+const TimePoint kStart{std::chrono::hours(1)};
+
+/// A client that may do what `options` say, and that sends as system 255.
+struct Sender
+{
+    explicit Sender(const char *options = "")
+        : config(*ServeConfig::parse(std::string("udpin:14550") + options)), client(config)
+    {}
+
+    template<typename Message> Verdict send(const Message &message, TimePoint now = kStart, bool isVehicle = false)
+    {
+        std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
+        const ByteView frame = mavlink::FrameWriter(255, 190).write(message, buffer);
+        Verdict verdict{};
+        mavlink::scanFrames(frame, mavlink::Dialect::builtin(), [&](const mavlink::ScanItem &item) {
+            verdict = client.judge(now, item, isVehicle);
+            if (verdict == Verdict::Deny)
+                denial = client.takeDenial(now, item);
+        });
+        return verdict;
+    }
+
+    ServeConfig config;
+    Client client;
+    std::optional<Denial> denial;
+};
+
+mavlink::CommandLong command(unsigned id, float first = 0, float second = 0)
+{
+    mavlink::CommandLong out;
+    out.target_system = 1;
+    out.command = static_cast<std::uint16_t>(id);
+    out.param1 = first;
+    out.param2 = second;
+    return out;
+}
+
+mavlink::RequestDataStream stream(unsigned rate)
+{
+    mavlink::RequestDataStream out;
+    out.target_system = 1;
+    out.start_stop = 1;
+    out.req_message_rate = static_cast<std::uint16_t>(rate);
+    return out;
+}
+
+} // namespace
+
+class GatewayClientTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void readerAsks();
+    void readerCommandsNothing();
+    void readersHeartbeatIsNoPilots();
+    void readerSetsModestRatesOnly();
+    void readerAsksOnlySoOften();
+    void rightsOpenClassesAlone();
+    void clientSpeaksAsItsSystemAlone();
+    void denialIsToldOnceAMinute();
+    void silentClientIsForgotten();
+};
+
+void GatewayClientTest::readerAsks()
+{
+    Sender reader;
+    QCOMPARE(reader.send(mavlink::ParamRequestList{.target_system = 1}), Verdict::Forward);
+    QCOMPARE(reader.send(mavlink::ParamRequestRead{.target_system = 1}), Verdict::Forward);
+    QCOMPARE(reader.send(mavlink::MissionRequestList{.target_system = 1}), Verdict::Forward);
+    QCOMPARE(reader.send(mavlink::MissionRequestInt{.target_system = 1}), Verdict::Forward);
+    QCOMPARE(reader.send(mavlink::Timesync{.ts1 = 5}), Verdict::Forward);
+    QCOMPARE(reader.send(command(mavlink::MAV_CMD_REQUEST_MESSAGE, mavlink::AutopilotVersion::kId)), Verdict::Forward);
+    QCOMPARE(reader.client.counters().forwarded, std::uint64_t(6));
+}
+
+void GatewayClientTest::readerCommandsNothing()
+{
+    Sender reader;
+    QCOMPARE(reader.send(command(mavlink::MAV_CMD_COMPONENT_ARM_DISARM, 1)), Verdict::Deny);
+    QCOMPARE(reader.send(mavlink::CommandInt{.command = mavlink::MAV_CMD_DO_REPOSITION}), Verdict::Deny);
+    QCOMPARE(reader.send(mavlink::SetMode{.target_system = 1}), Verdict::Deny);
+    QCOMPARE(reader.send(mavlink::ParamSet{.target_system = 1}), Verdict::Deny);
+    QCOMPARE(reader.send(mavlink::MissionCount{.target_system = 1}), Verdict::Deny);
+    QCOMPARE(reader.send(mavlink::MissionClearAll{.target_system = 1}), Verdict::Deny);
+    QCOMPARE(reader.send(mavlink::RcChannelsOverride{.target_system = 1}), Verdict::Deny);
+    QCOMPARE(reader.send(mavlink::ManualControl{}), Verdict::Deny);
+    QCOMPARE(reader.send(mavlink::SetupSigning{}), Verdict::Deny);
+    QCOMPARE(reader.send(mavlink::SystemTime{}), Verdict::Deny);
+    QCOMPARE(reader.send(mavlink::Timesync{.tc1 = 9, .ts1 = 5}), Verdict::Deny);
+    QCOMPARE(reader.client.counters().denied, std::uint64_t(11));
+    QCOMPARE(reader.client.counters().forwarded, std::uint64_t(0));
+}
+
+void GatewayClientTest::readersHeartbeatIsNoPilots()
+{
+    Sender reader, pilot(",write=rc");
+    QCOMPARE(reader.send(mavlink::Heartbeat{}), Verdict::Ignore);
+    QCOMPARE(reader.client.counters().denied, std::uint64_t(0));
+    QCOMPARE(pilot.send(mavlink::Heartbeat{}), Verdict::Forward);
+}
+
+void GatewayClientTest::readerSetsModestRatesOnly()
+{
+    Sender reader;
+    for (const unsigned rate : {1u, 4u, 10u})
+        QCOMPARE(reader.send(stream(rate)), Verdict::Forward);
+    for (const unsigned rate : {0u, 11u, 65535u})
+        QCOMPARE(reader.send(stream(rate)), Verdict::Deny);
+    const auto interval = [](float microseconds) {
+        return command(mavlink::MAV_CMD_SET_MESSAGE_INTERVAL, mavlink::Attitude::kId, microseconds);
+    };
+    for (const float modest : {0.0f, 100'000.0f, 1'000'000.0f})
+        QCOMPARE(reader.send(interval(modest)), Verdict::Forward);
+    for (const float other : {-1.0f, 1.0f, 99'999.0f, 1'000'001.0f, std::numeric_limits<float>::quiet_NaN()})
+        QCOMPARE(reader.send(interval(other)), Verdict::Deny);
+}
+
+void GatewayClientTest::readerAsksOnlySoOften()
+{
+    Sender reader;
+    int passed = 0;
+    for (int i = 0; i < 1000; ++i)
+        passed += reader.send(mavlink::ParamRequestRead{.target_system = 1}) == Verdict::Forward;
+    QCOMPARE(passed, int(QuestionBudget::kAtOnce));
+    QCOMPARE(reader.client.counters().tooOften, std::uint64_t(1000 - passed));
+    QCOMPARE(reader.send(mavlink::ParamRequestRead{.target_system = 1}, kStart + std::chrono::seconds(1)), Verdict::Forward);
+    Sender pilot(",write=param");
+    for (int i = 0; i < 1000; ++i)
+        QCOMPARE(pilot.send(mavlink::ParamSet{.target_system = 1}), Verdict::Forward);
+}
+
+void GatewayClientTest::rightsOpenClassesAlone()
+{
+    Sender planner(",write=mission,param");
+    QCOMPARE(planner.send(mavlink::MissionCount{.target_system = 1}), Verdict::Forward);
+    QCOMPARE(planner.send(mavlink::ParamSet{.target_system = 1}), Verdict::Forward);
+    QCOMPARE(planner.send(command(mavlink::MAV_CMD_COMPONENT_ARM_DISARM, 1)), Verdict::Deny);
+    QCOMPARE(planner.send(mavlink::RcChannelsOverride{.target_system = 1}), Verdict::Deny);
+    Sender all(",write=all");
+    QCOMPARE(all.send(command(mavlink::MAV_CMD_COMPONENT_ARM_DISARM, 1)), Verdict::Forward);
+    QCOMPARE(all.send(mavlink::SetupSigning{}), Verdict::Forward);
+}
+
+void GatewayClientTest::clientSpeaksAsItsSystemAlone()
+{
+    Sender other(",write=all,sysid=250");
+    QCOMPARE(other.send(mavlink::Heartbeat{}), Verdict::NotItsSystem);
+    Sender vehicle(",write=all");
+    QCOMPARE(vehicle.send(mavlink::Heartbeat{}, kStart, true), Verdict::NotItsSystem);
+    QCOMPARE(vehicle.client.counters().notItsSystem, std::uint64_t(1));
+}
+
+void GatewayClientTest::denialIsToldOnceAMinute()
+{
+    Sender reader;
+    reader.send(mavlink::ParamSet{.target_system = 1});
+    QVERIFY(reader.denial);
+    QCOMPARE(reader.denial->message, std::string("PARAM_SET"));
+    QCOMPARE(reader.denial->frames, std::uint64_t(1));
+    for (int second = 1; second < 60; ++second) {
+        reader.send(mavlink::SetMode{.target_system = 1}, kStart + std::chrono::seconds(second));
+        QVERIFY(!reader.denial);
+    }
+    reader.send(mavlink::ManualControl{}, kStart + std::chrono::seconds(60));
+    QVERIFY(reader.denial);
+    QCOMPARE(reader.denial->message, std::string("MANUAL_CONTROL"));
+    QCOMPARE(reader.denial->frames, std::uint64_t(60));
+}
+
+void GatewayClientTest::silentClientIsForgotten()
+{
+    Sender reader;
+    reader.send(mavlink::Heartbeat{});
+    QVERIFY(!reader.client.isSilent(kStart + std::chrono::seconds(59)));
+    QVERIFY(reader.client.isSilent(kStart + std::chrono::seconds(60)));
+}
+
+SKYSEAL_TEST_APPLESS(GatewayClientTest)
+#include "gateway_client_test.moc"

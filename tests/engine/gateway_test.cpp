@@ -1,0 +1,344 @@
+// Other ground stations behind the gateway of a sealed station, over real sockets.
+#include "core/engine/station/snapshot.h"
+#include "core/mavlink/frame_intake.h"
+#include "core/mavlink/frame_writer.h"
+#include "core/mavlink/messages.h"
+#include "tests/engine/ground.h"
+#include "tests/support/eventually.h"
+#include "tests/support/heartbeat.h"
+#include "tests/support/test_runner.h"
+
+#include <QtNetwork/QTcpSocket>
+#include <QtNetwork/QUdpSocket>
+#include <QtTest/QTest>
+
+#include <algorithm>
+
+using namespace skyseal;
+using namespace skyseal::test;
+
+namespace {
+
+engine::StationConfig gatewayConfig(const FlightRig &rig)
+{
+    engine::StationConfig config = rig.stationConfig();
+    config.ownHeartbeat = false;
+    return config;
+}
+
+std::string contentOf(const QByteArray &bytes)
+{
+    return bytes.toStdString();
+}
+
+/// Another ground station, or a vehicle, on UDP.
+class UdpEnd
+{
+public:
+    explicit UdpEnd(quint16 target) : m_target(target)
+    {
+        if (!m_socket.bind(QHostAddress::LocalHost))
+            qFatal("no port");
+        QObject::connect(&m_socket, &QUdpSocket::readyRead, &m_socket, [this] { receive(); });
+    }
+
+    template<typename Message> void send(const Message &message, std::uint8_t systemId = 255)
+    {
+        std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
+        const ByteView frame = mavlink::FrameWriter(systemId, 190).write(message, buffer);
+        m_socket.writeDatagram(reinterpret_cast<const char *>(frame.data()), static_cast<qint64>(frame.size()),
+                               QHostAddress::LocalHost, m_target);
+    }
+
+    quint16 port() const { return m_socket.localPort(); }
+    bool received(const QByteArray &datagram) const { return std::ranges::find(datagrams, datagram) != datagrams.end(); }
+    /// The newest message of a kind that satisfies a condition.
+    template<typename Message, typename Condition> std::optional<Message> newest(Condition condition) const
+    {
+        std::optional<Message> out;
+        for (const QByteArray &datagram : datagrams) {
+            mavlink::scanFrames(
+                ByteView(reinterpret_cast<const std::uint8_t *>(datagram.constData()), std::size_t(datagram.size())),
+                mavlink::Dialect::builtin(), [&](const mavlink::ScanItem &item) {
+                    if (!item.frame || item.frame->messageId() != Message::kId)
+                        return;
+                    const Message message = Message::decode(item.frame->payload());
+                    if (condition(message))
+                        out = message;
+                });
+        }
+        return out;
+    }
+
+    template<typename Message> std::optional<Message> newest() const
+    {
+        return newest<Message>([](const Message &) { return true; });
+    }
+    /// The answer to a command.
+    std::optional<mavlink::CommandAck> answerTo(int command) const
+    {
+        return newest<mavlink::CommandAck>([command](const mavlink::CommandAck &ack) { return ack.command == command; });
+    }
+
+    std::vector<QByteArray> datagrams;
+
+private:
+    void receive()
+    {
+        while (m_socket.hasPendingDatagrams()) {
+            QByteArray datagram(static_cast<qsizetype>(m_socket.pendingDatagramSize()), Qt::Uninitialized);
+            m_socket.readDatagram(datagram.data(), datagram.size());
+            datagrams.push_back(datagram);
+        }
+    }
+
+    QUdpSocket m_socket;
+    const quint16 m_target;
+};
+
+/// A vehicle behind an agent, and a gateway with one link for clients.
+struct ServedFlight
+{
+    explicit ServedFlight(const std::string &options, channel::PeerRole role = channel::PeerRole::Pilot,
+                          const std::string &url = "udpin:127.0.0.1:0")
+        : rig(role), ground(gatewayConfig(rig))
+    {
+        ground.station->serve({*engine::ServeConfig::parse(url + options)});
+        rig.startAgent(ground.ears->listening());
+        if (!eventually([this] { return ground.up() && isOpen(); }))
+            qFatal("no session");
+    }
+    bool isOpen() const
+    {
+        const auto changes = ground.ears->all<engine::ServedLinkChanged>();
+        return !changes.empty()
+            && (changes.back().link.phase == engine::LinkPhase::Listening
+                || changes.back().link.phase == engine::LinkPhase::Connected);
+    }
+    /// Of the link for clients.
+    quint16 port() const { return portOf(ground.ears->all<engine::ServedLinkChanged>().back().link.localAddress); }
+    /// Starts the vehicle and waits until the station has it.
+    VehicleOnUdp &fly()
+    {
+        vehicle = std::make_unique<VehicleOnUdp>(rig.vehicleAddress());
+        if (!eventually([this] { return !ground.ears->snapshot->vehicles.empty(); }))
+            qFatal("no vehicle");
+        return *vehicle;
+    }
+    engine::ClientSnapshot client() const
+    {
+        return ground.ears->snapshot->clients.empty() ? engine::ClientSnapshot() : ground.ears->snapshot->clients[0];
+    }
+
+    FlightRig rig;
+    Ground ground;
+    std::unique_ptr<VehicleOnUdp> vehicle;
+};
+
+mavlink::CommandLong arm()
+{
+    mavlink::CommandLong out;
+    out.target_system = out.target_component = 1;
+    out.command = mavlink::MAV_CMD_COMPONENT_ARM_DISARM;
+    out.param1 = 1;
+    return out;
+}
+
+mavlink::ParamRequestRead parameterByIndex(int index)
+{
+    mavlink::ParamRequestRead out;
+    out.target_system = out.target_component = 1;
+    out.param_index = static_cast<std::int16_t>(index);
+    return out;
+}
+
+} // namespace
+
+class GatewayTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void framesArriveAsTheAutopilotSentThem();
+    void readerIsAnsweredAndCommandsNothing();
+    void clientWithTheRightCommands();
+    void rightsOfTheStationAreAboveThoseOfTheClient();
+    void onlyHeartbeatsOfClientsThatMayWriteArrive();
+    void stationThatListensIsServed();
+    void tcpClientNeedNotSendFirst();
+    void clientOfAnotherNetworkIsNotServed();
+    void takenPortIsReported();
+    void serviceEnds();
+};
+
+void GatewayTest::framesArriveAsTheAutopilotSentThem()
+{
+    ServedFlight flight("");
+    UdpEnd client(flight.port());
+    client.send(mavlink::Heartbeat{});
+    EVENTUALLY(!flight.client().name.empty());
+
+    std::vector<QByteArray> sent{clearHeartbeat(1, 1, false)}; // MAVLink 1
+    std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
+    mavlink::FrameWriter writer(1, 1);
+    const auto add = [&sent](ByteView frame) {
+        sent.emplace_back(reinterpret_cast<const char *>(frame.data()), static_cast<qsizetype>(frame.size()));
+    };
+    for (int i = 0; i < 3; ++i) // sequence numbers as they are
+        add(writer.write(mavlink::Attitude{.roll = 0.1f * float(i + 1)}, buffer));
+    const std::array<std::uint8_t, 9> payload{1, 2, 3, 4, 5, 6, 7, 8, 9};
+    add(mavlink::writeFrame(buffer, 2, 77, 1, 1, mavlink::Attitude::kId, mavlink::Attitude::kCrcExtra,
+                            mavlink::Attitude::kMinLength, payload, mavlink::kFlagSigned)); // signed, whatever the signature
+    add(mavlink::writeFrame(buffer, 2, 78, 1, 1, 0x00A1B2C3, 0x5a, 9, payload));            // of another dialect
+    QUdpSocket vehicle;
+    for (const QByteArray &frame : sent)
+        vehicle.writeDatagram(frame, QHostAddress::LocalHost, portOf(flight.rig.vehicleAddress()));
+    for (const QByteArray &frame : sent)
+        EVENTUALLY2(client.received(frame), contentOf(frame.toHex(' ')).c_str());
+}
+
+void GatewayTest::readerIsAnsweredAndCommandsNothing()
+{
+    ServedFlight flight("");
+    VehicleOnUdp &vehicle = flight.fly();
+    UdpEnd client(flight.port());
+    client.send(mavlink::Heartbeat{});
+    client.send(parameterByIndex(3));
+    EVENTUALLY(client.newest<mavlink::ParamValue>().has_value());
+    QCOMPARE(int(client.newest<mavlink::ParamValue>()->param_index), 3);
+
+    client.send(arm());
+    EVENTUALLY(client.answerTo(mavlink::MAV_CMD_COMPONENT_ARM_DISARM).has_value());
+    const mavlink::CommandAck ack = *client.answerTo(mavlink::MAV_CMD_COMPONENT_ARM_DISARM);
+    QCOMPARE(int(ack.result), int(mavlink::MAV_RESULT_DENIED));
+    QCOMPARE(int(ack.target_system), 255);
+    const auto told = [&client] {
+        const auto text = client.newest<mavlink::Statustext>();
+        return text && std::string(text->text.data()).starts_with("Gateway: COMMAND_LONG denied");
+    };
+    EVENTUALLY(told());
+    EVENTUALLY_EQUAL(flight.client().counters.denied, std::uint64_t(1));
+    QCOMPARE(flight.client().counters.forwarded, std::uint64_t(1));
+    QCOMPARE(flight.ground.ears->all<engine::ClientDenied>().size(), std::size_t(1));
+    QVERIFY(!vehicle.vehicle.autopilot().armed());
+}
+
+void GatewayTest::clientWithTheRightCommands()
+{
+    ServedFlight flight(",write=command");
+    VehicleOnUdp &vehicle = flight.fly();
+    UdpEnd client(flight.port());
+    const auto armed = [&] {
+        client.send(mavlink::Heartbeat{});
+        client.send(arm());
+        return vehicle.vehicle.autopilot().armed();
+    };
+    EVENTUALLY(armed()); // asked again until the vehicle is ready for it
+    const auto accepted = [&client] {
+        const auto ack = client.answerTo(mavlink::MAV_CMD_COMPONENT_ARM_DISARM);
+        return ack && ack->result == mavlink::MAV_RESULT_ACCEPTED;
+    };
+    EVENTUALLY(accepted());
+    client.send(mavlink::ParamSet{.target_system = 1});
+    EVENTUALLY_EQUAL(flight.client().counters.denied, std::uint64_t(1));
+}
+
+void GatewayTest::rightsOfTheStationAreAboveThoseOfTheClient()
+{
+    ServedFlight flight(",write=all", channel::PeerRole::Observer);
+    VehicleOnUdp &vehicle = flight.fly();
+    UdpEnd client(flight.port());
+    client.send(arm());
+    const auto refused = [&] {
+        flight.rig.agent->snapshot(); // publishes refusals
+        return std::ranges::any_of(flight.rig.agentEvents, [](const engine::AgentEvent &event) {
+            const auto *frames = std::get_if<engine::FramesRefused>(&event);
+            return frames && frames->command == mavlink::MAV_CMD_COMPONENT_ARM_DISARM;
+        });
+    };
+    EVENTUALLY(refused());
+    QVERIFY(!vehicle.vehicle.autopilot().armed());
+}
+
+void GatewayTest::onlyHeartbeatsOfClientsThatMayWriteArrive()
+{
+    for (const bool mayWrite : {false, true}) {
+        ServedFlight flight(mayWrite ? ",write=mission" : "");
+        UdpEnd client(flight.port()), vehicle(portOf(flight.rig.vehicleAddress()));
+        const auto arrived = [&] {
+            vehicle.send(mavlink::Heartbeat{.type = mavlink::MAV_TYPE_QUADROTOR}, 1);
+            client.send(mavlink::Heartbeat{.type = mavlink::MAV_TYPE_GCS});
+            client.send(parameterByIndex(3));
+            return vehicle.newest<mavlink::ParamRequestRead>().has_value();
+        };
+        EVENTUALLY(arrived());
+        const double begin = flight.ground.ears->snapshot->time;
+        EVENTUALLY(flight.ground.ears->snapshot->time > begin + 2.5); // the station's own would come once a second
+        QCOMPARE(vehicle.newest<mavlink::Heartbeat>().has_value(), mayWrite);
+    }
+}
+
+void GatewayTest::stationThatListensIsServed()
+{
+    UdpEnd station(0);
+    ServedFlight flight("", channel::PeerRole::Pilot, "udpout:127.0.0.1:" + std::to_string(station.port()));
+    flight.fly();
+    EVENTUALLY(station.newest<mavlink::Heartbeat>().has_value());
+    QCOMPARE(flight.client().address, "127.0.0.1:" + std::to_string(station.port()));
+}
+
+void GatewayTest::tcpClientNeedNotSendFirst()
+{
+    ServedFlight flight("", channel::PeerRole::Pilot, "tcpin:127.0.0.1:0");
+    flight.fly();
+    QTcpSocket program;
+    program.connectToHost(QHostAddress::LocalHost, flight.port());
+    EVENTUALLY(program.bytesAvailable() > 100);
+    QCOMPARE(std::uint8_t(program.peek(1)[0]), mavlink::kMagic2);
+    EVENTUALLY_EQUAL(flight.ground.ears->all<engine::ClientConnected>().size(), std::size_t(1));
+    program.abort();
+    EVENTUALLY_EQUAL(flight.ground.ears->all<engine::ClientGone>().size(), std::size_t(1));
+    EVENTUALLY(flight.ground.ears->snapshot->clients.empty());
+}
+
+void GatewayTest::clientOfAnotherNetworkIsNotServed()
+{
+    ServedFlight flight(",write=all,from=10.0.0.0/8");
+    VehicleOnUdp &vehicle = flight.fly();
+    UdpEnd client(flight.port());
+    for (int i = 0; i < 5; ++i)
+        client.send(arm());
+    const std::uint64_t frames = flight.ground.ears->snapshot->mavlink.frames;
+    EVENTUALLY(flight.ground.ears->snapshot->mavlink.frames > frames + 20);
+    QVERIFY(client.datagrams.empty() && flight.ground.ears->snapshot->clients.empty());
+    QVERIFY(!vehicle.vehicle.autopilot().armed());
+}
+
+void GatewayTest::takenPortIsReported()
+{
+    QUdpSocket other;
+    QVERIFY(other.bind(QHostAddress::LocalHost));
+    FlightRig rig;
+    Ground ground(gatewayConfig(rig));
+    ground.station->serve({*engine::ServeConfig::parse("udpin:" + std::to_string(other.localPort()))});
+    EVENTUALLY(!ground.ears->all<engine::ServedLinkChanged>().empty());
+    QVERIFY(ground.ears->all<engine::ServedLinkChanged>().back().link.addressInUse);
+}
+
+void GatewayTest::serviceEnds()
+{
+    ServedFlight flight("");
+    flight.fly();
+    UdpEnd client(flight.port());
+    client.send(mavlink::Heartbeat{});
+    EVENTUALLY(!client.datagrams.empty());
+    flight.ground.station->serve({});
+    EVENTUALLY(flight.ground.ears->snapshot->served.empty() && flight.ground.ears->snapshot->clients.empty());
+    client.datagrams.clear();
+    const std::uint64_t frames = flight.ground.ears->snapshot->mavlink.frames;
+    EVENTUALLY(flight.ground.ears->snapshot->mavlink.frames > frames + 20);
+    QVERIFY(client.datagrams.empty());
+}
+
+SKYSEAL_TEST(GatewayTest)
+#include "gateway_test.moc"

@@ -1,0 +1,224 @@
+// skyseal-cli gateway as people and scripts use it: another ground station, one that knows nothing of sealing, flies through
+// it, and skyseal-cli status, switch and revoke act on it while it runs.
+#include "tests/support/flight.h"
+#include "tests/support/run_program.h"
+#include "tests/support/test_runner.h"
+
+#include <QtCore/QFile>
+#include <QtCore/QFileInfo>
+#include <QtCore/QJsonArray>
+#include <QtCore/QJsonDocument>
+#include <QtNetwork/QTcpSocket>
+#include <QtTest/QTest>
+
+using namespace skyseal::test;
+
+namespace {
+
+/// Simulator, agent and gateway; the options of the gateway stand in a file.
+class GatewayFlight
+{
+public:
+    explicit GatewayFlight(const QString &serveOptions)
+        : serve(QStringLiteral("udpout:127.0.0.1:%1").arg(clientPort) + serveOptions)
+    {
+        QFile config(flight.path(QStringLiteral("gateway.conf")));
+        if (!flight.ready() || !config.open(QIODevice::WriteOnly))
+            qFatal("no keys");
+        const auto line = [&config](const char *name, const QString &value) {
+            config.write(name + QByteArray(" = ") + value.toUtf8() + '\n');
+        };
+        line("link", QStringLiteral("udpin:127.0.0.1:%1").arg(flight.groundPort));
+        line("identity", flight.path(QStringLiteral("ground.key")));
+        line("peers", flight.path(QStringLiteral("ground.peers")));
+        line("serve", serve);
+        line("control", QStringLiteral("unix:") + socket);
+        line("metrics", QStringLiteral("127.0.0.1:%1").arg(metricsPort));
+        line("no-record", QStringLiteral("yes"));
+        line("json", QStringLiteral("yes"));
+        config.close();
+        config.setPermissions(QFile::ReadOwner | QFile::WriteOwner);
+        startGateway();
+        sim = std::make_unique<Program>(QStringLiteral("skyseal-sim"), flight.simArguments());
+        air = std::make_unique<Program>(QStringLiteral("skyseal-air"), flight.airArguments());
+    }
+
+    void startGateway()
+    {
+        gateway = std::make_unique<Program>(
+            QStringLiteral("skyseal-cli"),
+            QStringList{QStringLiteral("gateway"), QStringLiteral("--config"), flight.path(QStringLiteral("gateway.conf"))});
+    }
+    /// Another ground station, on the port that is served.
+    std::unique_ptr<Program> client(const QStringList &more) const
+    {
+        return std::make_unique<Program>(QStringLiteral("skyseal-cli"),
+                                         QStringList{QStringLiteral("monitor"), QStringLiteral("--link"),
+                                                     QStringLiteral("udpin:127.0.0.1:%1").arg(clientPort),
+                                                     QStringLiteral("--secure"), QStringLiteral("off"),
+                                                     QStringLiteral("--no-record"), QStringLiteral("--json")}
+                                             + more);
+    }
+    RunResult control(QStringList arguments) const
+    {
+        return runProgram("skyseal-cli", arguments << QStringLiteral("--control") << QStringLiteral("unix:") + socket);
+    }
+
+    Flight flight;
+    const quint16 clientPort = freeUdpPort();
+    const quint16 metricsPort = freeTcpPort();
+    const QString serve;
+    const QString socket = flight.path(QStringLiteral("control"));
+    std::unique_ptr<Program> gateway, sim, air;
+};
+
+bool isUp(const QJsonObject &session)
+{
+    return session[QLatin1String("state")].toString() == QLatin1String("up");
+}
+
+} // namespace
+
+class GatewayProgramTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void anotherStationFliesWhileSuitesAreSwitched();
+    void readerSeesAndCommandsNothing();
+    void metricsAreServed();
+    void peerIsRevoked();
+    void socketIsOfThisUserAlone();
+    void withoutAGatewayNothingAnswers();
+    void takenPortEndsTheGateway();
+};
+
+void GatewayProgramTest::anotherStationFliesWhileSuitesAreSwitched()
+{
+    GatewayFlight flight(QStringLiteral(",write=command,name=planner"));
+    QVERIFY2(!flight.gateway->waitFor(QStringLiteral("session"), isUp).isEmpty(), flight.gateway->errors().constData());
+    const auto client = flight.client(
+        {QStringLiteral("--do"),
+         QStringLiteral("wait ekf_ok==1 60; mode GUIDED; arm; takeoff 5; wait alt_rel>=4.5 60; land; wait armed==0 90")});
+    const QStringList suites = allSuites().split(QLatin1Char(','));
+    int switched = 0;
+    while (client->running()) {
+        const QString suite = suites[switched % suites.size()];
+        const bool isResearch = suite == QLatin1String("rc4"); // this gateway does not offer it
+        const RunResult result = flight.control({QStringLiteral("switch"), suite});
+        QVERIFY2(result.status == (isResearch ? 1 : 0), result.err.constData());
+        ++switched;
+        QVERIFY(!client->waitFor(QStringLiteral("stats")).isEmpty() || !client->running());
+    }
+    QVERIFY2(client->waitForExit() == 0, client->errors().constData());
+    QVERIFY(switched > 6);
+    const QJsonObject mavlink = client->last(QStringLiteral("summary"))[QLatin1String("mavlink")].toObject();
+    QVERIFY(mavlink[QLatin1String("frames")].toInt() > 100);
+    QCOMPARE(mavlink[QLatin1String("lost")].toInt(-1), 0);
+    QCOMPARE(mavlink[QLatin1String("duplicate")].toInt(-1), 0);
+
+    const RunResult status = flight.control({QStringLiteral("status"), QStringLiteral("--json")});
+    QCOMPARE(status.status, 0);
+    const QJsonObject state = QJsonDocument::fromJson(status.out)[QLatin1String("status")].toObject();
+    QCOMPARE(state[QLatin1String("sessions")][0][QLatin1String("peer")].toString(), QStringLiteral("air-1"));
+    QCOMPARE(state[QLatin1String("clients")][0][QLatin1String("name")].toString(), QStringLiteral("planner"));
+    QVERIFY(state[QLatin1String("clients")][0][QLatin1String("forwarded")].toInt() > 5);
+    QVERIFY(flight.control({QStringLiteral("status")}).out.contains("client planner at 127.0.0.1:"));
+    QVERIFY2(flight.gateway->terminate() == 0, flight.gateway->errors().constData());
+}
+
+void GatewayProgramTest::readerSeesAndCommandsNothing()
+{
+    GatewayFlight flight({});
+    const auto client = flight.client({QStringLiteral("--do"), QStringLiteral("mode GUIDED; arm")});
+    QVERIFY(!client->waitFor(QStringLiteral("vehicle")).isEmpty());
+    QCOMPARE(client->waitForExit(), 1); // the script failed
+    const QJsonObject step = client->last(QStringLiteral("command"));
+    QVERIFY2(step[QLatin1String("result")].toString() != QLatin1String("done"), client->errors().constData());
+    QVERIFY(!flight.gateway->waitFor(QStringLiteral("client_denied")).isEmpty());
+    const auto told = [](const QJsonObject &text) {
+        return text[QLatin1String("text")].toString().startsWith(QLatin1String("Gateway: "));
+    };
+    client->skipReceivedEvents();
+    const std::vector<QJsonObject> texts = client->events(QStringLiteral("statustext"));
+    QVERIFY(std::any_of(texts.begin(), texts.end(), told));
+}
+
+void GatewayProgramTest::metricsAreServed()
+{
+    GatewayFlight flight({});
+    const auto get = [&flight](const char *request) {
+        QTcpSocket socket;
+        socket.connectToHost(QHostAddress::LocalHost, flight.metricsPort);
+        if (!socket.waitForConnected(kDeadlineMs))
+            return QByteArray();
+        socket.write(request + QByteArray(" HTTP/1.1\r\nHost: localhost\r\n\r\n"));
+        while (socket.waitForReadyRead(kDeadlineMs))
+            ;
+        return socket.readAll();
+    };
+    QVERIFY(!flight.gateway->waitFor(QStringLiteral("vehicle")).isEmpty());
+    const auto shown = [&] { return get("GET /metrics").contains("\nskyseal_vehicle_heard{sysid=\"1\"} 1\n"); };
+    EVENTUALLY(shown());
+    const QByteArray answer = get("GET /metrics");
+    QVERIFY2(answer.startsWith("HTTP/1.1 200 OK\r\nContent-Type: application/openmetrics-text; version=1.0.0"),
+             answer.constData());
+    QVERIFY(answer.endsWith("# EOF\n"));
+    QVERIFY(get("HEAD /metrics").endsWith("\r\n\r\n"));
+    QVERIFY(get("GET /").startsWith("HTTP/1.1 404 "));
+    QVERIFY(get("POST /metrics").startsWith("HTTP/1.1 405 "));
+    QVERIFY(get("nonsense").startsWith("HTTP/1.1 400 "));
+}
+
+void GatewayProgramTest::peerIsRevoked()
+{
+    GatewayFlight flight({});
+    QVERIFY(!flight.gateway->waitFor(QStringLiteral("session"), isUp).isEmpty());
+    const RunResult unknown = flight.control({QStringLiteral("revoke"), QStringLiteral("air-9")});
+    QCOMPARE(unknown.status, 1);
+    QVERIFY2(unknown.err.contains("air-9"), unknown.err.constData());
+    QCOMPARE(flight.control({QStringLiteral("revoke"), QStringLiteral("air-1")}).status, 0);
+    const QJsonObject down = flight.gateway->waitFor(QStringLiteral("session"));
+    QCOMPARE(down[QLatin1String("state")].toString(), QStringLiteral("down"));
+    QCOMPARE(down[QLatin1String("reason")].toString(), QStringLiteral("revoked"));
+    QCOMPARE(flight.control({QStringLiteral("switch"), QStringLiteral("aes-256-gcm")}).status, 1); // no session
+}
+
+void GatewayProgramTest::socketIsOfThisUserAlone()
+{
+    GatewayFlight flight({});
+    QVERIFY(!flight.gateway->waitFor(QStringLiteral("link")).isEmpty());
+    EVENTUALLY(QFileInfo::exists(flight.socket));
+    const auto others = QFile::ReadGroup | QFile::WriteGroup | QFile::ReadOther | QFile::WriteOther;
+    QVERIFY(!(QFile::permissions(flight.socket) & others));
+    flight.gateway->kill(); // leaves the socket behind
+    flight.startGateway();
+    const auto answers = [&flight] { return flight.control({QStringLiteral("status")}).status == 0; };
+    EVENTUALLY(answers());
+}
+
+void GatewayProgramTest::withoutAGatewayNothingAnswers()
+{
+    const RunResult result = runProgram(
+        "skyseal-cli", {QStringLiteral("status"), QStringLiteral("--control"), QStringLiteral("unix:/nonexistent/s")});
+    QCOMPARE(result.status, 3);
+    QVERIFY2(result.err.contains("/nonexistent/s"), result.err.constData());
+}
+
+void GatewayProgramTest::takenPortEndsTheGateway()
+{
+    Flight flight;
+    QVERIFY(flight.ready());
+    Program other(QStringLiteral("skyseal-cli"), flight.monitorArguments());
+    QVERIFY(other.waitUntilListening(QStringLiteral("udpin")));
+    const RunResult result = runProgram(
+        "skyseal-cli",
+        {QStringLiteral("gateway"), QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:0"), QStringLiteral("--identity"),
+         flight.path(QStringLiteral("ground.key")), QStringLiteral("--peers"), flight.path(QStringLiteral("ground.peers")),
+         QStringLiteral("--no-record"), QStringLiteral("--serve"), QStringLiteral("udpin:%1").arg(flight.groundPort)});
+    QCOMPARE(result.status, 3);
+    QVERIFY2(result.err.contains("udpin:127.0.0.1"), result.err.constData());
+}
+
+SKYSEAL_TEST(GatewayProgramTest)
+#include "gateway_program_test.moc"
