@@ -2,6 +2,7 @@
 
 #include "app/common/format.h"
 #include "app/common/output.h"
+#include "app/common/service_manager.h"
 #include "core/base/overloaded.h"
 #include "core/engine/headless/agent_json.h"
 #include "core/engine/headless/channel_event_json.h"
@@ -17,12 +18,15 @@ namespace skyseal::app {
 
 static constexpr int kSummaryWaitMs = 1000; ///< longest wait at the end for a reader that is slow
 
-void AgentReport::say(const std::string &json, const std::string &sentence)
+AgentReport::AgentReport(bool json) : m_json(json), m_journal(stderrIsTheJournal()) {}
+
+/// `severity`: as MAV_SEVERITY, which are those of syslog.
+void AgentReport::say(const std::string &json, const std::string &sentence, unsigned severity)
 {
     if (m_json && !json.empty())
         print(json);
     else if (!m_json && !sentence.empty() && hasRoom(stderr))
-        remark(sentence);
+        remark(m_journal ? format("<%u>", severity) + sentence : sentence);
 }
 
 void AgentReport::print(const std::string &json)
@@ -43,13 +47,15 @@ void AgentReport::notify(const engine::AgentEvent &event)
     const engine::EventText text = engine::agentEventText(event, m_peers);
     const auto *refused = std::get_if<engine::FramesRefused>(&event);
     const bool isShown = !text.isRoutine && (!refused || m_refusals.isNew(steadyNow(), *refused));
-    say(jsonOf(event), isShown ? text.line().toStdString() : std::string());
+    say(jsonOf(event), isShown ? text.line().toStdString() : std::string(), text.severity);
 }
 
 void AgentReport::sayRepeatedRefusals(TimePoint now)
 {
-    for (const engine::FramesRefused &refused : m_refusals.takeDue(now))
-        say({}, engine::agentEventText(refused, m_peers).line().toStdString());
+    for (const engine::FramesRefused &refused : m_refusals.takeDue(now)) {
+        const engine::EventText text = engine::agentEventText(refused, m_peers);
+        say({}, text.line().toStdString(), text.severity);
+    }
 }
 
 /// Empty for events that are not reported to scripts.

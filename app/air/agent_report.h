@@ -13,7 +13,7 @@ namespace skyseal::app {
 class AgentReport
 {
 public:
-    explicit AgentReport(bool json) : m_json(json) {}
+    explicit AgentReport(bool json);
 
     void notify(const engine::AgentEvent &event);
     /// A status of the window for pairing.
@@ -22,12 +22,13 @@ public:
     void summary(const engine::AgentSnapshot &snapshot, double time);
 
 private:
-    void say(const std::string &json, const std::string &sentence);
+    void say(const std::string &json, const std::string &sentence, unsigned severity = 5);
     void sayRepeatedRefusals(TimePoint now);
     void print(const std::string &json);
     std::string jsonOf(const engine::AgentEvent &event) const;
 
-    bool m_json;
+    const bool m_json;
+    const bool m_journal; ///< lines on stderr begin with their severity
     engine::PeerNames m_peers;
     engine::RepeatedRefusals m_refusals; ///< of the sentences; JSON has every event
     unsigned m_unread = 0;               ///< lines of JSON that were left out since the last one that was printed

@@ -1,4 +1,7 @@
 // skyseal-air: the onboard agent for an autopilot.
+#include "app/air/agent_check.h"
+#include "app/air/agent_options.h"
+#include "app/air/agent_reload.h"
 #include "app/air/agent_report.h"
 #include "app/air/pair_client.h"
 #include "app/air/pairing_server.h"
@@ -8,8 +11,7 @@
 #include "app/common/pairing_passphrase_input.h"
 #include "app/common/peers_watch.h"
 #include "app/common/process.h"
-#include "core/channel/policy.h"
-#include "core/channel/suite_strength.h"
+#include "app/common/service_manager.h"
 #include "core/crypto/init_crypto.h"
 #include "core/keys/file_io.h"
 #include "core/keys/peers_file.h"
@@ -18,93 +20,12 @@
 #include <QtCore/QElapsedTimer>
 #include <QtCore/QTimer>
 
-#include <algorithm>
-
 using namespace skyseal;
 using namespace skyseal::app;
 
 namespace {
 
 const QString kName = QStringLiteral("skyseal-air");
-
-/// The agent sends the first message, so it needs a remote end, or a byte stream that a station opens.
-bool leadsToStation(const link::LinkTraits &traits)
-{
-    return !traits.isRecording && !traits.isDatagramServer();
-}
-
-void declare(Options &options)
-{
-    options.addLink("vehicle",
-                    "Plain MAVLink link to the autopilot, e.g. serial:/dev/ttyAMA0:921600, udpin:14551 or "
-                    "tcp:127.0.0.1:5760. A listening link without a host listens on 127.0.0.1: any program that reaches that "
-                    "port can control the vehicle.");
-    options.addLink("ground", "Sealed link to the ground station; the agent announces itself there.", leadsToStation);
-    options.addValue("carrier", "datagram|serial|tunnel",
-                     "How sealed records travel on the ground link: one per datagram; in COBS frames, on a byte stream that "
-                     "only the two ends share; or in MAVLink TUNNEL messages, through MAVLink routers and radios (any link). "
-                     "Default: datagram or serial, depending on the link. The station detects the carrier.");
-    options.addValue("identity", "FILE", "Private key of this agent (skyseal-cli keys new).");
-    PassphraseInput::declare(options);
-    options.addValue("peers", "FILE", "Ground stations that may connect; created if missing.");
-    options.addValue("suites", "LIST", "Suites to offer, separated by commas, the preferred one first.", "all");
-    options.addValue("weakest-suite", "NAME", "Use no suite that is weaker than this one.",
-                     crypto::suiteInfo(crypto::weakestSealedSuite()).name.data());
-    options.addResearchFlag("allow-research", "Also accept insecure research suites, for comparison.");
-    options.addResearchFlag(
-        "allow-plain",
-        "Forward plain MAVLink while no session is up; anyone can read and forge it. For baseline measurements.");
-    options.addResearchFlag("allow-inline",
-                            "Also seal frames in place if the station asks for it: headers are not encrypted, tags are short.");
-    options.addValue(
-        "max-overtaken", "SECONDS",
-        "Obey no command that a newer message overtook longer ago than this: it was withheld on its way. 0.2 to 10.", "1");
-    options.addValue("max-age", "SECONDS|off",
-                     "Obey no command that may be older than this. The agent can only bound the age, by the round trip of the "
-                     "link and the time since: choose more than twice the longest delay. 0.5 to 60.",
-                     "5");
-    options.addFlag("pair",
-                    "Open the pairing window of the agent that runs with this --identity, and confirm the station there.");
-    options.addValue(
-        "role", "pilot|observer",
-        "With --pair: role of the station. Without it a known station keeps its role, and you choose that of a new "
-        "one; with --expect it becomes an observer.");
-    PairingPrompt::declare(options); // with --json
-    PairingPassphraseInput::declare(options);
-}
-
-/// The carrier of the option, or the default of the link.
-Carrier readCarrier(Options &options, const std::optional<link::LinkUrl> &ground)
-{
-    if (!ground)
-        return {};
-    const bool datagrams = !ground->traits().isStream;
-    const std::string asked = options.has("carrier") ? options.text("carrier") : datagrams ? "datagram" : "serial";
-    if (asked == "tunnel")
-        return Carrier::Tunnel;
-    if (asked != "datagram" && asked != "serial")
-        options.fail("--carrier '" + asked + "': datagram, serial or tunnel is expected");
-    else if (asked == "datagram" && !datagrams)
-        options.fail("--carrier 'datagram': " + ground->toText() + " is a byte stream; use serial or tunnel");
-    else if (asked == "serial" && datagrams)
-        options.fail("--carrier 'serial': " + ground->toText() + " carries datagrams; use datagram or tunnel");
-    return asked == "serial" ? Carrier::Serial : Carrier::Datagram;
-}
-
-channel::FreshnessLimits readFreshness(Options &options)
-{
-    using Limits = channel::FreshnessLimits;
-    const auto duration = [](double value) {
-        return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(value));
-    };
-    Limits out;
-    out.overtaken = duration(
-        options.number("max-overtaken", seconds(Limits::kLeastOvertaken), seconds(Limits::kMostOvertaken)));
-    out.age.reset();
-    if (options.text("max-age") != "off")
-        out.age = duration(options.number("max-age", seconds(Limits::kLeastAge), seconds(Limits::kMostAge)));
-    return out;
-}
 
 /// Ends the program when a link can never work as it was written.
 bool isHopeless(const engine::AgentEvent &event)
@@ -146,7 +67,7 @@ int pair(Options &options)
         options.fail("--role '" + options.text("role") + "': pilot or observer is expected");
     const PairingPassphraseInput passphrase = PairingPassphraseInput::read(options);
     for (const char *option : {"vehicle", "ground", "carrier", "peers"}) {
-        if (options.has(option))
+        if (options.has(option) && !options.has("config"))
             options.fail(std::string("--") + option + " is an option of the running agent; --pair needs only its --identity");
     }
     if (const auto status = options.finish())
@@ -170,29 +91,20 @@ int main(int argc, char **argv)
     protectKeysInMemory();
     QCoreApplication application(argc, argv);
     Options options(kName, QStringLiteral("Onboard agent that seals the MAVLink link of an autopilot."));
-    declare(options);
-    if (const auto status = options.parse(application.arguments().mid(1)))
+    declareAgent(options);
+    const QStringList arguments = application.arguments().mid(1);
+    if (const auto status = options.parse(arguments))
         return *status;
     options.arguments(0, 0);
     if (options.has("pair"))
         return pair(options);
     refusePairingOptions(options);
-    const auto vehicle = options.url("vehicle", link::LinkUrl::kLoopback);
-    const auto ground = options.url("ground");
-    const engine::KeyPaths paths{options.required("identity"), options.required("peers"), PassphraseInput::read(options).ask()};
-    channel::Policy policy{options.suites("suites"), options.has("allow-research"), options.has("allow-plain")};
-    if (const auto weakest = options.suite("weakest-suite"))
-        policy.suites = channel::notWeakerThan(*weakest, policy.suites);
-    policy.allowInline = options.has("allow-inline");
-    const Carrier carrier = readCarrier(options, ground);
-    const channel::FreshnessLimits freshness = readFreshness(options);
-    const auto isSecure = [](crypto::SuiteId suite) {
-        return !crypto::suiteInfo(suite).research && suite != crypto::SuiteId::None;
-    };
-    if (std::none_of(policy.suites.begin(), policy.suites.end(), isSecure))
-        options.fail("--suites: a session begins with a secure suite, so the list must contain one");
+    const std::optional<AgentSetup> setup = readAgent(options);
     if (const auto status = options.finish())
         return *status;
+    if (options.has("check"))
+        return checkSetup(*setup);
+    const engine::KeyPaths &paths = setup->keys;
     if (!crypto::initCrypto()) {
         complain(kName, "the system provides no randomness");
         return kCannotOpen;
@@ -209,8 +121,7 @@ int main(int argc, char **argv)
     int status = kDone;
     bool started = false;
     PairingServer *desk = nullptr;
-    engine::AgentConfig config{*vehicle, *ground, std::move(policy), options.has("allow-plain"), carrier, freshness};
-    engine::AgentCore agent(std::move(config), std::move(*secrets), [&](const engine::AgentEvent &event) {
+    engine::AgentCore agent(setup->config, std::move(*secrets), [&](const engine::AgentEvent &event) {
         if (!started && isHopeless(event)) {
             const engine::LinkSnapshot &link = std::get<engine::AgentLinkChanged>(event).link;
             complain(kName, link.url + ": " + link.problem);
@@ -238,11 +149,20 @@ int main(int argc, char **argv)
     });
     StopSignals signals;
     QObject::connect(&signals, &StopSignals::stopRequested, &application, [] { QCoreApplication::exit(kDone); });
+    AgentReload reload(arguments, *setup);
+    signals.takeReload();
+    QObject::connect(&signals, &StopSignals::reloadRequested, &application, [&] {
+        if (auto policy = reload.changedPolicy())
+            agent.setPolicy(std::move(*policy));
+    });
+    ServiceManager manager;
     QTimer::singleShot(0, &application, [&] {
         agent.start();
         everySecond.start(1000);
+        manager.ready();
     });
     const int ended = application.exec();
+    manager.stopping();
     agent.stop();
     if (status == kDone)
         report.summary(agent.snapshot(), elapsed());

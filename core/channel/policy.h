@@ -40,6 +40,8 @@ struct Policy
     /// suites that have it.
     bool allowInline = false;
     bool preferInline = false;
+
+    bool operator==(const Policy &) const = default;
 };
 
 /// Framing of MAVLink frames: whole in sealed records, or each sealed in place with a clear header.

@@ -61,6 +61,14 @@ void AgentCore::setPeers(std::vector<channel::Peer> peers)
     finishWake();
 }
 
+void AgentCore::setPolicy(channel::Policy policy)
+{
+    m_config.policy = policy;
+    m_receiver.updateRules();
+    m_channel.endpoint().setPolicy(steadyNow(), std::move(policy));
+    finishWake();
+}
+
 Result<void, PairingRefusal> AgentCore::openPairing(std::string name, std::shared_ptr<const crypto::Passphrase> passphrase)
 {
     if (m_receiver.isAnyArmed())

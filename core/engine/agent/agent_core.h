@@ -35,6 +35,8 @@ public:
     void start();
     /// Replaces the list of stations that may connect; sessions of keys that are not in it end at once.
     void setPeers(std::vector<channel::Peer> peers);
+    /// Replaces the suites and framings that are offered; sessions whose suite is not among them change over to another.
+    void setPolicy(channel::Policy policy);
     /// Opens the window in which a new station can be paired, until the pairing is over or a vehicle is armed. Its progress
     /// comes as events. `name` is the agent's own. With `passphrase` only a station with the same one is shown; null without
     /// one. A vehicle that was never heard does not count as armed, one that fell silent counts as what it was last.

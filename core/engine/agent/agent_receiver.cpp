@@ -22,14 +22,14 @@ void AgentReceiver::sessionUp(const channel::SessionUp &up)
 {
     m_gate.sessionUp(up);
     m_sessions.add(up.session);
-    m_parts.ingress.setRules(kGroundLink, groundRules());
+    updateRules();
 }
 
 void AgentReceiver::sessionDown(channel::SessionId session)
 {
     m_gate.sessionDown(session);
     m_sessions.remove(session);
-    m_parts.ingress.setRules(kGroundLink, groundRules());
+    updateRules();
 }
 
 AgentCounters AgentReceiver::counters() const

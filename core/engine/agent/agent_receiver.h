@@ -52,6 +52,8 @@ public:
     /// Registers both links with the ingress; call before they open.
     void addLinks();
     void setPeers(const std::vector<channel::Peer> &peers) { m_gate.setPeers(peers); }
+    /// Call when the policy has changed: what is looked for on the ground link depends on it.
+    void updateRules() { m_parts.ingress.setRules(kGroundLink, groundRules()); }
     /// The vehicle's link has one remote, so frames for any system go there.
     void fixVehicle(const Path &path) { m_routes.setFixed(path); }
     /// A stream begins or ends.

@@ -1,0 +1,112 @@
+#include "app/air/agent_check.h"
+
+#include "app/common/exit_status.h"
+#include "app/common/output.h"
+#include "core/crypto/init_crypto.h"
+#include "core/engine/common/secret_files.h"
+#include "core/link/address_text.h"
+
+#include <QtCore/QFileInfo>
+#include <QtNetwork/QHostInfo>
+#include <QtNetwork/QTcpServer>
+#include <QtNetwork/QUdpSocket>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace skyseal::app {
+
+namespace {
+
+using Problems = std::vector<std::string>;
+
+void checkDevice(const link::LinkUrl &url, Problems &problems)
+{
+    const int device = ::open(url.path().c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+    if (device >= 0) {
+        if (!::isatty(device))
+            problems.push_back(url.path() + " is no serial port");
+        ::close(device);
+    } else if (errno == EACCES) {
+        problems.push_back(url.path() + ": this user may not open it; add the user to the group dialout");
+    } else {
+        problems.push_back(url.path() + ": " + std::strerror(errno));
+    }
+}
+
+/// A port that this machine listens on.
+void checkPort(const link::LinkUrl &url, Problems &problems)
+{
+    const auto address = link::parseHost(url.host(), url.port());
+    const QHostAddress host = address ? link::toQt(*address) : QHostAddress::LocalHost;
+    QUdpSocket datagrams;
+    QTcpServer streams;
+    const bool free = url.traits().isStream ? streams.listen(host, url.port()) : datagrams.bind(host, url.port());
+    if (!free)
+        problems.push_back(url.toText() + ": "
+                           + (url.traits().isStream ? streams.errorString() : datagrams.errorString()).toStdString()
+                           + "; another program, or an agent that runs, may use the port");
+}
+
+void checkHost(const link::LinkUrl &url, Problems &problems)
+{
+    if (!link::parseHost(url.host(), 0) && QHostInfo::fromName(QString::fromStdString(url.host())).addresses().isEmpty())
+        problems.push_back(url.toText() + ": the host " + url.host()
+                           + " is not known; use its address, or add it to /etc/hosts");
+}
+
+void checkLink(const link::LinkUrl &url, Problems &problems)
+{
+    switch (url.type().target) {
+    case link::LinkTarget::DeviceBaud: return checkDevice(url, problems);
+    case link::LinkTarget::HostPort: return url.isListening() ? checkPort(url, problems) : checkHost(url, problems);
+    case link::LinkTarget::File: return;
+    }
+}
+
+void checkKeys(const engine::KeyPaths &paths, Problems &problems)
+{
+    const auto secrets = engine::readSecretFiles(paths);
+    if (!secrets) {
+        problems.push_back(secrets.error().text());
+        return;
+    }
+    const std::vector<channel::Peer> &peers = (*secrets)->peers;
+    const auto isPilot = [](const channel::Peer &peer) { return peer.role == channel::PeerRole::Pilot; };
+    if (peers.empty())
+        problems.push_back(paths.peers + ": no station is known, so none can connect; pair one with skyseal-air --pair");
+    else if (std::none_of(peers.begin(), peers.end(), isPilot))
+        problems.push_back(paths.peers + ": no station is a pilot, so none can command the vehicle");
+    for (const std::string &file : {paths.identity, paths.peers}) {
+        const QString folder = QFileInfo(QString::fromStdString(file)).absolutePath();
+        if (::access(folder.toLocal8Bit().constData(), W_OK) != 0)
+            problems.push_back(folder.toStdString()
+                               + " is not writable: the counters of handshakes and the list of peers stand there");
+    }
+}
+
+} // namespace
+
+int checkSetup(const AgentSetup &setup)
+{
+    Problems problems;
+    if (!crypto::initCrypto())
+        problems.emplace_back("the system provides no randomness");
+    else
+        checkKeys(setup.keys, problems);
+    checkLink(setup.config.vehicle, problems);
+    checkLink(setup.config.ground, problems);
+    std::sort(problems.begin(), problems.end());
+    problems.erase(std::unique(problems.begin(), problems.end()), problems.end());
+    for (const std::string &problem : problems)
+        printLine(problem);
+    if (problems.empty())
+        printLine("nothing is wrong with this set-up");
+    return problems.empty() ? kDone : kNotReached;
+}
+
+} // namespace skyseal::app

@@ -1,0 +1,120 @@
+#include "app/air/agent_options.h"
+
+#include "app/common/pairing_passphrase_input.h"
+#include "app/common/pairing_prompt.h"
+#include "app/common/passphrase_input.h"
+#include "core/channel/suite_strength.h"
+
+#include <algorithm>
+
+namespace skyseal::app {
+
+namespace {
+
+/// The agent sends the first message, so it needs a remote end, or a byte stream that a station opens.
+bool leadsToStation(const link::LinkTraits &traits)
+{
+    return !traits.isRecording && !traits.isDatagramServer();
+}
+
+/// The carrier of the option, or the default of the link.
+Carrier readCarrier(Options &options, const std::optional<link::LinkUrl> &ground)
+{
+    if (!ground)
+        return {};
+    const bool datagrams = !ground->traits().isStream;
+    const std::string asked = options.has("carrier") ? options.text("carrier") : datagrams ? "datagram" : "serial";
+    if (asked == "tunnel")
+        return Carrier::Tunnel;
+    if (asked != "datagram" && asked != "serial")
+        options.fail("--carrier '" + asked + "': datagram, serial or tunnel is expected");
+    else if (asked == "datagram" && !datagrams)
+        options.fail("--carrier 'datagram': " + ground->toText() + " is a byte stream; use serial or tunnel");
+    else if (asked == "serial" && datagrams)
+        options.fail("--carrier 'serial': " + ground->toText() + " carries datagrams; use datagram or tunnel");
+    return asked == "serial" ? Carrier::Serial : Carrier::Datagram;
+}
+
+channel::FreshnessLimits readFreshness(Options &options)
+{
+    using Limits = channel::FreshnessLimits;
+    const auto duration = [](double value) {
+        return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(value));
+    };
+    Limits out;
+    out.overtaken = duration(
+        options.number("max-overtaken", seconds(Limits::kLeastOvertaken), seconds(Limits::kMostOvertaken)));
+    out.age.reset();
+    if (options.text("max-age") != "off")
+        out.age = duration(options.number("max-age", seconds(Limits::kLeastAge), seconds(Limits::kMostAge)));
+    return out;
+}
+
+bool isSecure(crypto::SuiteId suite)
+{
+    return !crypto::suiteInfo(suite).research && suite != crypto::SuiteId::None;
+}
+
+} // namespace
+
+void declareAgent(Options &options)
+{
+    options.addLink("vehicle",
+                    "Plain MAVLink link to the autopilot, e.g. serial:/dev/ttyAMA0:921600, udpin:14551 or "
+                    "tcp:127.0.0.1:5760. A listening link without a host listens on 127.0.0.1: any program that reaches that "
+                    "port can control the vehicle.");
+    options.addLink("ground", "Sealed link to the ground station; the agent announces itself there.", leadsToStation);
+    options.addValue("carrier", "datagram|serial|tunnel",
+                     "How sealed records travel on the ground link: one per datagram; in COBS frames, on a byte stream that "
+                     "only the two ends share; or in MAVLink TUNNEL messages, through MAVLink routers and radios (any link). "
+                     "Default: datagram or serial, depending on the link. The station detects the carrier.");
+    options.addValue("identity", "FILE", "Private key of this agent (skyseal-cli keys new).");
+    PassphraseInput::declare(options);
+    options.addValue("peers", "FILE", "Ground stations that may connect; created if missing.");
+    options.addValue("suites", "LIST", "Suites to offer, separated by commas, the preferred one first.", "all");
+    options.addValue("weakest-suite", "NAME", "Use no suite that is weaker than this one.",
+                     crypto::suiteInfo(crypto::weakestSealedSuite()).name.data());
+    options.addResearchFlag("allow-research", "Also accept insecure research suites, for comparison.");
+    options.addResearchFlag(
+        "allow-plain",
+        "Forward plain MAVLink while no session is up; anyone can read and forge it. For baseline measurements.");
+    options.addResearchFlag("allow-inline",
+                            "Also seal frames in place if the station asks for it: headers are not encrypted, tags are short.");
+    options.addValue(
+        "max-overtaken", "SECONDS",
+        "Obey no command that a newer message overtook longer ago than this: it was withheld on its way. 0.2 to 10.", "1");
+    options.addValue("max-age", "SECONDS|off",
+                     "Obey no command that may be older than this. The agent can only bound the age, by the round trip of the "
+                     "link and the time since: choose more than twice the longest delay. 0.5 to 60.",
+                     "5");
+    options.addFlag("pair",
+                    "Open the pairing window of the agent that runs with this --identity, and confirm the station there.");
+    options.addValue(
+        "role", "pilot|observer",
+        "With --pair: role of the station. Without it a known station keeps its role, and you choose that of a new "
+        "one; with --expect it becomes an observer.");
+    PairingPrompt::declare(options); // with --json
+    PairingPassphraseInput::declare(options);
+    options.addFlag("check", "Say what is wrong with this set-up, without starting: exit status 0 if nothing is, otherwise 1.");
+    options.addConfig();
+}
+
+std::optional<AgentSetup> readAgent(Options &options)
+{
+    const auto vehicle = options.url("vehicle", link::LinkUrl::kLoopback);
+    const auto ground = options.url("ground");
+    engine::KeyPaths keys{options.required("identity"), options.required("peers"), PassphraseInput::read(options).ask()};
+    channel::Policy policy{options.suites("suites"), options.has("allow-research"), options.has("allow-plain")};
+    if (const auto weakest = options.suite("weakest-suite"))
+        policy.suites = channel::notWeakerThan(*weakest, policy.suites);
+    policy.allowInline = options.has("allow-inline");
+    const Carrier carrier = readCarrier(options, ground);
+    const channel::FreshnessLimits freshness = readFreshness(options);
+    if (std::none_of(policy.suites.begin(), policy.suites.end(), isSecure))
+        options.fail("--suites: a session begins with a secure suite, so the list must contain one");
+    if (!vehicle || !ground)
+        return std::nullopt;
+    return AgentSetup{{*vehicle, *ground, std::move(policy), options.has("allow-plain"), carrier, freshness}, std::move(keys)};
+}
+
+} // namespace skyseal::app

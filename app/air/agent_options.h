@@ -1,0 +1,24 @@
+// The options of skyseal-air that describe the agent.
+#pragma once
+
+#include "app/common/options.h"
+#include "core/engine/agent/agent_config.h"
+#include "core/engine/common/key_paths.h"
+
+#include <optional>
+
+namespace skyseal::app {
+
+/// All that the options say of an agent.
+struct AgentSetup
+{
+    engine::AgentConfig config;
+    engine::KeyPaths keys;
+};
+
+/// All options of the program.
+void declareAgent(Options &options);
+/// Records a problem and returns nothing if an option is wrong. Opens no file.
+std::optional<AgentSetup> readAgent(Options &options);
+
+} // namespace skyseal::app

@@ -1,0 +1,216 @@
+// The agent as a service: its configuration file, reload without losing a session, readiness and watchdog, and --check.
+#include "tests/support/flight.h"
+#include "tests/support/run_program.h"
+#include "tests/support/test_runner.h"
+
+#include <QtCore/QFile>
+#include <QtCore/QTemporaryDir>
+#include <QtTest/QTest>
+
+#include <csignal>
+#include <cstring>
+
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+using namespace skyseal::test;
+
+namespace {
+
+/// Receives what a service tells its manager.
+class NotifySocket
+{
+public:
+    NotifySocket() : m_descriptor(::socket(AF_UNIX, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0))
+    {
+        sockaddr_un address{};
+        address.sun_family = AF_UNIX;
+        const QByteArray path = m_folder.filePath(QStringLiteral("notify")).toLocal8Bit();
+        std::memcpy(address.sun_path, path.constData(), static_cast<std::size_t>(path.size()));
+        if (::bind(m_descriptor, reinterpret_cast<const sockaddr *>(&address), sizeof address) != 0)
+            qFatal("no socket");
+        qputenv("NOTIFY_SOCKET", path); // inherited by the programs that start from now on
+    }
+    ~NotifySocket()
+    {
+        ::close(m_descriptor);
+        qunsetenv("NOTIFY_SOCKET");
+        qunsetenv("WATCHDOG_USEC");
+    }
+    NotifySocket(const NotifySocket &) = delete;
+    NotifySocket &operator=(const NotifySocket &) = delete;
+
+    /// How often this was received.
+    int count(const char *state)
+    {
+        char bytes[256];
+        for (ssize_t size; (size = ::recv(m_descriptor, bytes, sizeof bytes, 0)) > 0;)
+            m_received << QByteArray(bytes, size);
+        return static_cast<int>(m_received.count(state));
+    }
+
+private:
+    QTemporaryDir m_folder;
+    const int m_descriptor;
+    QByteArrayList m_received;
+};
+
+/// A flight whose agent has its options in a file.
+class ConfiguredFlight
+{
+public:
+    ConfiguredFlight() { configure({}); }
+
+    void configure(const QByteArray &more, const QByteArray &without = {})
+    {
+        QFile file(path());
+        if (!flight.ready() || !file.open(QIODevice::WriteOnly | QIODevice::Truncate))
+            qFatal("no configuration");
+        const auto line = [&](const QByteArray &name, const QString &value) {
+            if (name != without)
+                file.write(name + " = " + value.toUtf8() + '\n');
+        };
+        line("vehicle", QStringLiteral("udpin:%1").arg(flight.vehiclePort));
+        line("ground", QStringLiteral("udpout:127.0.0.1:%1").arg(flight.groundPort));
+        line("identity", flight.path(QStringLiteral("air.key")));
+        line("peers", flight.path(QStringLiteral("air.peers")));
+        file.write(more);
+        file.close();
+        file.setPermissions(QFile::ReadOwner | QFile::WriteOwner);
+    }
+    QString path() const { return flight.path(QStringLiteral("air.conf")); }
+    QStringList arguments() const { return {QStringLiteral("--config"), path()}; }
+
+    Flight flight;
+};
+
+bool isUp(const QJsonObject &session)
+{
+    return session[QLatin1String("state")].toString() == QLatin1String("up");
+}
+
+} // namespace
+
+class AgentServiceTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void optionsStandInTheFile();
+    void wrongLineIsNamedByItsNumber();
+    void reloadChangesSuitesAndKeepsTheSession();
+    void wrongConfigurationChangesNothing();
+    void managerHearsOfReadinessLifeAndEnd();
+    void checkFindsNothingWrong();
+    void checkSaysWhatIsWrong_data();
+    void checkSaysWhatIsWrong();
+};
+
+void AgentServiceTest::optionsStandInTheFile()
+{
+    ConfiguredFlight configured;
+    Program air(QStringLiteral("skyseal-air"), configured.arguments());
+    Program monitor(QStringLiteral("skyseal-cli"), configured.flight.monitorArguments());
+    QVERIFY2(!monitor.waitFor(QStringLiteral("session"), isUp).isEmpty(), air.errors().constData());
+}
+
+void AgentServiceTest::wrongLineIsNamedByItsNumber()
+{
+    ConfiguredFlight configured;
+    configured.configure("\nsutes = all\n");
+    const RunResult result = runProgram("skyseal-air", configured.arguments());
+    QCOMPARE(result.status, 2);
+    QVERIFY2(result.err.contains("air.conf:6: no option is named 'sutes'"), result.err.constData());
+}
+
+void AgentServiceTest::reloadChangesSuitesAndKeepsTheSession()
+{
+    ConfiguredFlight configured;
+    Program sim(QStringLiteral("skyseal-sim"), configured.flight.simArguments());
+    Program air(QStringLiteral("skyseal-air"), configured.arguments());
+    Program monitor(QStringLiteral("skyseal-cli"), configured.flight.monitorArguments());
+    QVERIFY(!monitor.waitFor(QStringLiteral("session"), isUp).isEmpty());
+    QVERIFY(!monitor.waitFor(QStringLiteral("vehicle")).isEmpty());
+
+    configured.configure("suites = aes-256-gcm,aes-256-ctr\nmax-age = 7\n");
+    QCOMPARE(::kill(static_cast<pid_t>(air.pid()), SIGHUP), 0);
+    const QJsonObject change = monitor.waitFor(QStringLiteral("switch"));
+    QCOMPARE(change[QLatin1String("result")].toString(), QStringLiteral("committed"));
+    QCOMPARE(change[QLatin1String("to")].toString(), QStringLiteral("aes-256-gcm"));
+    EVENTUALLY(air.errors().contains("after a restart: --max-age\n"));
+    monitor.skipReceivedEvents();
+    QVERIFY(!monitor.waitFor(QStringLiteral("stats")).isEmpty());
+    QCOMPARE(monitor.events(QStringLiteral("session")).size(), std::size_t(1)); // neither ended nor came up again
+    QCOMPARE(monitor.terminate(), 0);
+    const QJsonObject mavlink = monitor.last(QStringLiteral("summary"))[QLatin1String("mavlink")].toObject();
+    QCOMPARE(mavlink[QLatin1String("lost")].toInt(-1), 0);
+}
+
+void AgentServiceTest::wrongConfigurationChangesNothing()
+{
+    ConfiguredFlight configured;
+    Program air(QStringLiteral("skyseal-air"), configured.arguments());
+    Program monitor(QStringLiteral("skyseal-cli"), configured.flight.monitorArguments());
+    QVERIFY(!monitor.waitFor(QStringLiteral("session"), isUp).isEmpty());
+    configured.configure("suites = none\n");
+    QCOMPARE(::kill(static_cast<pid_t>(air.pid()), SIGHUP), 0);
+    EVENTUALLY(air.errors().contains("the previous one stays in force"));
+    QVERIFY(air.running());
+    monitor.skipReceivedEvents();
+    QVERIFY(!monitor.waitFor(QStringLiteral("stats")).isEmpty());
+    QVERIFY(monitor.events(QStringLiteral("switch")).empty());
+}
+
+void AgentServiceTest::managerHearsOfReadinessLifeAndEnd()
+{
+    NotifySocket manager;
+    qputenv("WATCHDOG_USEC", "200000");
+    ConfiguredFlight configured;
+    Program air(QStringLiteral("skyseal-air"), configured.arguments());
+    EVENTUALLY_EQUAL(manager.count("READY=1"), 1);
+    EVENTUALLY(manager.count("WATCHDOG=1") >= 3);
+    QCOMPARE(::kill(static_cast<pid_t>(air.pid()), SIGSTOP), 0); // hangs
+    const int before = manager.count("WATCHDOG=1");
+    QVERIFY(!QTest::qWaitFor([&] { return manager.count("WATCHDOG=1") > before + 1; }, 500));
+    QCOMPARE(::kill(static_cast<pid_t>(air.pid()), SIGCONT), 0);
+    EVENTUALLY(manager.count("WATCHDOG=1") > before + 1);
+    QCOMPARE(manager.count("STOPPING=1"), 0);
+    QCOMPARE(air.terminate(), 0);
+    EVENTUALLY_EQUAL(manager.count("STOPPING=1"), 1);
+    QCOMPARE(manager.count("READY=1"), 1);
+}
+
+void AgentServiceTest::checkFindsNothingWrong()
+{
+    ConfiguredFlight configured;
+    const RunResult result = runProgram("skyseal-air", configured.arguments() << QStringLiteral("--check"));
+    QVERIFY2(result.status == 0, (result.out + result.err).constData());
+    QCOMPARE(result.out, QByteArray("nothing is wrong with this set-up\n"));
+}
+
+void AgentServiceTest::checkSaysWhatIsWrong_data()
+{
+    QTest::addColumn<QByteArray>("line");
+    QTest::addColumn<QByteArray>("said");
+    QTest::newRow("device") << QByteArray("vehicle = serial:/dev/nonexistent:57600")
+                            << QByteArray("/dev/nonexistent: No such file");
+    QTest::newRow("no serial port") << QByteArray("vehicle = serial:/dev/null:57600")
+                                    << QByteArray("/dev/null is no serial port");
+    QTest::newRow("host") << QByteArray("ground = udpout:station.invalid:14550") << QByteArray("station.invalid is not known");
+    QTest::newRow("key") << QByteArray("identity = /nonexistent/air.key") << QByteArray("/nonexistent/air.key");
+}
+
+void AgentServiceTest::checkSaysWhatIsWrong()
+{
+    QFETCH(QByteArray, line);
+    QFETCH(QByteArray, said);
+    ConfiguredFlight configured;
+    configured.configure(line + '\n', line.left(line.indexOf(' ')));
+    const RunResult result = runProgram("skyseal-air", configured.arguments() << QStringLiteral("--check"));
+    QVERIFY2(result.status == 1, result.err.constData());
+    QVERIFY2(result.out.contains(said), result.out.constData());
+}
+
+SKYSEAL_TEST(AgentServiceTest)
+#include "agent_service_test.moc"
