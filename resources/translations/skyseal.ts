@@ -526,6 +526,22 @@
         <source>no answer</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Client %1 at %2 connected, read-only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Client %1 at %2 connected, may write: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Client %1 at %2 is gone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Denied %1 of client %2 at %3, the newest one %4</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::engine::PairingText</name>

@@ -5,8 +5,7 @@
 // skipped.
 #include "core/mavlink/stream_parser.h"
 #include "tests/support/eventually.h"
-#include "tests/support/flight.h"
-#include "tests/support/run_program.h"
+#include "tests/support/gateway_flight.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QFile>
@@ -108,42 +107,19 @@ void ArduPilotTest::fliesSealedWhileCiphersSwitch()
 
 void ArduPilotTest::anotherStationFliesThroughTheGateway()
 {
-    Flight flight;
-    QVERIFY(flight.ready());
-    const quint16 port = freeTcpPort(), clientPort = freeUdpPort();
+    const quint16 port = freeTcpPort(), stationPort = freeUdpPort();
     const auto sitl = startSitl(port);
-    const QString control = QStringLiteral("unix:") + flight.path(QStringLiteral("control"));
-    Program gateway(QStringLiteral("skyseal-cli"),
-                    {QStringLiteral("gateway"), QStringLiteral("--link"),
-                     QStringLiteral("udpin:127.0.0.1:%1").arg(flight.groundPort), QStringLiteral("--identity"),
-                     flight.path(QStringLiteral("ground.key")), QStringLiteral("--peers"),
-                     flight.path(QStringLiteral("ground.peers")), QStringLiteral("--serve"),
-                     QStringLiteral("udpout:127.0.0.1:%1,write=command").arg(clientPort), QStringLiteral("--control"), control,
-                     QStringLiteral("--no-record"), QStringLiteral("--json")});
-    QStringList arguments = flight.airArguments();
-    arguments[arguments.indexOf(QStringLiteral("--vehicle")) + 1] = QStringLiteral("tcp:127.0.0.1:%1").arg(port);
-    Program air(QStringLiteral("skyseal-air"), arguments);
-    QVERIFY2(!gateway.waitFor(QStringLiteral("session")).isEmpty(), gateway.errors().constData());
-    Program client(QStringLiteral("skyseal-cli"),
-                   {QStringLiteral("monitor"), QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:%1").arg(clientPort),
-                    QStringLiteral("--secure"), QStringLiteral("off"), QStringLiteral("--no-record"), QStringLiteral("--json"),
-                    QStringLiteral("--do"),
-                    QStringLiteral("wait gps_fix>=3 90; wait ekf_ok==1 90; mode GUIDED; arm; takeoff 10; "
-                                   "wait alt_rel>=9.5 90; land; wait armed==0 120")});
-    QStringList suites = allSuites().split(QLatin1Char(','));
-    suites.removeAll(QStringLiteral("rc4")); // for research only: this gateway does not offer it
-    int switched = 0;
-    while (client.running()) {
-        const RunResult result = runProgram(
-            "skyseal-cli",
-            {QStringLiteral("switch"), suites[switched++ % suites.size()], QStringLiteral("--control"), control});
-        QVERIFY2(result.status == 0, result.err.constData());
-        for (int second = 0; second < 2 && client.running(); ++second)
-            client.waitFor(QStringLiteral("stats"));
-    }
-    QVERIFY2(client.waitForExit() == 0, client.errors().constData());
+    GatewayFlight flight({QStringLiteral("udpout:127.0.0.1:%1,write=command").arg(stationPort)});
+    flight.startAgent(QStringLiteral("tcp:127.0.0.1:%1").arg(port));
+    QVERIFY2(flight.waitForSession(), flight.gateway->errors().constData());
+    const auto station = plainStation(stationPort,
+                                      {QStringLiteral("--do"),
+                                       QStringLiteral("wait gps_fix>=3 90; wait ekf_ok==1 90; mode GUIDED; arm; takeoff 10; "
+                                                      "wait alt_rel>=9.5 90; land; wait armed==0 120")});
+    const int switched = switchWhileFlying(flight, *station, 2);
+    QVERIFY2(station->waitForExit() == 0, station->errors().constData());
     QVERIFY(switched > 8);
-    const QJsonObject mavlink = client.last(QStringLiteral("summary"))[QLatin1String("mavlink")].toObject();
+    const QJsonObject mavlink = station->last(QStringLiteral("summary"))[QLatin1String("mavlink")].toObject();
     QVERIFY(mavlink[QLatin1String("frames")].toInt() > 500);
     QCOMPARE(mavlink[QLatin1String("lost")].toInt(-1), 0);
     QCOMPARE(mavlink[QLatin1String("duplicate")].toInt(-1), 0);

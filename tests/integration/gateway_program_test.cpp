@@ -1,10 +1,8 @@
 // skyseal-cli gateway as people and scripts use it: another ground station, one that knows nothing of sealing, flies through
 // it, and skyseal-cli status, switch and revoke act on it while it runs.
-#include "tests/support/flight.h"
-#include "tests/support/run_program.h"
+#include "tests/support/gateway_flight.h"
 #include "tests/support/test_runner.h"
 
-#include <QtCore/QFile>
 #include <QtCore/QFileInfo>
 #include <QtCore/QJsonArray>
 #include <QtCore/QJsonDocument>
@@ -15,67 +13,17 @@ using namespace skyseal::test;
 
 namespace {
 
-/// Simulator, agent and gateway; the options of the gateway stand in a file.
-class GatewayFlight
+/// A simulated vehicle behind a gateway that serves one station.
+struct ServedStation : GatewayFlight
 {
-public:
-    explicit GatewayFlight(const QString &serveOptions)
-        : serve(QStringLiteral("udpout:127.0.0.1:%1").arg(clientPort) + serveOptions)
+    explicit ServedStation(const QString &options = {}, quint16 port = freeUdpPort())
+        : GatewayFlight({QStringLiteral("udpout:127.0.0.1:%1").arg(port) + options}), stationPort(port)
     {
-        QFile config(flight.path(QStringLiteral("gateway.conf")));
-        if (!flight.ready() || !config.open(QIODevice::WriteOnly))
-            qFatal("no keys");
-        const auto line = [&config](const char *name, const QString &value) {
-            config.write(name + QByteArray(" = ") + value.toUtf8() + '\n');
-        };
-        line("link", QStringLiteral("udpin:127.0.0.1:%1").arg(flight.groundPort));
-        line("identity", flight.path(QStringLiteral("ground.key")));
-        line("peers", flight.path(QStringLiteral("ground.peers")));
-        line("serve", serve);
-        line("control", QStringLiteral("unix:") + socket);
-        line("metrics", QStringLiteral("127.0.0.1:%1").arg(metricsPort));
-        line("no-record", QStringLiteral("yes"));
-        line("json", QStringLiteral("yes"));
-        config.close();
-        config.setPermissions(QFile::ReadOwner | QFile::WriteOwner);
-        startGateway();
-        sim = std::make_unique<Program>(QStringLiteral("skyseal-sim"), flight.simArguments());
-        air = std::make_unique<Program>(QStringLiteral("skyseal-air"), flight.airArguments());
+        startSimulatedVehicle();
     }
 
-    void startGateway()
-    {
-        gateway = std::make_unique<Program>(
-            QStringLiteral("skyseal-cli"),
-            QStringList{QStringLiteral("gateway"), QStringLiteral("--config"), flight.path(QStringLiteral("gateway.conf"))});
-    }
-    /// Another ground station, on the port that is served.
-    std::unique_ptr<Program> client(const QStringList &more) const
-    {
-        return std::make_unique<Program>(QStringLiteral("skyseal-cli"),
-                                         QStringList{QStringLiteral("monitor"), QStringLiteral("--link"),
-                                                     QStringLiteral("udpin:127.0.0.1:%1").arg(clientPort),
-                                                     QStringLiteral("--secure"), QStringLiteral("off"),
-                                                     QStringLiteral("--no-record"), QStringLiteral("--json")}
-                                             + more);
-    }
-    RunResult control(QStringList arguments) const
-    {
-        return runProgram("skyseal-cli", arguments << QStringLiteral("--control") << QStringLiteral("unix:") + socket);
-    }
-
-    Flight flight;
-    const quint16 clientPort = freeUdpPort();
-    const quint16 metricsPort = freeTcpPort();
-    const QString serve;
-    const QString socket = flight.path(QStringLiteral("control"));
-    std::unique_ptr<Program> gateway, sim, air;
+    const quint16 stationPort;
 };
-
-bool isUp(const QJsonObject &session)
-{
-    return session[QLatin1String("state")].toString() == QLatin1String("up");
-}
 
 } // namespace
 
@@ -95,24 +43,17 @@ private Q_SLOTS:
 
 void GatewayProgramTest::anotherStationFliesWhileSuitesAreSwitched()
 {
-    GatewayFlight flight(QStringLiteral(",write=command,name=planner"));
-    QVERIFY2(!flight.gateway->waitFor(QStringLiteral("session"), isUp).isEmpty(), flight.gateway->errors().constData());
-    const auto client = flight.client(
-        {QStringLiteral("--do"),
-         QStringLiteral("wait ekf_ok==1 60; mode GUIDED; arm; takeoff 5; wait alt_rel>=4.5 60; land; wait armed==0 90")});
-    const QStringList suites = allSuites().split(QLatin1Char(','));
-    int switched = 0;
-    while (client->running()) {
-        const QString suite = suites[switched % suites.size()];
-        const bool isResearch = suite == QLatin1String("rc4"); // this gateway does not offer it
-        const RunResult result = flight.control({QStringLiteral("switch"), suite});
-        QVERIFY2(result.status == (isResearch ? 1 : 0), result.err.constData());
-        ++switched;
-        QVERIFY(!client->waitFor(QStringLiteral("stats")).isEmpty() || !client->running());
-    }
-    QVERIFY2(client->waitForExit() == 0, client->errors().constData());
+    ServedStation flight(QStringLiteral(",write=command,name=planner"));
+    QVERIFY2(flight.waitForSession(), flight.gateway->errors().constData());
+    const auto station = plainStation(flight.stationPort,
+                                      {QStringLiteral("--do"),
+                                       QStringLiteral("wait ekf_ok==1 60; mode GUIDED; arm; takeoff 5; wait alt_rel>=4.5 60; "
+                                                      "land; wait armed==0 90")});
+    const int switched = switchWhileFlying(flight, *station, 1);
+    QCOMPARE(flight.control({QStringLiteral("switch"), QStringLiteral("rc4")}).status, 1); // not offered
+    QVERIFY2(station->waitForExit() == 0, station->errors().constData());
     QVERIFY(switched > 6);
-    const QJsonObject mavlink = client->last(QStringLiteral("summary"))[QLatin1String("mavlink")].toObject();
+    const QJsonObject mavlink = station->last(QStringLiteral("summary"))[QLatin1String("mavlink")].toObject();
     QVERIFY(mavlink[QLatin1String("frames")].toInt() > 100);
     QCOMPARE(mavlink[QLatin1String("lost")].toInt(-1), 0);
     QCOMPARE(mavlink[QLatin1String("duplicate")].toInt(-1), 0);
@@ -129,8 +70,8 @@ void GatewayProgramTest::anotherStationFliesWhileSuitesAreSwitched()
 
 void GatewayProgramTest::readerSeesAndCommandsNothing()
 {
-    GatewayFlight flight({});
-    const auto client = flight.client({QStringLiteral("--do"), QStringLiteral("mode GUIDED; arm")});
+    ServedStation flight;
+    const auto client = plainStation(flight.stationPort, {QStringLiteral("--do"), QStringLiteral("mode GUIDED; arm")});
     QVERIFY(!client->waitFor(QStringLiteral("vehicle")).isEmpty());
     QCOMPARE(client->waitForExit(), 1); // the script failed
     const QJsonObject step = client->last(QStringLiteral("command"));
@@ -146,7 +87,7 @@ void GatewayProgramTest::readerSeesAndCommandsNothing()
 
 void GatewayProgramTest::metricsAreServed()
 {
-    GatewayFlight flight({});
+    ServedStation flight;
     const auto get = [&flight](const char *request) {
         QTcpSocket socket;
         socket.connectToHost(QHostAddress::LocalHost, flight.metricsPort);
@@ -172,8 +113,8 @@ void GatewayProgramTest::metricsAreServed()
 
 void GatewayProgramTest::peerIsRevoked()
 {
-    GatewayFlight flight({});
-    QVERIFY(!flight.gateway->waitFor(QStringLiteral("session"), isUp).isEmpty());
+    ServedStation flight;
+    QVERIFY(flight.waitForSession());
     const RunResult unknown = flight.control({QStringLiteral("revoke"), QStringLiteral("air-9")});
     QCOMPARE(unknown.status, 1);
     QVERIFY2(unknown.err.contains("air-9"), unknown.err.constData());
@@ -186,7 +127,7 @@ void GatewayProgramTest::peerIsRevoked()
 
 void GatewayProgramTest::socketIsOfThisUserAlone()
 {
-    GatewayFlight flight({});
+    ServedStation flight;
     QVERIFY(!flight.gateway->waitFor(QStringLiteral("link")).isEmpty());
     EVENTUALLY(QFileInfo::exists(flight.socket));
     const auto others = QFile::ReadGroup | QFile::WriteGroup | QFile::ReadOther | QFile::WriteOther;

@@ -129,20 +129,17 @@ void ControlServer::switchSuite(QLocalSocket *asker, const QString &name)
     const auto suite = crypto::suiteFromName(name.toStdString());
     if (!suite)
         return answerError(asker, QStringLiteral("no suite is named '%1'").arg(name));
-    Switch pending{.asker = asker};
+    Switch pending{.asker = asker, .suite = *suite};
     if (m_snapshot) {
+        // Also the sessions that use it: the snapshot may be older than their latest switch.
         for (const engine::SessionSnapshot &session : m_snapshot->sessions) {
-            ++pending.sessions;
-            if (session.info.suite == *suite && !session.info.pending)
-                continue;
             pending.waitsFor.insert(session.info.session);
             m_station.switchSuite(session.info.session, *suite);
         }
     }
+    pending.sessions = pending.waitsFor.size();
     if (pending.sessions == 0)
         return answerError(asker, QStringLiteral("there is no session"));
-    if (pending.waitsFor.empty())
-        return answerOk(asker, {{QStringLiteral("sessions"), static_cast<int>(pending.sessions)}});
     m_switches.push_back(std::move(pending));
 }
 
@@ -173,18 +170,20 @@ void ControlServer::revoke(QLocalSocket *asker, const QString &peer)
 void ControlServer::noteEvent(const engine::Event &event)
 {
     if (const auto *done = std::get_if<channel::SwitchDone>(&event)) {
-        if (!done->rekey)
-            sessionEnded(done->session, qt(engine::keyword(done->failure)));
+        const auto isWanted = [done](const Switch &pending) { return pending.suite == done->to; };
+        switchEnded(done->session, isWanted, qt(engine::keyword(done->failure)));
     } else if (const auto *down = std::get_if<channel::SessionDown>(&event)) {
-        sessionEnded(down->session, qt(engine::keyword(channel::SwitchFailure::SessionEnded)));
+        const auto any = [](const Switch &) { return true; };
+        switchEnded(down->session, any, qt(engine::keyword(channel::SwitchFailure::SessionEnded)));
     }
 }
 
-/// The session has done with its switch; `problem` is empty if it succeeded.
-void ControlServer::sessionEnded(channel::SessionId session, const QString &problem)
+/// The session has done with the switches that are concerned; `problem` is empty if it succeeded.
+template<typename Concerned>
+void ControlServer::switchEnded(channel::SessionId session, Concerned concerned, const QString &problem)
 {
     std::erase_if(m_switches, [&](Switch &pending) {
-        if (pending.waitsFor.erase(session) == 0)
+        if (!concerned(pending) || pending.waitsFor.erase(session) == 0)
             return false;
         if (!problem.isEmpty())
             pending.problem = problem;

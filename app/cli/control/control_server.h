@@ -45,6 +45,7 @@ private:
     struct Switch
     {
         QPointer<QLocalSocket> asker;
+        crypto::SuiteId suite{};
         std::set<channel::SessionId> waitsFor = {};
         std::size_t sessions = 0;
         QString problem = {};
@@ -57,7 +58,7 @@ private:
     void switchSuite(QLocalSocket *asker, const QString &name);
     void revoke(QLocalSocket *asker, const QString &peer);
     void noteEvent(const engine::Event &event);
-    void sessionEnded(channel::SessionId session, const QString &problem);
+    template<typename Concerned> void switchEnded(channel::SessionId session, Concerned concerned, const QString &problem);
 
     engine::Station &m_station;
     const std::string m_peersFile;

@@ -3,7 +3,8 @@
 // the vehicles may be sealed, the clients are not. I/O thread.
 //
 // A denied command is answered by COMMAND_ACK in the name of its target, since stations look for the answer of the component
-// that they asked; its sequence number is not the autopilot's. A STATUSTEXT a minute says what was denied.
+// that they asked. Its sequence number is not the autopilot's, so such a client counts up to 255 lost frames. A STATUSTEXT a
+// minute says what was denied.
 #pragma once
 
 #include "core/engine/common/link_pool.h"
