@@ -4,6 +4,7 @@
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"
 #include "tests/engine/ground.h"
+#include "tests/support/bare_socket.h"
 #include "tests/support/eventually.h"
 #include "tests/support/heartbeat.h"
 #include "tests/support/test_runner.h"
@@ -135,6 +136,28 @@ struct ServedFlight
     std::unique_ptr<VehicleOnUdp> vehicle;
 };
 
+/// Counts the datagrams of a socket and keeps a hash over them.
+struct Counted
+{
+    void drain()
+    {
+        while (const std::size_t arrived = socket.receive()) {
+            for (std::size_t i = 0; i < arrived; ++i)
+                note(socket.received(i));
+        }
+    }
+    void note(ByteView datagram)
+    {
+        ++count;
+        for (const std::uint8_t byte : datagram)
+            hash = (hash ^ byte) * 0x100000001b3; // FNV-1a
+    }
+
+    BareSocket socket;
+    std::uint64_t count = 0;
+    std::uint64_t hash = 0xcbf29ce484222325;
+};
+
 mavlink::CommandLong arm()
 {
     mavlink::CommandLong out;
@@ -167,6 +190,7 @@ private Q_SLOTS:
     void stationThatListensIsServed();
     void tcpClientNeedNotSendFirst();
     void clientOfAnotherNetworkIsNotServed();
+    void everyFrameReachesEveryClient();
     void takenPortIsReported();
     void serviceEnds();
 };
@@ -312,6 +336,62 @@ void GatewayTest::clientOfAnotherNetworkIsNotServed()
     EVENTUALLY(flight.ground.ears->snapshot->mavlink.frames > frames + 20);
     QVERIFY(client.datagrams.empty() && flight.ground.ears->snapshot->clients.empty());
     QVERIFY(!vehicle.vehicle.autopilot().armed());
+}
+
+/// Ten clients, one of which does not read and one of which is gone. SKYSEAL_FRAMES of the environment is the number of frames.
+void GatewayTest::everyFrameReachesEveryClient()
+{
+    const int frames = qEnvironmentVariableIsSet("SKYSEAL_FRAMES") ? qEnvironmentVariableIntValue("SKYSEAL_FRAMES") : 20'000;
+    FlightRig rig;
+    Ground ground(gatewayConfig(rig));
+    QUdpSocket gone;
+    QVERIFY(gone.bind(QHostAddress::LocalHost));
+    const quint16 gonePort = gone.localPort();
+    gone.close();
+    ground.station->serve({*engine::ServeConfig::parse("udpin:0"), *engine::ServeConfig::parse("tcpin:0"),
+                           *engine::ServeConfig::parse("udpout:127.0.0.1:" + std::to_string(gonePort))});
+    rig.startAgent(ground.ears->listening());
+    const auto portOfScheme = [&](const char *scheme) -> quint16 {
+        for (const engine::LinkSnapshot &link : ground.ears->snapshot->served) {
+            if (link.url.starts_with(scheme) && link.phase == engine::LinkPhase::Listening)
+                return portOf(link.localAddress);
+        }
+        return 0;
+    };
+    EVENTUALLY(ground.up() && portOfScheme("udpin") != 0 && portOfScheme("tcpin") != 0);
+    QTcpSocket slow;
+    slow.setReadBufferSize(1); // it never reads
+    slow.connectToHost(QHostAddress::LocalHost, portOfScheme("tcpin"));
+    std::array<Counted, 8> clients;
+    const QByteArray heartbeat = clearHeartbeat(255, 190, false);
+    const ByteView hello(reinterpret_cast<const std::uint8_t *>(heartbeat.constData()), std::size_t(heartbeat.size()));
+    for (Counted &client : clients)
+        client.socket.send(portOfScheme("udpin"), std::array{hello});
+    EVENTUALLY_EQUAL(ground.ears->snapshot->clients.size(), std::size_t(10));
+
+    Counted vehicle; // what it sent
+    mavlink::FrameWriter writer(1, 1);
+    constexpr std::size_t kAtOnce = 256; // fits the receive buffer of every client
+    std::array<std::array<std::uint8_t, mavlink::kMaxFrameLength>, kAtOnce> buffers;
+    std::array<ByteView, kAtOnce> batch;
+    while (vehicle.count < std::uint64_t(frames)) {
+        for (std::size_t i = 0; i < batch.size(); ++i) {
+            batch[i] = writer.write(mavlink::Attitude{.time_boot_ms = std::uint32_t(vehicle.count)}, buffers[i]);
+            vehicle.note(batch[i]);
+        }
+        vehicle.socket.send(portOf(rig.vehicleAddress()), batch);
+        const auto arrived = [&] {
+            for (Counted &client : clients)
+                client.drain();
+            return std::ranges::all_of(clients, [&](const Counted &client) { return client.count >= vehicle.count; });
+        };
+        QVERIFY2(eventually(arrived), std::to_string(vehicle.count).c_str());
+    }
+    for (const Counted &client : clients) {
+        QCOMPARE(client.count, vehicle.count);
+        QCOMPARE(client.hash, vehicle.hash);
+    }
+    QCOMPARE(ground.ears->snapshot->channel.rx.lost, std::uint64_t(0));
 }
 
 void GatewayTest::takenPortIsReported()
