@@ -80,7 +80,7 @@ int runStatus(const QStringList &arguments)
         return *status;
     options.arguments(0, 0);
     return request(name, options, {{QStringLiteral("request"), QStringLiteral("status")}}, [](const QJsonObject &answer) {
-        for (const QJsonValue &line : answer.value(QStringLiteral("text")).toArray())
+        for (const QJsonValueConstRef line : answer.value(QStringLiteral("text")).toArray())
             printLine(line.toString().toStdString());
     });
 }

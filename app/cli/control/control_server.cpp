@@ -19,7 +19,7 @@ QString qt(std::string_view text)
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
-void answer(QLocalSocket *asker, QJsonObject content)
+void answer(QLocalSocket *asker, const QJsonObject &content)
 {
     asker->write(QJsonDocument(content).toJson(QJsonDocument::Compact) + '\n');
 }

@@ -17,7 +17,7 @@ inline void declareControl(Options &options, const char *help)
 inline QString readControl(Options &options)
 {
     const QString url = QString::fromStdString(options.text("control"));
-    const QString path = url.section(QLatin1Char(':'), 1);
+    QString path = url.section(QLatin1Char(':'), 1);
     if (!url.startsWith(QLatin1String("unix:/")) || path.size() < 2)
         options.fail("--control '" + url.toStdString() + "': unix:/PATH is expected");
     return path;
