@@ -11,6 +11,8 @@ void RequestWindow::begin()
     m_again.reset();
     m_received = m_end = m_firstMissing = 0;
     m_window = kFirst;
+    m_progress.reset();
+    m_backoff = 1;
 }
 
 void RequestWindow::setCount(std::size_t count)
@@ -27,6 +29,8 @@ bool RequestWindow::arrived(TimePoint now, std::size_t index)
     if (index >= m_items.size() || m_items[index].here)
         return false;
     m_items[index].here = true;
+    m_progress = now;
+    m_backoff = 1;
     ++m_received;
     const auto request = std::ranges::find(m_requests, index, &Request::index);
     if (request != m_requests.end()) {
@@ -54,6 +58,8 @@ std::optional<std::size_t> RequestWindow::poll(TimePoint now)
     const auto index = nextMissing();
     if (!index)
         return std::nullopt;
+    if (!m_progress)
+        m_progress = now;
     m_requests.push_back({*index, now});
     ++m_items[*index].attempts;
     if (missing() <= kAskedTwice && m_end >= m_items.size())
@@ -65,16 +71,25 @@ TimePoint RequestWindow::nextDeadline() const
 {
     if (m_again || (m_requests.size() < m_window && nextMissing()))
         return TimePoint::min();
-    return m_requests.empty() ? kNever : m_requests.front().sent + m_timeout;
+    return m_requests.empty() ? kNever : m_requests.front().sent + patience();
 }
 
-/// Requests whose answer is overdue may be made again. If none is answered at all, they are made more and more slowly.
+/// How long to wait for an answer.
+Duration RequestWindow::patience() const
+{
+    return std::min(m_timeout * m_backoff, kMostTimeout);
+}
+
+/// Requests whose answer is overdue may be made again: more and more slowly while nothing arrives at all, so that a link that
+/// is down or much slower than before is not flooded.
 void RequestWindow::expire(TimePoint now)
 {
-    const std::size_t overdue = std::erase_if(m_requests,
-                                              [&](const Request &request) { return now >= request.sent + m_timeout; });
-    if (overdue > 0 && m_roundTrip == Duration::zero())
-        m_timeout = std::min(m_timeout * 2, kMostTimeout);
+    const Duration limit = patience();
+    const std::size_t overdue = std::erase_if(m_requests, [&](const Request &request) { return now >= request.sent + limit; });
+    if (overdue == 0 || now < *m_progress + kSilentTimeouts * limit)
+        return;
+    m_backoff = std::min(m_backoff * 2, kMostBackoff);
+    m_progress = now;
 }
 
 void RequestWindow::measure(Duration roundTrip)

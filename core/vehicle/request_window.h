@@ -18,6 +18,8 @@ public:
     static constexpr std::size_t kFirst = 8, kLeast = 2, kMost = 48; ///< requests without an answer yet
     static constexpr Duration kFirstTimeout = std::chrono::milliseconds(500), kLeastTimeout = std::chrono::milliseconds(20),
                               kMostTimeout = std::chrono::seconds(3);
+    /// After so many timeouts without any item, requests are made half as often, again and again.
+    static constexpr int kSilentTimeouts = 3, kMostBackoff = 64;
     /// With so few items missing each is asked for twice at a time: the last ones decide when the list is complete.
     static constexpr std::size_t kAskedTwice = 16;
 
@@ -38,8 +40,6 @@ public:
     std::size_t count() const { return m_items.size(); }
     std::size_t received() const { return m_received; }
     bool isComplete() const { return !m_items.empty() && m_received == m_items.size(); }
-    /// How long an answer may take.
-    Duration timeout() const { return m_timeout; }
 
 private:
     struct Item
@@ -54,6 +54,7 @@ private:
     };
 
     void expire(TimePoint now);
+    Duration patience() const;
     void measure(Duration roundTrip);
     std::size_t missing() const { return m_items.size() - m_received; }
     std::optional<std::size_t> nextMissing() const;
@@ -65,6 +66,8 @@ private:
     std::size_t m_firstMissing = 0;  ///< nothing before it is missing
     std::vector<Request> m_requests; ///< without an answer, the oldest first
     std::optional<std::size_t> m_again;
+    std::optional<TimePoint> m_progress; ///< the latest item, or the start; also set when the timeout was doubled
+    int m_backoff = 1;                   ///< the timeout is so much longer while nothing arrives
     std::size_t m_window = kFirst;
     Duration m_timeout = kFirstTimeout;
     Duration m_roundTrip{}, m_variation{}, m_shortest = Duration::max(); ///< zero until one was measured

@@ -188,6 +188,7 @@ private Q_SLOTS:
     void rightsOfTheStationAreAboveThoseOfTheClient();
     void onlyHeartbeatsOfClientsThatMayWriteArrive();
     void stationThatListensIsServed();
+    void strangerIsNotTheConfiguredStation();
     void tcpClientNeedNotSendFirst();
     void clientOfAnotherNetworkIsNotServed();
     void everyFrameReachesEveryClient();
@@ -311,6 +312,21 @@ void GatewayTest::stationThatListensIsServed()
     QCOMPARE(flight.client().address, "127.0.0.1:" + std::to_string(station.port()));
 }
 
+void GatewayTest::strangerIsNotTheConfiguredStation()
+{
+    UdpEnd station(0);
+    ServedFlight flight(",write=all", channel::PeerRole::Pilot, "udpout:127.0.0.1:" + std::to_string(station.port()));
+    VehicleOnUdp &vehicle = flight.fly();
+    UdpEnd stranger(flight.port());
+    for (int i = 0; i < 5; ++i)
+        stranger.send(arm());
+    const std::uint64_t frames = flight.ground.ears->snapshot->mavlink.frames;
+    EVENTUALLY(flight.ground.ears->snapshot->mavlink.frames > frames + 20);
+    QCOMPARE(flight.client().counters.forwarded, std::uint64_t(0));
+    QVERIFY(!vehicle.vehicle.autopilot().armed());
+    QVERIFY(stranger.datagrams.empty());
+}
+
 void GatewayTest::tcpClientNeedNotSendFirst()
 {
     ServedFlight flight("", channel::PeerRole::Pilot, "tcpin:127.0.0.1:0");
@@ -401,8 +417,11 @@ void GatewayTest::takenPortIsReported()
     FlightRig rig;
     Ground ground(gatewayConfig(rig));
     ground.station->serve({*engine::ServeConfig::parse("udpin:" + std::to_string(other.localPort()))});
-    EVENTUALLY(!ground.ears->all<engine::ServedLinkChanged>().empty());
-    QVERIFY(ground.ears->all<engine::ServedLinkChanged>().back().link.addressInUse);
+    const auto reported = [&ground] {
+        const auto changes = ground.ears->all<engine::ServedLinkChanged>();
+        return !changes.empty() && changes.back().link.addressInUse;
+    };
+    EVENTUALLY(reported());
 }
 
 void GatewayTest::serviceEnds()

@@ -1,6 +1,6 @@
 // An observer's frame does not turn into another message when bytes are lost: no frame starts inside it, however many bytes are
 // missing at the front; one lost byte anywhere makes no other message; and no request for information becomes a command.
-#include "core/engine/agent/misreading.h"
+#include "core/engine/common/misreading.h"
 #include "core/engine/agent/observer_rules.h"
 #include "core/engine/common/question_rules.h"
 #include "core/mavlink/enums.h"

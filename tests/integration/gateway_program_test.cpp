@@ -37,6 +37,7 @@ private Q_SLOTS:
     void metricsAreServed();
     void peerIsRevoked();
     void socketIsOfThisUserAlone();
+    void controlSocketReplacesNoFile();
     void withoutAGatewayNothingAnswers();
     void takenPortEndsTheGateway();
 };
@@ -136,6 +137,21 @@ void GatewayProgramTest::socketIsOfThisUserAlone()
     flight.startGateway();
     const auto answers = [&flight] { return flight.control({QStringLiteral("status")}).status == 0; };
     EVENTUALLY(answers());
+}
+
+void GatewayProgramTest::controlSocketReplacesNoFile()
+{
+    Flight flight;
+    QVERIFY(flight.ready());
+    const QString key = flight.path(QStringLiteral("ground.key"));
+    const RunResult result = runProgram(
+        "skyseal-cli",
+        {QStringLiteral("gateway"), QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:0"), QStringLiteral("--identity"),
+         key, QStringLiteral("--peers"), flight.path(QStringLiteral("ground.peers")), QStringLiteral("--no-record"),
+         QStringLiteral("--serve"), QStringLiteral("udpin:0"), QStringLiteral("--control"), QStringLiteral("unix:") + key});
+    QCOMPARE(result.status, 3);
+    QVERIFY2(result.err.contains("is no socket"), result.err.constData());
+    QVERIFY(QFileInfo(key).isFile());
 }
 
 void GatewayProgramTest::withoutAGatewayNothingAnswers()

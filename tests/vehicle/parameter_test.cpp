@@ -28,6 +28,7 @@ private Q_SLOTS:
     void gapsAreAskedForWhileTheListComes();
     void overtakenValuesAreNotAskedFor();
     void slowListIsNotAskedForTwice();
+    void deadLinkIsNotFlooded();
     void lossCostsLittleTime();
 };
 
@@ -373,6 +374,34 @@ void ParameterTest::slowListIsNotAskedForTwice()
     QVERIFY(
         link.run(std::chrono::seconds(60), [&] { return h.vehicle.parameters() && h.vehicle.parameters()->size() == 300; }));
     QVERIFY2(peer.reads() < 20, std::to_string(peer.reads()).c_str());
+}
+
+void ParameterTest::deadLinkIsNotFlooded()
+{
+    // Half of the list came at 1,000 a second over a quick link, of which every tenth was lost; then the link is down.
+    Harness h = Harness::copter();
+    h.vehicle.perform(h.now, RequestId{1}, ReadParameters{});
+    h.sent();
+    std::vector<std::uint16_t> asked;
+    for (std::uint16_t i = 0; i < 450; ++i) {
+        h.now += std::chrono::milliseconds(1);
+        if (i % 10 != 0)
+            h.feed(value(nameOf(i), 1, i, 900));
+        for (const auto &request : h.sentOf<mavlink::ParamRequestRead>())
+            asked.push_back(static_cast<std::uint16_t>(request.param_index));
+        if (i % 20 == 19 && !asked.empty()) { // answered after some milliseconds
+            h.feed(value(nameOf(asked.back()), 1, asked.back(), 900));
+            asked.clear();
+        }
+    }
+    std::size_t requests = 0;
+    const TimePoint down = h.now;
+    while (!h.poll<ParameterResult>() && h.now < down + std::chrono::seconds(20)) {
+        h.runUntil(h.now + std::chrono::milliseconds(10));
+        requests += h.sentOf<mavlink::ParamRequestRead>().size();
+    }
+    QVERIFY(seconds(h.now - down) < 11);
+    QVERIFY2(requests < 1500, std::to_string(requests).c_str()); // 150 a second on average, most of them at the beginning
 }
 
 void ParameterTest::lossCostsLittleTime()

@@ -10,6 +10,8 @@
 #include <QtCore/QJsonArray>
 #include <QtCore/QJsonDocument>
 
+#include <sys/stat.h>
+
 namespace skyseal::app {
 
 namespace {
@@ -59,12 +61,20 @@ Result<void, InputError> ControlServer::listen(const QString &path)
 {
     m_server.setSocketOptions(QLocalServer::UserAccessOption);
     m_server.setMaxPendingConnections(kMostConnections);
-    QLocalSocket probe;
-    probe.connectToServer(path);
-    if (probe.waitForConnected(1000))
-        return tl::unexpected(InputError{"another program listens there", path.toStdString()});
-    if (probe.error() == QLocalSocket::ConnectionRefusedError)
+    const auto fail = [&path](const char *problem) { return tl::unexpected(InputError{problem, path.toStdString()}); };
+    struct stat status
+    {};
+    if (::lstat(path.toLocal8Bit().constData(), &status) == 0) {
+        if (!S_ISSOCK(status.st_mode))
+            return fail("exists, and is no socket");
+        QLocalSocket probe;
+        probe.connectToServer(path);
+        if (probe.waitForConnected(1000))
+            return fail("another program listens there");
+        if (probe.error() != QLocalSocket::ConnectionRefusedError)
+            return fail("another program may listen there: it does not answer");
         QLocalServer::removeServer(path); // of a program that was killed
+    }
     if (!m_server.listen(path))
         return tl::unexpected(InputError{m_server.errorString().toStdString(), path.toStdString()});
     return {};
@@ -130,13 +140,9 @@ void ControlServer::switchSuite(QLocalSocket *asker, const QString &name)
     if (!suite)
         return answerError(asker, QStringLiteral("no suite is named '%1'").arg(name));
     Switch pending{.asker = asker, .suite = *suite};
-    if (m_snapshot) {
-        // Also the sessions that use it: the snapshot may be older than their latest switch.
-        for (const engine::SessionSnapshot &session : m_snapshot->sessions) {
-            pending.waitsFor.insert(session.info.session);
-            m_station.switchSuite(session.info.session, *suite);
-        }
-    }
+    pending.waitsFor = m_sessions;
+    for (const channel::SessionId session : m_sessions)
+        m_station.switchSuite(session, *suite);
     pending.sessions = pending.waitsFor.size();
     if (pending.sessions == 0)
         return answerError(asker, QStringLiteral("there is no session"));
@@ -172,7 +178,10 @@ void ControlServer::noteEvent(const engine::Event &event)
     if (const auto *done = std::get_if<channel::SwitchDone>(&event)) {
         const auto isWanted = [done](const Switch &pending) { return pending.suite == done->to; };
         switchEnded(done->session, isWanted, qt(engine::keyword(done->failure)));
+    } else if (const auto *up = std::get_if<channel::SessionUp>(&event)) {
+        m_sessions.insert(up->session);
     } else if (const auto *down = std::get_if<channel::SessionDown>(&event)) {
+        m_sessions.erase(down->session);
         const auto any = [](const Switch &) { return true; };
         switchEnded(down->session, any, qt(engine::keyword(channel::SwitchFailure::SessionEnded)));
     }

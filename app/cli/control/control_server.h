@@ -63,6 +63,7 @@ private:
     engine::Station &m_station;
     const std::string m_peersFile;
     std::shared_ptr<const engine::Snapshot> m_snapshot;
+    std::set<channel::SessionId> m_sessions; ///< that are up
     std::vector<Switch> m_switches;
     QLocalServer m_server;
     FileThread m_files;

@@ -1,7 +1,7 @@
 #include "core/engine/agent/command_gate.h"
 
 #include "core/base/weakness.h"
-#include "core/engine/agent/misreading.h"
+#include "core/engine/common/misreading.h"
 #include "core/engine/agent/observer_rules.h"
 #include "core/mavlink/frame_header.h"
 #include "core/mavlink/messages.h"

@@ -1,7 +1,7 @@
 #include "core/engine/agent/observer_rules.h"
 
 #include "core/base/weakness.h"
-#include "core/engine/agent/misreading.h"
+#include "core/engine/common/misreading.h"
 #include "core/engine/common/question_rules.h"
 
 namespace skyseal::engine {

@@ -1,7 +1,7 @@
 #include "core/engine/gateway/client.h"
 
+#include "core/engine/common/misreading.h"
 #include "core/engine/common/question_rules.h"
-#include "core/mavlink/enums.h"
 #include "core/mavlink/frame_header.h"
 #include "core/mavlink/messages.h"
 #include "core/mavlink/message_ids.h"
@@ -10,31 +10,21 @@ namespace skyseal::engine {
 
 namespace {
 
-/// Microseconds between two messages: 10 and 1 a second.
-constexpr float kShortestInterval = 100'000, kLongestInterval = 1'000'000;
-
-bool isModestRate(const mavlink::CommandLong &command)
+bool mayAsk(const mavlink::Frame &frame, bool mayStartStreams)
 {
-    const float interval = command.param2;
-    return command.command == mavlink::MAV_CMD_SET_MESSAGE_INTERVAL && (command.param7 == 0)
-        && (interval == 0 || (interval >= kShortestInterval && interval <= kLongestInterval));
-}
-
-bool mayAsk(const mavlink::Frame &frame)
-{
+    if (!isPlainlySaid(frame))
+        return false;
     if (frame.messageId() == mavlink::MAVLINK_MSG_ID_AUTOPILOT_VERSION_REQUEST)
         return true;
-    if (frame.messageId() == mavlink::CommandLong::kId && isModestRate(mavlink::CommandLong::decode(frame.payload())))
-        return true;
-    return isHarmlessQuestion(frame, true);
+    return isHarmlessQuestion(frame, mayStartStreams);
 }
 
 } // namespace
 
-Client::Verdict Client::judge(TimePoint now, const mavlink::ScanItem &item, bool isVehicle)
+Client::Verdict Client::judge(TimePoint now, const mavlink::ScanItem &item, bool isVehicle, bool pilotThere)
 {
     noteHeard(now);
-    const Verdict verdict = judgeUncounted(now, item, isVehicle);
+    const Verdict verdict = judgeUncounted(now, item, isVehicle, pilotThere);
     switch (verdict) {
     case Verdict::Forward: ++m_counters.forwarded; break;
     case Verdict::Ignore: break;
@@ -45,7 +35,7 @@ Client::Verdict Client::judge(TimePoint now, const mavlink::ScanItem &item, bool
     return verdict;
 }
 
-Client::Verdict Client::judgeUncounted(TimePoint now, const mavlink::ScanItem &item, bool isVehicle)
+Client::Verdict Client::judgeUncounted(TimePoint now, const mavlink::ScanItem &item, bool isVehicle, bool pilotThere)
 {
     if (isVehicle || !m_config.maySpeakAs(mavlink::systemIdOf(item.bytes)))
         return Verdict::NotItsSystem;
@@ -54,8 +44,10 @@ Client::Verdict Client::judgeUncounted(TimePoint now, const mavlink::ScanItem &i
         return m_config.write.any() ? Verdict::Forward : Verdict::Ignore;
     if (m_config.write.mayWrite(messageId))
         return Verdict::Forward;
-    if (!item.frame || !mayAsk(*item.frame))
+    if (!item.frame || !mayAsk(*item.frame, !pilotThere))
         return Verdict::Deny;
+    if (mayBeMisread(*item.frame))
+        return Verdict::Ignore; // happens by chance, so it is treated like a loss
     return m_questions.take(now, messageId) ? Verdict::Forward : Verdict::TooOften;
 }
 

@@ -1,7 +1,9 @@
 // One client of the gateway: another ground station or program. Decides which of its frames go to the vehicles and keeps
 // account of the others. No I/O and no clock.
 //
-// A client that may only read asks questions (question_rules.h), for message rates of 1 to 10 Hz, and for the version.
+// A client that may only read asks questions (question_rules.h), for the version and, while no client is there that may write,
+// for streams of 1 to 10 Hz (not by SET_MESSAGE_INTERVAL, whose parameters leave room for other commands). As those of an
+// observer, its questions must not become another message on a line that loses bytes (misreading.h).
 #pragma once
 
 #include "core/engine/common/question_budget.h"
@@ -29,17 +31,19 @@ public:
 
     enum class Verdict : std::uint8_t {
         Forward,
-        Ignore, ///< the heartbeat of a client that may only read: it would count as a pilot's
+        /// The heartbeat of a client that may only read, which would count as a pilot's, or a question that could be misread.
+        Ignore,
         TooOften,
         NotItsSystem,
         Deny
     };
 
-    /// `config` must outlive this object.
-    explicit Client(const ServeConfig &config) : m_config(config) {}
+    /// `config` and `questions` must outlive this object.
+    Client(const ServeConfig &config, QuestionBudget &questions) : m_config(config), m_questions(questions) {}
 
-    /// Judges a whole frame (mavlink::isWholeFrame()) and counts it. `isVehicle`: its system id is a vehicle's.
-    Verdict judge(TimePoint now, const mavlink::ScanItem &item, bool isVehicle);
+    /// Judges a whole frame (mavlink::isWholeFrame()) and counts it. `isVehicle`: its system id is a vehicle's. `pilotThere`: a
+    /// client that may write is connected.
+    Verdict judge(TimePoint now, const mavlink::ScanItem &item, bool isVehicle, bool pilotThere);
     /// Call after Verdict::Deny. Returns what the client has to be told, if it is due.
     std::optional<Denial> takeDenial(TimePoint now, const mavlink::ScanItem &item);
 
@@ -49,10 +53,10 @@ public:
     const ClientCounters &counters() const { return m_counters; }
 
 private:
-    Verdict judgeUncounted(TimePoint now, const mavlink::ScanItem &item, bool isVehicle);
+    Verdict judgeUncounted(TimePoint now, const mavlink::ScanItem &item, bool isVehicle, bool pilotThere);
 
     const ServeConfig &m_config;
-    QuestionBudget m_questions;
+    QuestionBudget &m_questions;
     ClientCounters m_counters;
     TimePoint m_heard{};
     TimePoint m_tellAt = TimePoint::min();

@@ -28,7 +28,7 @@ mavlink::Statustext textOf(const Denial &denial)
 } // namespace
 
 Gateway::Gateway(std::vector<ServeConfig> served, Vehicles &vehicles, Notify notify)
-    : m_served(std::move(served)), m_vehicles(vehicles), m_notify(std::move(notify)),
+    : m_served(std::move(served)), m_budgets(m_served.size()), m_vehicles(vehicles), m_notify(std::move(notify)),
       m_links(*this, [this](link::Link &link) { linkChanged(link); }), m_frames(mavlink::Dialect::builtin())
 {}
 
@@ -58,7 +58,9 @@ void Gateway::everySecond(TimePoint now)
     for (auto client = m_clients.begin(); client != m_clients.end();) {
         const auto current = client++;
         const link::Link *link = m_links.find(current->first.link);
-        if (!link->isStream() && !link->traits().isDatagramClient() && current->second.isSilent(now))
+        if (link->isStream())
+            m_links.noteUse(current->first); // also of a client that only listens
+        else if (!link->traits().isDatagramClient() && current->second.isSilent(now))
             disconnect(current);
     }
 }
@@ -109,9 +111,10 @@ void Gateway::linkChanged(link::Link &link)
 
 void Gateway::receive(const link::Link &link, const link::ReceivedBlock &block)
 {
-    if (!configOf(link.id()).isFrom(block.path.remote))
+    const bool isConfigured = link.traits().isDatagramClient(); // the URL names the client, and nobody else is it
+    if (isConfigured ? block.path.remote != link.remote() : !configOf(link.id()).isFrom(block.path.remote))
         return;
-    const Path path = link.traits().isDatagramClient() ? Path{link.id(), {}} : block.path;
+    const Path path = isConfigured ? Path{link.id(), {}} : block.path;
     const auto deliver = [&](const mavlink::ScanItem &item) {
         if (mavlink::isDamagedFrame(item))
             m_links.countBadFrame(path.link);
@@ -142,7 +145,8 @@ Client *Gateway::clientAt(TimePoint now, const link::Link &link, const Path &pat
 
 Client &Gateway::connect(TimePoint now, const Path &path)
 {
-    Client &client = m_clients.try_emplace(path, configOf(path.link)).first->second;
+    const auto link = static_cast<std::size_t>(path.link);
+    Client &client = m_clients.try_emplace(path, m_served[link], m_budgets[link]).first->second;
     client.noteHeard(now);
     m_notify(ClientConnected{client.config().name, addressOf(path), client.config().write.toText()});
     return client;
@@ -158,7 +162,8 @@ void Gateway::disconnect(std::map<Path, Client>::iterator client)
 void Gateway::takeFrame(TimePoint now, const Path &from, Client &client, const mavlink::ScanItem &item)
 {
     const std::uint8_t target = item.frame ? item.frame->targetSystem() : 0;
-    switch (client.judge(now, item, m_vehicles.isVehicle(mavlink::systemIdOf(item.bytes)))) {
+    const bool pilotThere = std::ranges::any_of(m_clients, [](const auto &other) { return other.second.config().write.any(); });
+    switch (client.judge(now, item, m_vehicles.isVehicle(mavlink::systemIdOf(item.bytes)), pilotThere)) {
     case Client::Verdict::Forward: return m_vehicles.forward(now, target, item.bytes);
     case Client::Verdict::Deny: return deny(now, from, client, item);
     case Client::Verdict::Ignore:

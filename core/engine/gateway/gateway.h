@@ -72,6 +72,7 @@ private:
     std::string addressOf(const Path &path) const;
 
     const std::vector<ServeConfig> m_served; ///< the link's id is the index
+    std::vector<QuestionBudget> m_budgets;   ///< of each link, so that reconnecting brings no further questions
     Vehicles &m_vehicles;
     Notify m_notify;
     LinkPool m_links;

@@ -107,7 +107,10 @@ private:
     void linkPeerLeft(link::Link &link, const Path &path) override;
     void linkChanged(link::Link &link);
     void followLinks();
-    bool isVehicle(std::uint8_t systemId) const override { return m_fleet.vehicles().all().contains(systemId); }
+    bool isVehicle(std::uint8_t systemId) const override
+    {
+        return m_fleet.vehicles().all().contains(systemId) || m_receiver.gate().policy().isSealedSystem(systemId);
+    }
     void forward(TimePoint now, std::uint8_t systemId, ByteView frame) override;
     void sendForwarded() override { finishWake(); }
 

@@ -1,4 +1,4 @@
-#include "core/engine/agent/misreading.h"
+#include "core/engine/common/misreading.h"
 
 #include "core/engine/common/question_rules.h"
 #include "core/mavlink/messages.h"
