@@ -52,6 +52,7 @@ private Q_SLOTS:
     void initTestCase() { QVERIFY(crypto::initCrypto()); }
     void agentTakesIt();
     void stationTakesIt();
+    void clientsReceiveOvertakenAnswers();
 };
 
 void LateRecordTest::agentTakesIt()
@@ -117,6 +118,51 @@ void LateRecordTest::stationTakesIt()
     const auto found = indexOf([](const auto &event) { return std::holds_alternative<engine::VehicleFound>(event); });
     const auto down = indexOf([](const auto &event) { return std::holds_alternative<channel::SessionDown>(event); });
     QVERIFY(found < down);
+}
+
+/// Two parameters and two attitudes, the older record after the newer one: the parameter names itself, so a gateway's client
+/// receives it; the attitude would set a display back.
+void LateRecordTest::clientsReceiveOvertakenAnswers()
+{
+    Introduced keys;
+    std::shared_ptr<const engine::Snapshot> snapshot;
+    engine::StationConfig config;
+    config.secure = engine::SecureMode::Required;
+    config.record = false;
+    config.policy = kPolicy;
+    engine::StationCore station(config, keys.secrets(channel::Role::Station),
+                                {[&](auto next) { snapshot = std::move(next); }, [](engine::Event) {}});
+    station.addLink(LinkId{1}, urlOf("udpin:127.0.0.1:0"));
+    station.serve({*engine::ServeConfig::parse("udpin:127.0.0.1:0")});
+    QVERIFY(eventually([&] {
+        return snapshot && !snapshot->links.empty() && !snapshot->links[0].localAddress.empty() && !snapshot->served.empty()
+            && !snapshot->served[0].localAddress.empty();
+    }));
+    BareEnd air(keys, channel::Role::Agent, kPolicy, portOf(snapshot->links[0].localAddress));
+    QVERIFY(waitFor(air, [&] { return air.up() && !snapshot->sessions.empty(); }));
+    BareSocket client;
+    client.send(portOf(snapshot->served[0].localAddress), std::array{ByteView(frameOf(mavlink::Heartbeat{}, 255, 190))});
+    QVERIFY(waitFor(air, [&] { return !snapshot->clients.empty(); }));
+
+    const auto parameter = [](int index) { return frameOf(mavlink::ParamValue{.param_index = std::uint16_t(index)}, 1, 1); };
+    const auto attitude = [](int time) { return frameOf(mavlink::Attitude{.time_boot_ms = std::uint32_t(time)}, 1, 1); };
+    std::vector<Bytes> sent{parameter(1), attitude(1), attitude(2), parameter(2)};
+    std::vector<Bytes> records;
+    for (const Bytes &frame : sent)
+        records.push_back(air.seal(frame));
+    std::vector<Bytes> received;
+    const auto last = [&] {
+        while (const std::size_t arrived = client.receive()) {
+            for (std::size_t i = 0; i < arrived; ++i)
+                received.emplace_back(client.received(i).begin(), client.received(i).end());
+        }
+        return std::find(received.begin(), received.end(), sent[0]) != received.end();
+    };
+    for (const std::size_t next : {3, 2, 1, 0})
+        air.send(records[next]);
+    QVERIFY(waitFor(air, last));
+    QCOMPARE(received.size(), std::size_t(3));
+    QVERIFY(std::find(received.begin(), received.end(), sent[1]) == received.end());
 }
 
 SKYSEAL_TEST(LateRecordTest)

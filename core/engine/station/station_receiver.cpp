@@ -2,6 +2,7 @@
 
 #include "core/channel/endpoint.h"
 #include "core/crypto/mavsec_cipher.h"
+#include "core/engine/gateway/late_answers.h"
 #include "core/link/steady_now.h"
 #include "core/mavlink/frame_header.h"
 #include "core/mavlink/messages.h"
@@ -103,7 +104,7 @@ void StationReceiver::takeDelivery(const link::ReceivedBlock &block, const chann
         else if (m_gate.isPresent(*item.frame, delivery))
             acceptFrame(block.time, block.path, *item.frame, FrameOrigin::Live, delivery.session);
         else
-            acceptLateFrame(block.time, block.path, *item.frame);
+            acceptLateFrame(block.time, block.path, *item.frame, delivery.freshness);
     });
     m_channel->driver.countFrames(delivery.session, frames);
     m_parts.links.noteRemote(block.path.link, block.path.remote);
@@ -183,9 +184,12 @@ void StationReceiver::acceptFrame(TimePoint now, const Path &from, const mavlink
 }
 
 /// The routes do not change: the vehicle may be elsewhere by now.
-void StationReceiver::acceptLateFrame(TimePoint now, const Path &from, const mavlink::Frame &frame)
+void StationReceiver::acceptLateFrame(TimePoint now, const Path &from, const mavlink::Frame &frame,
+                                      channel::Freshness freshness)
 {
     record(frame, wallNow());
+    if (freshness == channel::Freshness::Fresh && isLateAnswer(frame.messageId()))
+        serve(frame.bytes());
     m_parts.fleet.takeLate(now, from.link, frame);
 }
 

@@ -91,7 +91,7 @@ private:
     void takeClearFrame(TimePoint now, const Path &from, const mavlink::Frame &frame, FrameOrigin origin);
     void acceptFrame(TimePoint now, const Path &from, const mavlink::Frame &frame, FrameOrigin origin,
                      std::optional<channel::SessionId> session);
-    void acceptLateFrame(TimePoint now, const Path &from, const mavlink::Frame &frame);
+    void acceptLateFrame(TimePoint now, const Path &from, const mavlink::Frame &frame, channel::Freshness freshness);
     void takeUnknownMessage(const channel::Delivery &delivery, ByteView frame);
     void record(const mavlink::Frame &frame, WallTime wall);
     void serve(ByteView frame)
