@@ -6,6 +6,7 @@
 
 #include <QtCore/QFileInfo>
 
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -16,8 +17,10 @@ namespace skyseal::app {
 
 namespace {
 
-/// Editors write a file in several steps: it is read when two looks in this interval find the same.
+/// Editors write a file in several steps: it is read when it has stayed the same for so long.
 constexpr std::chrono::milliseconds kSettle{50};
+/// The same for a file that was emptied in place: most are about to be written, and an empty list ends every session.
+constexpr std::chrono::milliseconds kSettleEmpty{1'000};
 constexpr std::chrono::seconds kLookEvery{1};
 constexpr unsigned kWatchAgainEvery = 60; ///< looks at the file
 
@@ -69,8 +72,11 @@ public:
         Found found{stamp.isFile(), false, {}};
         if (stamp == m_inForce)
             return found;
+        const auto now = std::chrono::steady_clock::now();
         const std::optional<Stamp> last = std::exchange(m_last, stamp);
-        if (last && !(*last == stamp)) {
+        if (last && !(*last == stamp))
+            m_lastSince = now;
+        if (last && now - m_lastSince < settleOf(stamp)) {
             found.changing = true;
             return found;
         }
@@ -92,12 +98,19 @@ public:
     }
 
 private:
+    std::chrono::milliseconds settleOf(const Stamp &stamp) const
+    {
+        const bool isEmptied = stamp.size == 0 && m_inForce && m_inForce->size > 0 && m_inForce->inode == stamp.inode;
+        return isEmptied && stamp.isFile() ? kSettleEmpty : kSettle;
+    }
+
     const QByteArray m_path;
     const Read m_read;
-    std::optional<Stamp> m_inForce; ///< of the file that is in force; nullopt if it is not known
-    std::optional<Stamp> m_last;    ///< of the last look
-    Stamp m_refused;                ///< of the file that was refused last
-    std::string m_problem;          ///< of that file
+    std::optional<Stamp> m_inForce;                    ///< of the file that is in force; nullopt if it is not known
+    std::optional<Stamp> m_last;                       ///< of the last look
+    std::chrono::steady_clock::time_point m_lastSince; ///< when a look found it first
+    Stamp m_refused;                                   ///< of the file that was refused last
+    std::string m_problem;                             ///< of that file
 };
 
 PeersWatch::PeersWatch(const std::string &file, Apply apply, QObject *parent)

@@ -5,7 +5,10 @@
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 
+#include <QtCore/QCoreApplication>
+#include <QtCore/QElapsedTimer>
 #include <QtCore/QFile>
+#include <QtCore/QFileInfo>
 #include <QtCore/QTemporaryDir>
 #include <QtTest/QTest>
 
@@ -36,6 +39,7 @@ private Q_SLOTS:
     void cleanup() { inotifyIs = Inotify::Works; }
     void changeWithoutNotification_data();
     void changeWithoutNotification();
+    void halfWrittenFileIsNotRead();
     void recoveryIsReported();
     void changeBetweenReadingAndWatching();
     void failedReadIsRetried();
@@ -84,6 +88,42 @@ void PeersWatchTest::changeWithoutNotification()
     }
     EVENTUALLY_EQUAL(loads, 2);
     QCOMPARE(failures, inotifyIs == Inotify::UsedUp ? 1 : 0); // once, not each second
+}
+
+/// Between the two steps of an editor the file is an empty list, which would end every session.
+void PeersWatchTest::halfWrittenFileIsNotRead()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("peers"));
+    std::atomic<int> empty = 0, read = 0;
+    const auto readFile = [&]() -> Result<keys::UsablePeers, InputError> {
+        ++(QFileInfo(path).size() == 0 ? empty : read);
+        return keys::UsablePeers{};
+    };
+    write(path, "one");
+    PeersWatch watch(path.toStdString(), readFile, [](const auto &) {});
+    EVENTUALLY(read == 1);
+    // A machine that stops for longer than an empty file is waited for proves nothing: try again.
+    bool wasQuick = false;
+    for (int attempt = 0; attempt < 5 && !wasQuick; ++attempt) {
+        const int before = read;
+        empty = 0;
+        QElapsedTimer sinceEmptied;
+        sinceEmptied.start();
+        write(path, "");
+        while (sinceEmptied.elapsed() < 300) {
+            watch.look();
+            QCoreApplication::processEvents(QEventLoop::AllEvents, 5);
+        }
+        write(path, "two");
+        wasQuick = sinceEmptied.elapsed() < 800;
+        EVENTUALLY(read == before + 1);
+    }
+    QVERIFY(wasQuick);
+    QCOMPARE(empty.load(), 0);
+    // A file that stays empty is an empty list.
+    write(path, "");
+    EVENTUALLY(empty == 1);
 }
 
 void PeersWatchTest::recoveryIsReported()
