@@ -1,4 +1,5 @@
 // Other ground stations behind the gateway of a sealed station, over real sockets.
+#include "core/engine/gateway/gateway.h"
 #include "core/engine/station/snapshot.h"
 #include "core/mavlink/frame_intake.h"
 #include "core/mavlink/frame_writer.h"
@@ -191,6 +192,8 @@ private Q_SLOTS:
     void strangerIsNotTheConfiguredStation();
     void tcpClientNeedNotSendFirst();
     void clientOfAnotherNetworkIsNotServed();
+    void silentClientsKeepNobodyOut();
+    void reconnectingIsReportedOnlySoOften();
     void everyFrameReachesEveryClient();
     void takenPortIsReported();
     void serviceEnds();
@@ -352,6 +355,60 @@ void GatewayTest::clientOfAnotherNetworkIsNotServed()
     EVENTUALLY(flight.ground.ears->snapshot->mavlink.frames > frames + 20);
     QVERIFY(client.datagrams.empty() && flight.ground.ears->snapshot->clients.empty());
     QVERIFY(!vehicle.vehicle.autopilot().armed());
+}
+
+void GatewayTest::silentClientsKeepNobodyOut()
+{
+    ServedFlight flight("");
+    flight.fly();
+    std::vector<std::unique_ptr<UdpEnd>> others;
+    for (std::size_t i = 0; i < engine::Gateway::kMostClients; ++i)
+        others.push_back(std::make_unique<UdpEnd>(flight.port()));
+    const auto greetFrom = [&others](std::size_t first) {
+        for (std::size_t i = first; i < others.size(); ++i)
+            others[i]->send(mavlink::Heartbeat{});
+    };
+    const auto all = [&] {
+        greetFrom(0);
+        return flight.ground.ears->snapshot->clients.size() == others.size();
+    };
+    EVENTUALLY(all());
+    UdpEnd late(flight.port());
+    const auto served = [&] { // the first one is silent from now on
+        greetFrom(1);
+        late.send(mavlink::Heartbeat{});
+        return !late.datagrams.empty();
+    };
+    EVENTUALLY(served());
+    const auto isClient = [&](quint16 port) {
+        const std::string address = "127.0.0.1:" + std::to_string(port);
+        return std::ranges::any_of(flight.ground.ears->snapshot->clients,
+                                   [&](const engine::ClientSnapshot &client) { return client.address == address; });
+    };
+    EVENTUALLY(isClient(late.port()));
+    QVERIFY(!isClient(others[0]->port()));
+    for (std::size_t i = 1; i < others.size(); ++i)
+        QVERIFY2(isClient(others[i]->port()), std::to_string(i).c_str());
+}
+
+void GatewayTest::reconnectingIsReportedOnlySoOften()
+{
+    ServedFlight flight("", channel::PeerRole::Pilot, "tcpin:127.0.0.1:0");
+    const double begin = flight.ground.ears->snapshot->time;
+    for (int i = 0; i < 200; ++i) {
+        QTcpSocket program;
+        program.connectToHost(QHostAddress::LocalHost, flight.port());
+        EVENTUALLY(program.state() == QAbstractSocket::ConnectedState);
+        program.abort();
+    }
+    QTcpSocket last;
+    last.connectToHost(QHostAddress::LocalHost, flight.port());
+    EVENTUALLY_EQUAL(flight.ground.ears->snapshot->clients.size(), std::size_t(1));
+    const double lasted = flight.ground.ears->snapshot->time - begin;
+    const auto reported = static_cast<double>(flight.ground.ears->all<engine::ClientConnected>().size());
+    QVERIFY2(reported <= engine::Gateway::kReportsAtOnce + engine::Gateway::kReportsPerSecond * (lasted + 1),
+             std::to_string(reported).c_str());
+    QVERIFY(reported >= engine::Gateway::kReportsAtOnce / 2);
 }
 
 /// Ten clients, one of which does not read and one of which is gone. SKYSEAL_FRAMES of the environment is the number of frames.

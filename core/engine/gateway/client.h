@@ -49,6 +49,10 @@ public:
 
     bool isSilent(TimePoint now) const { return now - m_heard >= kForgetAfter; }
     void noteHeard(TimePoint now) { m_heard = now; }
+    TimePoint heardAt() const { return m_heard; }
+    /// Whether its coming was reported, so that its going will be.
+    bool isReported() const { return m_reported; }
+    void setReported(bool reported) { m_reported = reported; }
     const ServeConfig &config() const { return m_config; }
     const ClientCounters &counters() const { return m_counters; }
 
@@ -59,6 +63,7 @@ private:
     QuestionBudget &m_questions;
     ClientCounters m_counters;
     TimePoint m_heard{};
+    bool m_reported = true;
     TimePoint m_tellAt = TimePoint::min();
     std::uint64_t m_told = 0; ///< denied frames that the client was told of
 };

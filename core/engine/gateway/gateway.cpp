@@ -136,11 +136,27 @@ Client *Gateway::clientAt(TimePoint now, const link::Link &link, const Path &pat
 {
     if (const auto known = m_clients.find(path); known != m_clients.end())
         return &known->second;
-    const auto onThisLink = std::ranges::count_if(m_clients,
-                                                  [&](const auto &client) { return client.first.link == link.id(); });
-    if (static_cast<std::size_t>(onThisLink) >= kMostClients)
-        return nullptr;
-    return &connect(now, path);
+    return makeRoom(now, link) ? &connect(now, path) : nullptr;
+}
+
+/// Returns false if all places of the link are taken.
+bool Gateway::makeRoom(TimePoint now, const link::Link &link)
+{
+    std::size_t clients = 0;
+    auto silent = m_clients.end();
+    for (auto client = m_clients.begin(); client != m_clients.end(); ++client) {
+        if (client->first.link != link.id())
+            continue;
+        ++clients;
+        if (silent == m_clients.end() || client->second.heardAt() < silent->second.heardAt())
+            silent = client;
+    }
+    if (clients < kMostClients)
+        return true;
+    if (link.isStream() || now - silent->second.heardAt() < kReplaceAfter)
+        return false;
+    disconnect(silent);
+    return true;
 }
 
 Client &Gateway::connect(TimePoint now, const Path &path)
@@ -148,15 +164,19 @@ Client &Gateway::connect(TimePoint now, const Path &path)
     const auto link = static_cast<std::size_t>(path.link);
     Client &client = m_clients.try_emplace(path, m_served[link], m_budgets[link]).first->second;
     client.noteHeard(now);
-    m_notify(ClientConnected{client.config().name, addressOf(path), client.config().write.toText()});
+    client.setReported(m_reports.take(now, kReportsPerSecond, kReportsAtOnce));
+    if (client.isReported())
+        m_notify(ClientConnected{client.config().name, addressOf(path), client.config().write.toText()});
     return client;
 }
 
 void Gateway::disconnect(std::map<Path, Client>::iterator client)
 {
+    const bool reported = client->second.isReported();
     ClientGone gone{client->second.config().name, addressOf(client->first)};
     m_clients.erase(client);
-    m_notify(std::move(gone));
+    if (reported)
+        m_notify(std::move(gone));
 }
 
 void Gateway::takeFrame(TimePoint now, const Path &from, Client &client, const mavlink::ScanItem &item)

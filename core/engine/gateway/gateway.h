@@ -36,6 +36,12 @@ public:
 
     /// Clients whose addresses are not configured, for each link.
     static constexpr std::size_t kMostClients = 32;
+    /// On UDP, where all places are taken, a new client replaces the one that was silent the longest, and at least for so long:
+    /// programs send a heartbeat each second, so that a burst of datagrams from many ports keeps none of them out.
+    static constexpr Duration kReplaceAfter = std::chrono::seconds(5);
+    /// Clients that are reported to come and go: so many at once, then one a second, since anyone who reaches the port can
+    /// connect again and again.
+    static constexpr double kReportsAtOnce = 64, kReportsPerSecond = 1;
 
     /// `vehicles` must outlive this object.
     Gateway(std::vector<ServeConfig> served, Vehicles &vehicles, Notify notify);
@@ -62,6 +68,7 @@ private:
     const ServeConfig &configOf(LinkId link) const { return m_served[static_cast<std::size_t>(link)]; }
     void receive(const link::Link &link, const link::ReceivedBlock &block);
     Client *clientAt(TimePoint now, const link::Link &link, const Path &path);
+    bool makeRoom(TimePoint now, const link::Link &link);
     Client &connect(TimePoint now, const Path &path);
     void disconnect(std::map<Path, Client>::iterator client);
     void takeFrame(TimePoint now, const Path &from, Client &client, const mavlink::ScanItem &item);
@@ -78,6 +85,7 @@ private:
     LinkPool m_links;
     mavlink::FrameIntake m_frames;
     std::map<Path, Client> m_clients;
+    channel::TokenBucket m_reports;
 };
 
 } // namespace skyseal::engine
