@@ -10,6 +10,7 @@
 #include "app/common/process.h"
 #include "app/common/service_manager.h"
 #include "core/crypto/mavsec_cipher.h"
+#include "core/engine/station/snapshot.h"
 
 #include <QtCore/QCoreApplication>
 
@@ -33,6 +34,31 @@ std::unique_ptr<engine::RunListener> makeReport(const StationRun &run)
     return std::make_unique<PeopleReport>(run.config.record ? run.config.recordFolder : std::string());
 }
 
+/// Tells the service manager that the station is ready when all its links were opened without an error that ends the run, and
+/// that it is alive as long as its I/O thread makes snapshots.
+class ServiceReport
+{
+public:
+    ServiceReport(const engine::Station &station, const engine::HeadlessRun &run, std::size_t links)
+    {
+        QObject::connect(&station, &engine::Station::snapshotReady, &run,
+                         [this, &run, links](const std::shared_ptr<const engine::Snapshot> &snapshot) {
+                             m_alive = true;
+                             if (m_ready || run.isStopping() || snapshot->links.size() + snapshot->served.size() < links)
+                                 return;
+                             m_ready = true;
+                             m_manager.ready();
+                         });
+        m_manager.setAliveCheck([this] { return std::exchange(m_alive, false); });
+    }
+    void stopping() { m_manager.stopping(); }
+
+private:
+    ServiceManager m_manager;
+    bool m_ready = false;
+    bool m_alive = false; ///< a snapshot came since the watchdog was told
+};
+
 } // namespace
 
 int runStation(StationRun run)
@@ -55,17 +81,21 @@ int runStation(StationRun run)
             complain(run.program, listening.error().text());
             return kCannotOpen;
         }
+        if (metrics.isOpenToOthers())
+            complain(run.program,
+                     run.metrics + ": not of this machine alone: anyone who reaches this address can read the counters");
     }
     const std::unique_ptr<engine::RunListener> report = makeReport(run);
+    const std::size_t links = run.links.size() + run.plan.serve.size();
     engine::HeadlessRun headless(**station, *report, std::move(run.plan), run.links);
     std::optional<PeersWatch> watch;
     if (run.config.secure == engine::SecureMode::Required) {
         watch.emplace(run.config.keys.peers, [&](std::vector<channel::Peer> peers) { (*station)->setPeers(std::move(peers)); });
         tellPeers(*watch, run.json);
     }
-    ServiceManager manager;
+    ServiceReport service(**station, headless, links);
     StopSignals signals;
-    QObject::connect(&signals, &StopSignals::stopRequested, &headless, [&manager] { manager.stopping(); });
+    QObject::connect(&signals, &StopSignals::stopRequested, &headless, [&service] { service.stopping(); });
     QObject::connect(&signals, &StopSignals::stopRequested, &headless, &engine::HeadlessRun::stop);
     QObject::connect(&headless, &engine::HeadlessRun::finished, qApp,
                      [&run](engine::RunOutcome outcome, const std::string &problem) {
@@ -73,11 +103,7 @@ int runStation(StationRun run)
                              complain(run.program, problem);
                          QCoreApplication::exit(exitStatus(outcome));
                      });
-    const auto start = [&] {
-        headless.start();
-        manager.ready();
-    };
-    QMetaObject::invokeMethod(&headless, start, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(&headless, &engine::HeadlessRun::start, Qt::QueuedConnection);
     return QCoreApplication::exec();
 }
 

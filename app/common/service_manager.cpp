@@ -16,7 +16,10 @@ namespace skyseal::app {
 
 ServiceManager::ServiceManager() : m_socket(qEnvironmentVariable("NOTIFY_SOCKET").toStdString())
 {
-    QObject::connect(&m_alive, &QTimer::timeout, &m_alive, [this] { send("WATCHDOG=1"); });
+    QObject::connect(&m_alive, &QTimer::timeout, &m_alive, [this] {
+        if (m_isAlive())
+            send("WATCHDOG=1");
+    });
 }
 
 void ServiceManager::ready()

@@ -4,7 +4,9 @@
 
 #include <QtCore/QTimer>
 
+#include <functional>
 #include <string>
+#include <utility>
 
 namespace skyseal::app {
 
@@ -14,6 +16,10 @@ class ServiceManager
 public:
     ServiceManager();
 
+    /// The watchdog follows other threads as well: it hears of this process only if the function returns true. It is called
+    /// twice in each interval of the watchdog.
+    void setAliveCheck(std::function<bool()> isAlive) { m_isAlive = std::move(isAlive); }
+
     /// The service is ready; from now on the watchdog hears of it as long as the event loop runs.
     void ready();
     void stopping();
@@ -22,6 +28,7 @@ private:
     void send(const std::string &state) const;
 
     const std::string m_socket; ///< empty: nobody listens
+    std::function<bool()> m_isAlive = [] { return true; };
     QTimer m_alive;
 };
 

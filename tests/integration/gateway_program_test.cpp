@@ -1,6 +1,7 @@
 // skyseal-cli gateway as people and scripts use it: another ground station, one that knows nothing of sealing, flies through
 // it, and skyseal-cli status, switch and revoke act on it while it runs.
 #include "tests/support/gateway_flight.h"
+#include "tests/support/notify_socket.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QFileInfo>
@@ -25,6 +26,21 @@ struct ServedStation : GatewayFlight
     const quint16 stationPort;
 };
 
+/// The command line of a gateway for the stations that call at `served`.
+QStringList gatewayArguments(const Flight &flight, const QString &served)
+{
+    return {QStringLiteral("gateway"),
+            QStringLiteral("--link"),
+            QStringLiteral("udpin:127.0.0.1:0"),
+            QStringLiteral("--identity"),
+            flight.path(QStringLiteral("ground.key")),
+            QStringLiteral("--peers"),
+            flight.path(QStringLiteral("ground.peers")),
+            QStringLiteral("--no-record"),
+            QStringLiteral("--serve"),
+            served};
+}
+
 } // namespace
 
 class GatewayProgramTest : public QObject
@@ -39,6 +55,7 @@ private Q_SLOTS:
     void socketIsOfThisUserAlone();
     void controlSocketReplacesNoFile();
     void withoutAGatewayNothingAnswers();
+    void managerHearsOfReadinessAndLife();
     void takenPortEndsTheGateway();
 };
 
@@ -144,11 +161,9 @@ void GatewayProgramTest::controlSocketReplacesNoFile()
     Flight flight;
     QVERIFY(flight.ready());
     const QString key = flight.path(QStringLiteral("ground.key"));
-    const RunResult result = runProgram(
-        "skyseal-cli",
-        {QStringLiteral("gateway"), QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:0"), QStringLiteral("--identity"),
-         key, QStringLiteral("--peers"), flight.path(QStringLiteral("ground.peers")), QStringLiteral("--no-record"),
-         QStringLiteral("--serve"), QStringLiteral("udpin:0"), QStringLiteral("--control"), QStringLiteral("unix:") + key});
+    const RunResult result = runProgram("skyseal-cli",
+                                        gatewayArguments(flight, QStringLiteral("udpin:0"))
+                                            + QStringList{QStringLiteral("--control"), QStringLiteral("unix:") + key});
     QCOMPARE(result.status, 3);
     QVERIFY2(result.err.contains("is no socket"), result.err.constData());
     QVERIFY(QFileInfo(key).isFile());
@@ -162,19 +177,32 @@ void GatewayProgramTest::withoutAGatewayNothingAnswers()
     QVERIFY2(result.err.contains("/nonexistent/s"), result.err.constData());
 }
 
+void GatewayProgramTest::managerHearsOfReadinessAndLife()
+{
+    Flight flight;
+    QVERIFY(flight.ready());
+    NotifySocket manager; // of the programs that start from now on
+    qputenv("WATCHDOG_USEC", "2000000");
+    Program gateway(QStringLiteral("skyseal-cli"), gatewayArguments(flight, QStringLiteral("udpin:0")));
+    EVENTUALLY_EQUAL(manager.count("READY=1"), 1);
+    EVENTUALLY(manager.count("WATCHDOG=1") >= 2);
+    QCOMPARE(gateway.terminate(), 0);
+    EVENTUALLY_EQUAL(manager.count("STOPPING=1"), 1);
+    QCOMPARE(manager.count("READY=1"), 1);
+}
+
 void GatewayProgramTest::takenPortEndsTheGateway()
 {
     Flight flight;
     QVERIFY(flight.ready());
     Program other(QStringLiteral("skyseal-cli"), flight.monitorArguments());
     QVERIFY(other.waitUntilListening(QStringLiteral("udpin")));
-    const RunResult result = runProgram(
-        "skyseal-cli",
-        {QStringLiteral("gateway"), QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:0"), QStringLiteral("--identity"),
-         flight.path(QStringLiteral("ground.key")), QStringLiteral("--peers"), flight.path(QStringLiteral("ground.peers")),
-         QStringLiteral("--no-record"), QStringLiteral("--serve"), QStringLiteral("udpin:%1").arg(flight.groundPort)});
+    NotifySocket manager;
+    const RunResult result = runProgram("skyseal-cli",
+                                        gatewayArguments(flight, QStringLiteral("udpin:%1").arg(flight.groundPort)));
     QCOMPARE(result.status, 3);
     QVERIFY2(result.err.contains("udpin:127.0.0.1"), result.err.constData());
+    QCOMPARE(manager.count("READY=1"), 0);
 }
 
 SKYSEAL_TEST(GatewayProgramTest)

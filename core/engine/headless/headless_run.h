@@ -62,6 +62,7 @@ public:
     void start();
     /// Ends the run in an orderly way, as after a signal.
     void stop();
+    bool isStopping() const { return m_stopping; }
 
 Q_SIGNALS:
     /// `problem` is a sentence about the goal that was not reached; empty with Reached.
