@@ -1,20 +1,17 @@
 // A reader without inline framing on a stream of sealed and plain frames: the npm package node-mavlink finds every plain frame,
 // and reports the sealed ones with incompatibility flags that require dropping them, and with invalid signatures.
-//
-// Needs node and the package: SKYSEAL_NODE_MODULES is its folder (./test installs it into build/node).
 #include "core/base/secret_bytes.h"
 #include "core/channel/inline_frame.h"
 #include "core/crypto/init_crypto.h"
 #include "core/engine/common/dialect_traits.h"
 #include "core/mavlink/frame_writer.h"
 #include "tests/support/eventually.h"
+#include "tests/support/node_mavlink.h"
 #include "tests/support/test_runner.h"
 
-#include <QtCore/QDir>
 #include <QtCore/QJsonDocument>
 #include <QtCore/QJsonObject>
 #include <QtCore/QProcess>
-#include <QtCore/QStandardPaths>
 #include <QtTest/QTest>
 
 #include <random>
@@ -38,15 +35,10 @@ private:
 void NodeInlineTest::initTestCase()
 {
     QVERIFY(crypto::initCrypto());
-    m_node = QStandardPaths::findExecutable(QStringLiteral("node"));
-    QString modules = qEnvironmentVariable("SKYSEAL_NODE_MODULES");
-    if (modules.isEmpty())
-        modules = QStringLiteral(SKYSEAL_SOURCE_DIR "/build/node/node_modules");
-    if (m_node.isEmpty())
-        QSKIP("node is not installed: the check against node-mavlink is skipped");
-    if (!QDir(modules).exists(QStringLiteral("node-mavlink")))
-        QSKIP("SKYSEAL_NODE_MODULES names no folder with node-mavlink: the check against it is skipped");
-    qputenv("NODE_PATH", modules.toUtf8());
+    const test::NodeMavlink found = test::findNodeMavlink();
+    if (found.missing)
+        QSKIP(found.missing);
+    m_node = found.node;
 }
 
 void NodeInlineTest::findsEveryPlainFrame_data()

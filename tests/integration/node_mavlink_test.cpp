@@ -1,14 +1,11 @@
 // An independent peer: the npm package node-mavlink simulates a vehicle over UDP, plain and signed. The monitor reports its
 // messages, and it decodes the commands of the monitor.
-//
-// Needs node and the package: SKYSEAL_NODE_MODULES names the folder that holds it (./test puts it into build/node).
 #include "tests/support/eventually.h"
+#include "tests/support/node_mavlink.h"
 #include "tests/support/program.h"
 #include "tests/support/test_runner.h"
 
-#include <QtCore/QDir>
 #include <QtCore/QJsonArray>
-#include <QtCore/QStandardPaths>
 #include <QtCore/QTemporaryDir>
 #include <QtTest/QTest>
 
@@ -32,15 +29,10 @@ private:
 
 void NodeMavlinkTest::initTestCase()
 {
-    m_node = QStandardPaths::findExecutable(QStringLiteral("node"));
-    QString modules = qEnvironmentVariable("SKYSEAL_NODE_MODULES");
-    if (modules.isEmpty())
-        modules = QStringLiteral(SKYSEAL_SOURCE_DIR "/build/node/node_modules");
-    if (m_node.isEmpty())
-        QSKIP("node is not installed: the check against node-mavlink is skipped");
-    if (!QDir(modules).exists(QStringLiteral("node-mavlink")))
-        QSKIP("SKYSEAL_NODE_MODULES names no folder with node-mavlink: the check against it is skipped");
-    qputenv("NODE_PATH", modules.toUtf8());
+    const NodeMavlink found = findNodeMavlink();
+    if (found.missing)
+        QSKIP(found.missing);
+    m_node = found.node;
 }
 
 void NodeMavlinkTest::monitorReportsItsTelemetry_data()
