@@ -121,9 +121,10 @@ function(skyseal_test_entry name program)
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 240) # so that a test can report its own deadline (tests/support/eventually.h) before it is killed
   endif()
+  math(EXPR milliseconds "${arg_TIMEOUT} * 1000") # QtTest alone would end each function after five minutes, all of its rows together
   add_test(NAME ${name} COMMAND ${program} ${arg_ARGUMENTS})
   set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT}
-    ENVIRONMENT "QT_QPA_PLATFORM=offscreen;TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/cmake/tsan.supp die_after_fork=0;UBSAN_OPTIONS=print_stacktrace=1;${arg_ENVIRONMENT}")
+    ENVIRONMENT "QT_QPA_PLATFORM=offscreen;QTEST_FUNCTION_TIMEOUT=${milliseconds};TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/cmake/tsan.supp die_after_fork=0;UBSAN_OPTIONS=print_stacktrace=1;${arg_ENVIRONMENT}")
 endfunction()
 
 # skyseal_fuzzer(NAME SOURCES … LINK … CORPUS DIR): a libFuzzer target under the fuzz preset, where `--target fuzzers` builds

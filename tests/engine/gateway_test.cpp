@@ -12,6 +12,7 @@
 
 #include <QtNetwork/QTcpSocket>
 #include <QtNetwork/QUdpSocket>
+#include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 
 #include <algorithm>
@@ -397,13 +398,19 @@ void GatewayTest::reconnectingIsReportedOnlySoOften()
     const double begin = flight.ground.ears->snapshot->time;
     for (int i = 0; i < 200; ++i) {
         QTcpSocket program;
+        // Not its state: the gateway closes what is one too many while it has not seen the others go.
+        const QSignalSpy connected(&program, &QTcpSocket::connected);
         program.connectToHost(QHostAddress::LocalHost, flight.port());
-        EVENTUALLY(program.state() == QAbstractSocket::ConnectedState);
+        EVENTUALLY(!connected.isEmpty());
         program.abort();
     }
     QTcpSocket last;
-    last.connectToHost(QHostAddress::LocalHost, flight.port());
-    EVENTUALLY_EQUAL(flight.ground.ears->snapshot->clients.size(), std::size_t(1));
+    const auto alone = [&] {
+        if (last.state() == QAbstractSocket::UnconnectedState)
+            last.connectToHost(QHostAddress::LocalHost, flight.port());
+        return last.state() == QAbstractSocket::ConnectedState && flight.ground.ears->snapshot->clients.size() == 1;
+    };
+    EVENTUALLY(alone());
     const double lasted = flight.ground.ears->snapshot->time - begin;
     const auto reported = static_cast<double>(flight.ground.ears->all<engine::ClientConnected>().size());
     QVERIFY2(reported <= engine::Gateway::kReportsAtOnce + engine::Gateway::kReportsPerSecond * (lasted + 1),
