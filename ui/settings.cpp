@@ -40,6 +40,11 @@ Settings loadSettings(const QSettings &store)
     const QString link = store.value(QStringLiteral("link/default")).toString();
     if (!link.isEmpty())
         s.defaultLink = link;
+    s.serving.on = store.value(QStringLiteral("gateway/on"), s.serving.on).toBool();
+    const QString served = store.value(QStringLiteral("gateway/url")).toString();
+    if (!served.isEmpty())
+        s.serving.url = served;
+    s.serving.write = store.value(QStringLiteral("gateway/write"), s.serving.write).toBool();
     return s;
 }
 
@@ -58,6 +63,9 @@ void storeSettings(QSettings &store, const Settings &settings)
     store.setValue(QStringLiteral("security/requireSealed"), settings.requireSealed);
     store.setValue(QStringLiteral("flight/takeOffAltitude"), settings.takeOffAltitude);
     store.setValue(QStringLiteral("link/default"), settings.defaultLink);
+    store.setValue(QStringLiteral("gateway/on"), settings.serving.on);
+    store.setValue(QStringLiteral("gateway/url"), settings.serving.url);
+    store.setValue(QStringLiteral("gateway/write"), settings.serving.write);
 }
 
 } // namespace skyseal::ui

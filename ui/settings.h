@@ -15,6 +15,16 @@ namespace skyseal::ui {
 /// Heights in metres above home that a take-off can be commanded to.
 inline constexpr double kLowestTakeOff = 1, kHighestTakeOff = 500;
 
+/// Whether and where other ground stations use the vehicles through this one.
+struct Serving
+{
+    bool on = false;
+    QString url = QStringLiteral("tcpin:127.0.0.1:5790");
+    bool write = false; ///< they may command; else they only read
+
+    bool operator==(const Serving &) const = default;
+};
+
 struct Settings
 {
     Theme theme = Theme::Desktop;
@@ -28,6 +38,7 @@ struct Settings
     bool requireSealed = false;                                  ///< plain MAVLink is never shown
     double takeOffAltitude = 10;                                 ///< metres above home, last used
     QString defaultLink = QStringLiteral("udpin:0.0.0.0:14550");
+    Serving serving;
 
     bool operator==(const Settings &) const = default;
 };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/engine/gateway/serve_config.h"
 #include "core/engine/station/event.h"
 #include "core/engine/station/mavsec_settings.h"
 #include "core/vehicle/request.h"
@@ -35,6 +36,8 @@ public:
     /// Adds a listen-only link for a stream of MAVSec's published code, which is insecure. Fails if its key cannot be read.
     virtual Result<LinkId, InputError> addMavsecLink(const std::string &url, const engine::MavsecSettings &settings) = 0;
     virtual void removeLink(LinkId link) = 0;
+    /// Serves other ground stations on these links from now on, in place of the links before.
+    virtual void serve(std::vector<engine::ServeConfig> served) = 0;
     virtual void switchSuite(channel::SessionId session, crypto::SuiteId suite) = 0;
     virtual void setAllowResearch(bool allow) = 0;
     virtual void setWeakestSuite(crypto::SuiteId weakest) = 0;

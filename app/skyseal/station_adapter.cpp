@@ -31,6 +31,8 @@ void StationAdapter::exchange(const engine::StationConfig &config)
     m_station = std::move(*created);
     listen();
     m_station->setInspecting(m_inspecting);
+    if (!m_served.empty())
+        m_station->serve(m_served);
 }
 
 void StationAdapter::setPeers(std::vector<channel::Peer> peers)
@@ -68,6 +70,13 @@ void StationAdapter::removeLink(LinkId link)
 {
     if (m_station)
         m_station->removeLink(link);
+}
+
+void StationAdapter::serve(std::vector<engine::ServeConfig> served)
+{
+    m_served = std::move(served);
+    if (m_station)
+        m_station->serve(m_served);
 }
 
 void StationAdapter::switchSuite(channel::SessionId session, crypto::SuiteId suite)

@@ -26,6 +26,7 @@ public:
     Result<LinkId, InputError> addLink(const std::string &url) override;
     Result<LinkId, InputError> addMavsecLink(const std::string &url, const engine::MavsecSettings &settings) override;
     void removeLink(LinkId link) override;
+    void serve(std::vector<engine::ServeConfig> served) override;
     void switchSuite(channel::SessionId session, crypto::SuiteId suite) override;
     void setAllowResearch(bool allow) override;
     void setWeakestSuite(crypto::SuiteId weakest) override;
@@ -45,6 +46,7 @@ private:
     void listen();
 
     std::unique_ptr<engine::Station> m_station; ///< null only after failed()
+    std::vector<engine::ServeConfig> m_served;  ///< also by the station after an exchange
     bool m_inspecting = false;
 };
 

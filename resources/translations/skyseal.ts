@@ -1034,6 +1034,37 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
     </message>
 </context>
 <context>
+    <name>skyseal::ui::ClientModel</name>
+    <message>
+        <source>reads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reads and writes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 not allowed, %2 asked too often, %3 with a system id that it may not use</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Station</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forwarded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>skyseal::ui::CommandAge</name>
     <message>
         <source>%1 s</source>
@@ -1426,6 +1457,89 @@ No link is sealed until this is solved. Plain MAVLink is shown, but not sealed.<
     </message>
     <message>
         <source>Type</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::GatewaySection</name>
+    <message>
+        <source>Serve other stations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>QGroundControl, Mission Planner, MAVProxy or a MAVSDK program uses the sealed link through this window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where other stations are served</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stations connect to this TCP port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stations send to this UDP port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A station or a MAVSDK program listens on this UDP port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What other stations may do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Telemetry, parameters, missions and files are read; what commands or changes is refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They read and write</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They command vehicles like this station; their heartbeat keeps a vehicle from its failsafe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State of the gateway</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stations that are served</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no station is connected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one station</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 stations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, open to other computers; %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

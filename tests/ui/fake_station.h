@@ -27,6 +27,7 @@ public:
         mavsecLinks.emplace_back(url, settings);
         return LinkId{1000 + static_cast<std::uint32_t>(mavsecLinks.size())};
     }
+    void serve(std::vector<engine::ServeConfig> links) override { served = std::move(links); }
     void removeLink(LinkId link) override { removedLinks.push_back(link); }
     void switchSuite(channel::SessionId session, crypto::SuiteId suite) override { switches.emplace_back(session, suite); }
     void setAllowResearch(bool allow) override { allowResearch = allow; }
@@ -52,6 +53,7 @@ public:
 
     std::vector<std::pair<std::string, engine::MavsecSettings>> mavsecLinks;
     std::vector<std::string> addedLinks;
+    std::vector<engine::ServeConfig> served; ///< the newest request
     std::vector<LinkId> removedLinks;
     std::vector<std::pair<channel::SessionId, crypto::SuiteId>> switches;
     std::vector<std::pair<std::uint8_t, vehicle::VehicleCommand>> commands;

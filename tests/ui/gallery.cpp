@@ -18,6 +18,17 @@ using namespace skyseal::ui;
 
 namespace {
 
+/// Two stations at the gateway, one of which reads only.
+void addClients(engine::Snapshot &snapshot)
+{
+    engine::LinkSnapshot link;
+    link.url = "tcpin:127.0.0.1:5790";
+    link.phase = engine::LinkPhase::Listening;
+    snapshot.served.push_back(link);
+    snapshot.clients.push_back({link.url, "127.0.0.1:50123", "all", {1'284, 0, 0, 0}});
+    snapshot.clients.push_back({link.url, "127.0.0.1:50124", "none", {96, 12, 0, 0}});
+}
+
 /// Brings the window into a state by the same signals that the engine would send.
 void play(FakeStation &station, MainWindow &window, const QString &state, const QString &dock)
 {
@@ -69,6 +80,8 @@ void play(FakeStation &station, MainWindow &window, const QString &state, const 
                 snapshot.security = engine::Security::Nothing;
                 snapshot.vehicles.front().ended = engine::EndedSession{"air-1", channel::DownReason::Revoked, 12.6};
             }
+            if (state == QLatin1String("served"))
+                addClients(snapshot);
             if (state == QLatin1String("lost") && t > 46)
                 snapshot.vehicles.front().state.messageAge = 12.6;
             station.show(snapshot);
@@ -116,6 +129,7 @@ int main(int argc, char **argv)
                 settings.theme = theme == QLatin1String("dark") ? Theme::Dark
                     : theme == QLatin1String("contrast")        ? Theme::HighContrast
                                                                 : Theme::Light;
+                settings.serving.on = state == QLatin1String("served");
                 storeSettings(store, settings);
                 FakeStation station;
                 ProgramFacts facts;

@@ -4,6 +4,7 @@
 #include "tests/support/test_runner.h"
 #include "ui/inspector/field_model.h"
 #include "ui/inspector/inspector_model.h"
+#include "ui/links/client_model.h"
 #include "ui/links/link_model.h"
 #include "ui/messages/message_filter.h"
 #include "ui/messages/message_model.h"
@@ -233,6 +234,25 @@ private Q_SLOTS:
         QVERIFY(!parsed);
         QCOMPARE(parsed.error().source, std::string("m.waypoints"));
         QCOMPARE(static_cast<int>(parsed.error().line), line);
+    }
+
+    void clientsShowTheirRights()
+    {
+        ClientModel model;
+        QAbstractItemModelTester tester(&model, kFatal);
+        std::vector<engine::ClientSnapshot> clients{{"tcpin:127.0.0.1:5790", "127.0.0.1:50123", "none", {7, 2, 1, 3}}};
+        model.setClients(clients);
+        QCOMPARE(cell(model, 0, ClientModel::Client), QStringLiteral("127.0.0.1:50123"));
+        QCOMPARE(cell(model, 0, ClientModel::Rights), QStringLiteral("reads"));
+        QCOMPARE(cell(model, 0, ClientModel::Forwarded), QStringLiteral("7"));
+        QCOMPARE(cell(model, 0, ClientModel::Refused), QStringLiteral("6"));
+        clients.front().write = "mission,param";
+        clients.push_back(clients.front());
+        clients.back().address = "127.0.0.1:50124";
+        model.setClients(clients);
+        QCOMPARE(cell(model, 1, ClientModel::Rights), QStringLiteral("reads and writes"));
+        model.setClients({});
+        QCOMPARE(model.rowCount(), 0);
     }
 
     void linksShowWhereTheyListen()

@@ -7,6 +7,7 @@
 #include "core/engine/station/vehicle_snapshot.h"
 #include "tests/support/eventually.h"
 #include "tests/support/flight.h"
+#include "tests/support/run_program.h"
 #include "tests/support/test_runner.h"
 #include "ui/keys/change_passphrase_dialog.h"
 #include "ui/keys/changed_key_warning.h"
@@ -23,6 +24,7 @@
 #include <QtWidgets/QAbstractItemView>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QCheckBox>
+#include <QtWidgets/QComboBox>
 #include <QtWidgets/QDialogButtonBox>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
@@ -75,6 +77,7 @@ private Q_SLOTS:
     void revokedInTheDialog();
     void pairedAgain();
     void changedKeyIsRefusedUntilReplaced();
+    void anotherStationIsServed();
     void agentThatGoesAwayIsWaitedFor();
     void keyIsSealedInTheDialog();
     void sealedKeyNeedsItsPassphraseAtStart();
@@ -408,6 +411,37 @@ void PairedWindowTest::changedKeyIsRefusedUntilReplaced()
     EVENTUALLY(isSealed());
     QVERIFY(read(ownFile("peers")) != before);
     closeKeys();
+}
+
+/// A station that knows nothing of sealing uses the window's link: it reads, and it commands once the operator allows that.
+void PairedWindowTest::anotherStationIsServed()
+{
+    const quint16 port = test::freeTcpPort();
+    const auto commands = [port] {
+        return test::runProgram("skyseal-cli",
+                                {QStringLiteral("monitor"), QStringLiteral("--link"),
+                                 QStringLiteral("tcp:127.0.0.1:%1").arg(port), QStringLiteral("--secure"),
+                                 QStringLiteral("off"), QStringLiteral("--no-record"), QStringLiteral("--do"),
+                                 QStringLiteral("mode GUIDED")});
+    };
+    QLineEdit *url = find<QComboBox>("serveUrl")->lineEdit();
+    url->selectAll();
+    QTest::keyClicks(url, QStringLiteral("tcpin:127.0.0.1:%1").arg(port));
+    QTest::keyClick(url, Qt::Key_Return);
+    find<QCheckBox>("serveOn")->click();
+    EVENTUALLY(find<QLabel>("serveState")->text() == QStringLiteral("listening; no station is connected"));
+    const test::RunResult reads = commands();
+    QCOMPARE(reads.status, 1);
+    QVERIFY2(reads.out.contains("denied") || reads.err.contains("denied"), (reads.out + reads.err).constData());
+    auto *rights = find<QComboBox>("serveRights");
+    rights->setFocus();
+    QTest::keyClick(rights, Qt::Key_Down);
+    EVENTUALLY(find<QLabel>("serveState")->text() == QStringLiteral("listening; no station is connected"));
+    const test::RunResult writes = commands();
+    QVERIFY2(writes.status == 0, (writes.out + writes.err).constData());
+    picture("window-served", m_window);
+    find<QCheckBox>("serveOn")->click();
+    QCOMPARE(find<QLabel>("serveState")->text(), QStringLiteral("off"));
 }
 
 void PairedWindowTest::agentThatGoesAwayIsWaitedFor()

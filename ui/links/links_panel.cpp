@@ -44,7 +44,10 @@ LinksPanel::LinksPanel(StationInterface &station, QWidget *parent) : DockPanel(p
     column->setSpacing(kGrid);
     column->addLayout(tools);
     column->addWidget(m_view, 1);
+    m_gateway = new GatewaySection(station, this);
+    column->addWidget(m_gateway);
 
+    connect(m_gateway, &GatewaySection::servingChanged, this, &LinksPanel::servingChanged);
     connect(add, &QPushButton::clicked, this, &LinksPanel::addRequested);
     connect(m_remove, &QPushButton::clicked, this, [this] {
         if (const auto *link = m_model.linkAt(m_view->currentIndex().row()))
@@ -66,6 +69,12 @@ void LinksPanel::showViewState(const ViewState &view)
         return;
     m_shownAt = view.snapshot->time;
     m_model.setLinks(view.snapshot->links);
+    m_gateway->showSnapshot(*view.snapshot);
+}
+
+void LinksPanel::applySettings(const Settings &settings)
+{
+    m_gateway->apply(settings.serving);
 }
 
 } // namespace skyseal::ui

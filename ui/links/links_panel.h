@@ -1,6 +1,7 @@
-// Panel with the table of links and buttons to add and remove one. Main thread.
+// Panel with the table of links, buttons to add and remove one, and the switch that serves other stations. Main thread.
 #pragma once
 
+#include "ui/links/gateway_section.h"
 #include "ui/links/link_model.h"
 #include "ui/dock_panel.h"
 #include "ui/view_state.h"
@@ -18,15 +19,18 @@ public:
     explicit LinksPanel(StationInterface &station, QWidget *parent = nullptr);
 
     void showViewState(const ViewState &view) override;
+    void applySettings(const Settings &settings) override;
 
 Q_SIGNALS:
     void addRequested();
+    void servingChanged(const skyseal::ui::Serving &serving);
 
 private:
     StationInterface &m_station;
     LinkModel m_model;
     QTreeView *m_view;
     QPushButton *m_remove;
+    GatewaySection *m_gateway;
     double m_shownAt = -1;
 };
 

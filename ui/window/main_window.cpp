@@ -6,6 +6,7 @@
 #include "ui/charts/diagnostics_panel.h"
 #include "ui/flight/vehicle_commands.h"
 #include "ui/links/link_dialog.h"
+#include "ui/links/links_panel.h"
 #include "ui/links/problem_banner.h"
 #include "ui/map/empty_state.h"
 #include "ui/map/map_view.h"
@@ -151,6 +152,10 @@ void MainWindow::connectParts()
     connect(m_problems, &ProblemReports::linkRequested, this, &MainWindow::addLink);
     connect(m_commands, &VehicleCommands::takeOffAltitudeChanged, this, [this](double metres) {
         m_settings.takeOffAltitude = metres;
+        storeSettings(m_store, m_settings);
+    });
+    connect(m_docks->panel<LinksPanel>(), &LinksPanel::servingChanged, this, [this](const Serving &serving) {
+        m_settings.serving = serving;
         storeSettings(m_store, m_settings);
     });
 }

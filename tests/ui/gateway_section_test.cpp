@@ -1,0 +1,153 @@
+// The switch of the links panel that serves other ground stations, by mouse and keys.
+#include "window_rig.h"
+
+#include "tests/support/test_runner.h"
+
+#include <QtWidgets/QCheckBox>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QDockWidget>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QTreeView>
+
+using namespace skyseal;
+using namespace skyseal::ui;
+
+class GatewaySectionTest : public QObject, private WindowRig
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        setUp();
+        reveal();
+    }
+    void cleanup() { tearDown(); }
+
+    void servesNobodyUntilAsked()
+    {
+        m_station->show(sealed(false));
+        QVERIFY(!find<QCheckBox>("serveOn")->isChecked());
+        QVERIFY(m_station->served.empty());
+        QCOMPARE(find<QLabel>("serveState")->text(), QStringLiteral("off"));
+        QVERIFY(!find<QTreeView>("serveClients")->isVisible());
+    }
+
+    void readOnlyOnThisComputerAtFirst()
+    {
+        QTest::keyClick(find<QCheckBox>("serveOn"), Qt::Key_Space);
+        QCOMPARE(m_station->served.size(), std::size_t(1));
+        const engine::ServeConfig &config = m_station->served.front();
+        QCOMPARE(config.url.toText(), std::string("tcpin:127.0.0.1:5790"));
+        QVERIFY(!config.write.any());
+        QVERIFY(!config.isOpenToOthers());
+        QTest::keyClick(find<QCheckBox>("serveOn"), Qt::Key_Space);
+        QVERIFY(m_station->served.empty());
+        QCOMPARE(find<QLabel>("serveState")->text(), QStringLiteral("off"));
+    }
+
+    void isKept()
+    {
+        type("udpin:127.0.0.1:14600");
+        chooseRights(1);
+        QVERIFY(m_station->served.empty()); // not switched on
+        find<QCheckBox>("serveOn")->click();
+        m_station->served.clear();
+        open();
+        reveal();
+        QCOMPARE(m_station->served.size(), std::size_t(1));
+        QCOMPARE(m_station->served.front().url.toText(), std::string("udpin:127.0.0.1:14600"));
+        QCOMPARE(m_station->served.front().write, engine::WriteRights::all());
+        QVERIFY(find<QCheckBox>("serveOn")->isChecked());
+        QCOMPARE(find<QComboBox>("serveUrl")->currentText(), QStringLiteral("udpin:127.0.0.1:14600"));
+        QCOMPARE(find<QComboBox>("serveRights")->currentIndex(), 1);
+    }
+
+    void invalidUrlServesNobody()
+    {
+        find<QCheckBox>("serveOn")->click();
+        QCOMPARE(m_station->served.size(), std::size_t(1));
+        type("tcpin:127.0.0.1:99999");
+        QVERIFY(m_station->served.empty());
+        const QString problem = find<QLabel>("serveState")->text();
+        QVERIFY2(problem.contains(QStringLiteral("99999")), qPrintable(problem));
+        type("tcpin:127.0.0.1:5791");
+        QCOMPARE(m_station->served.size(), std::size_t(1));
+    }
+
+    void problemOfTheLinkIsShown()
+    {
+        find<QCheckBox>("serveOn")->click();
+        engine::Snapshot snapshot = sealed(true);
+        snapshot.served.front().phase = engine::LinkPhase::Failed;
+        snapshot.served.front().problem = "Address already in use";
+        m_station->show(snapshot);
+        EVENTUALLY_EQUAL(find<QLabel>("serveState")->text(), QStringLiteral("failed: Address already in use"));
+    }
+
+    void clientsAreListed()
+    {
+        find<QCheckBox>("serveOn")->click();
+        engine::Snapshot snapshot = sealed(true);
+        m_station->show(snapshot);
+        EVENTUALLY(find<QLabel>("serveState")->text() == QStringLiteral("listening; no station is connected"));
+        QVERIFY(!find<QTreeView>("serveClients")->isVisible());
+        snapshot.clients.push_back({"tcpin:127.0.0.1:5790", "127.0.0.1:50123", "none", {}});
+        snapshot.time += 1;
+        m_station->show(snapshot);
+        EVENTUALLY(find<QLabel>("serveState")->text() == QStringLiteral("listening; one station"));
+        QVERIFY(find<QTreeView>("serveClients")->isVisible());
+        QCOMPARE(find<QTreeView>("serveClients")->model()->rowCount(), 1);
+        find<QCheckBox>("serveOn")->click();
+        QVERIFY(!find<QTreeView>("serveClients")->isVisible());
+    }
+
+    void openToOtherComputersIsSaid()
+    {
+        type("tcpin:0.0.0.0:5790");
+        find<QCheckBox>("serveOn")->click();
+        QVERIFY(m_station->served.front().isOpenToOthers());
+        m_station->show(sealed(true));
+        EVENTUALLY(find<QLabel>("serveState")->text().contains(QStringLiteral("open to other computers")));
+    }
+
+private:
+    void reveal()
+    {
+        auto *dock = find<QDockWidget>("dockLinks");
+        dock->show();
+        dock->raise();
+        QCoreApplication::processEvents();
+    }
+
+    void type(const char *url)
+    {
+        QLineEdit *line = find<QComboBox>("serveUrl")->lineEdit();
+        line->selectAll();
+        QTest::keyClicks(line, QLatin1String(url));
+        QTest::keyClick(line, Qt::Key_Return);
+    }
+
+    void chooseRights(int index)
+    {
+        auto *rights = find<QComboBox>("serveRights");
+        rights->setFocus();
+        while (rights->currentIndex() < index)
+            QTest::keyClick(rights, Qt::Key_Down);
+    }
+
+    static engine::Snapshot sealed(bool serves)
+    {
+        engine::Snapshot snapshot;
+        snapshot.time = 1;
+        if (serves) {
+            snapshot.served.emplace_back();
+            snapshot.served.front().phase = engine::LinkPhase::Listening;
+        }
+        return snapshot;
+    }
+};
+
+SKYSEAL_TEST_WIDGETS(GatewaySectionTest)
+#include "gateway_section_test.moc"

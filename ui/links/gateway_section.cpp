@@ -1,0 +1,174 @@
+#include "ui/links/gateway_section.h"
+
+#include "core/engine/station/snapshot.h"
+#include "core/engine/text/state_text.h"
+#include "ui/text/vehicle_text.h"
+#include "ui/theme/grid.h"
+#include "ui/theme/palettes.h"
+
+#include <QtCore/QSignalBlocker>
+#include <QtWidgets/QCheckBox>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QHeaderView>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QTreeView>
+
+namespace skyseal::ui {
+
+namespace {
+
+QString served(std::size_t stations)
+{
+    return stations == 0 ? GatewaySection::tr("no station is connected")
+        : stations == 1  ? GatewaySection::tr("one station")
+                         : GatewaySection::tr("%1 stations").arg(stations);
+}
+
+} // namespace
+
+GatewaySection::GatewaySection(StationInterface &station, QWidget *parent) : QWidget(parent), m_station(station)
+{
+    m_on = new QCheckBox(tr("Serve other stations"), this);
+    m_on->setObjectName(QStringLiteral("serveOn"));
+    m_on->setToolTip(
+        tr("QGroundControl, Mission Planner, MAVProxy or a MAVSDK program uses the sealed link through this window"));
+    m_url = new QComboBox(this);
+    m_url->setObjectName(QStringLiteral("serveUrl"));
+    m_url->setAccessibleName(tr("Where other stations are served"));
+    m_url->setEditable(true);
+    m_url->setInsertPolicy(QComboBox::NoInsert);
+    const auto offer = [this](const QString &url, const QString &use) {
+        m_url->addItem(url);
+        m_url->setItemData(m_url->count() - 1, use, Qt::ToolTipRole);
+    };
+    offer(Serving().url, tr("Stations connect to this TCP port"));
+    offer(QStringLiteral("udpin:127.0.0.1:14551"), tr("Stations send to this UDP port"));
+    offer(QStringLiteral("udpout:127.0.0.1:14540"), tr("A station or a MAVSDK program listens on this UDP port"));
+    m_url->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("udpout:255.255.255.255:14550")) + 5 * kGrid);
+    m_rights = new QComboBox(this);
+    m_rights->setObjectName(QStringLiteral("serveRights"));
+    m_rights->setAccessibleName(tr("What other stations may do"));
+    m_rights->addItem(tr("They read"));
+    m_rights->setItemData(0, tr("Telemetry, parameters, missions and files are read; what commands or changes is refused"),
+                          Qt::ToolTipRole);
+    m_rights->addItem(tr("They read and write"));
+    m_rights->setItemData(1, tr("They command vehicles like this station; their heartbeat keeps a vehicle from its failsafe"),
+                          Qt::ToolTipRole);
+    m_state = new QLabel(this);
+    m_state->setObjectName(QStringLiteral("serveState"));
+    m_state->setAccessibleName(tr("State of the gateway"));
+    m_state->setTextFormat(Qt::PlainText);
+    m_state->setWordWrap(true);
+    m_state->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_view = new QTreeView(this);
+    m_view->setObjectName(QStringLiteral("serveClients"));
+    m_view->setAccessibleName(tr("Stations that are served"));
+    m_view->setModel(&m_clients);
+    m_view->setRootIsDecorated(false);
+    m_view->setUniformRowHeights(true);
+    m_view->setFrameShape(QFrame::NoFrame);
+    const auto room = [this](const char *sample) { return fontMetrics().horizontalAdvance(QLatin1String(sample)) + 3 * kGrid; };
+    m_view->header()->resizeSection(ClientModel::Client, room("255.255.255.255:65535"));
+    m_view->header()->resizeSection(ClientModel::Rights, room("reads and writes"));
+    m_view->hide();
+
+    auto *line = new QHBoxLayout;
+    line->setSpacing(kGrid);
+    line->addWidget(m_on);
+    line->addWidget(m_url);
+    line->addWidget(m_rights);
+    line->addWidget(m_state, 1);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(kGrid);
+    column->addLayout(line);
+    column->addWidget(m_view, 1);
+
+    connect(m_on, &QCheckBox::toggled, this, &GatewaySection::choose);
+    connect(m_url, &QComboBox::activated, this, &GatewaySection::choose);
+    connect(m_url->lineEdit(), &QLineEdit::editingFinished, this, &GatewaySection::choose);
+    connect(m_rights, &QComboBox::activated, this, &GatewaySection::choose);
+    showState(tr("off"), stateColors(palette()).dim);
+}
+
+void GatewaySection::apply(const Serving &serving)
+{
+    if (serving == m_serving)
+        return;
+    const QSignalBlocker blocked(m_on);
+    m_on->setChecked(serving.on);
+    m_url->setEditText(serving.url);
+    m_rights->setCurrentIndex(serving.write ? 1 : 0);
+    set(serving);
+}
+
+void GatewaySection::choose()
+{
+    const Serving chosen{m_on->isChecked(), m_url->currentText().trimmed(), m_rights->currentIndex() == 1};
+    if (chosen == m_serving)
+        return;
+    set(chosen);
+    Q_EMIT servingChanged(m_serving);
+}
+
+void GatewaySection::set(const Serving &serving)
+{
+    const bool changesService = serving.on || m_serving.on;
+    m_serving = serving;
+    if (changesService)
+        serve();
+}
+
+void GatewaySection::serve()
+{
+    const StateColors &colors = stateColors(palette());
+    m_clients.setClients({});
+    m_view->hide();
+    m_open = false;
+    if (!m_serving.on) {
+        m_station.serve({});
+        showState(tr("off"), colors.dim);
+        return;
+    }
+    auto config = engine::ServeConfig::parse(m_serving.url.toStdString());
+    if (!config) {
+        m_station.serve({});
+        showState(tr("%1: %2").arg(m_serving.url, fromStd(config.error())), colors.alarm);
+        return;
+    }
+    if (m_serving.write)
+        config->write = engine::WriteRights::all();
+    m_open = config->isOpenToOthers();
+    showState(engine::linkPhaseText(engine::LinkPhase::Opening), colors.dim);
+    m_station.serve({std::move(*config)});
+}
+
+void GatewaySection::showSnapshot(const engine::Snapshot &snapshot)
+{
+    // A snapshot made before the service was changed may still come: the next one follows within a second.
+    if (!m_serving.on || snapshot.served.empty())
+        return;
+    const StateColors &colors = stateColors(palette());
+    const engine::LinkSnapshot &link = snapshot.served.front();
+    const QString phase = engine::linkPhaseText(link.phase);
+    if (!link.problem.empty())
+        showState(tr("%1: %2").arg(phase, fromStd(link.problem)), colors.alarm);
+    else if (m_open)
+        showState(tr("%1, open to other computers; %2").arg(phase, served(snapshot.clients.size())), colors.warning);
+    else
+        showState(tr("%1; %2").arg(phase, served(snapshot.clients.size())), palette().color(QPalette::WindowText));
+    m_clients.setClients(snapshot.clients);
+    m_view->setVisible(!snapshot.clients.empty());
+}
+
+void GatewaySection::showState(const QString &text, const QColor &color)
+{
+    m_state->setText(text);
+    QPalette colors = palette();
+    colors.setColor(QPalette::WindowText, color);
+    m_state->setPalette(colors);
+}
+
+} // namespace skyseal::ui

@@ -1,0 +1,50 @@
+// The switch that serves other ground stations and programs through this station (engine::Gateway): where, with which rights,
+// and who is there. Main thread.
+#pragma once
+
+#include "ui/links/client_model.h"
+#include "ui/settings.h"
+#include "ui/station_interface.h"
+
+#include <QtWidgets/QWidget>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QTreeView;
+
+namespace skyseal::ui {
+
+class GatewaySection : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit GatewaySection(StationInterface &station, QWidget *parent = nullptr);
+
+    /// Serves as the settings say, unless it does already.
+    void apply(const Serving &serving);
+    void showSnapshot(const engine::Snapshot &snapshot);
+
+Q_SIGNALS:
+    /// The operator chose this.
+    void servingChanged(const skyseal::ui::Serving &serving);
+
+private:
+    void choose();
+    void set(const Serving &serving);
+    void serve();
+    void showState(const QString &text, const QColor &color);
+
+    StationInterface &m_station;
+    ClientModel m_clients;
+    Serving m_serving;
+    bool m_open = false; ///< programs of other computers can become clients
+    QCheckBox *m_on;
+    QComboBox *m_url;
+    QComboBox *m_rights;
+    QLabel *m_state;
+    QTreeView *m_view;
+};
+
+} // namespace skyseal::ui
