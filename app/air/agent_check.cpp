@@ -99,7 +99,8 @@ int checkSetup(const AgentSetup &setup)
     else
         checkKeys(setup.keys, problems);
     checkLink(setup.config.vehicle, problems);
-    checkLink(setup.config.ground, problems);
+    for (const engine::GroundLink &ground : setup.config.grounds)
+        checkLink(ground.url, problems);
     std::sort(problems.begin(), problems.end());
     problems.erase(std::unique(problems.begin(), problems.end()), problems.end());
     for (const std::string &problem : problems)

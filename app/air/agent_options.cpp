@@ -17,22 +17,43 @@ bool leadsToStation(const link::LinkTraits &traits)
     return !traits.isRecording && !traits.isDatagramServer();
 }
 
-/// The carrier of the option, or the default of the link.
-Carrier readCarrier(Options &options, const std::optional<link::LinkUrl> &ground)
+/// The carrier `name` for a link; its default if the name is empty.
+Carrier readCarrier(Options &options, const link::LinkUrl &ground, const std::string &name)
 {
-    if (!ground)
-        return {};
-    const bool datagrams = !ground->traits().isStream;
-    const std::string asked = options.has("carrier") ? options.text("carrier") : datagrams ? "datagram" : "serial";
+    const bool datagrams = !ground.traits().isStream;
+    const std::string asked = !name.empty() ? name : datagrams ? "datagram" : "serial";
     if (asked == "tunnel")
         return Carrier::Tunnel;
     if (asked != "datagram" && asked != "serial")
         options.fail("--carrier '" + asked + "': datagram, serial or tunnel is expected");
     else if (asked == "datagram" && !datagrams)
-        options.fail("--carrier 'datagram': " + ground->toText() + " is a byte stream; use serial or tunnel");
+        options.fail("--carrier 'datagram': " + ground.toText() + " is a byte stream; use serial or tunnel");
     else if (asked == "serial" && datagrams)
-        options.fail("--carrier 'serial': " + ground->toText() + " carries datagrams; use datagram or tunnel");
+        options.fail("--carrier 'serial': " + ground.toText() + " carries datagrams; use datagram or tunnel");
     return asked == "serial" ? Carrier::Serial : Carrier::Datagram;
+}
+
+/// Each --ground is a URL, with ",carrier=NAME" behind it where the carrier differs from --carrier.
+std::vector<engine::GroundLink> readGrounds(Options &options)
+{
+    static constexpr std::string_view kCarrier = ",carrier=";
+    std::vector<engine::GroundLink> out;
+    const std::vector<std::string> given = options.texts("ground");
+    if (given.empty())
+        options.required("ground");
+    if (given.size() > engine::kMostGrounds)
+        options.fail("--ground: at most " + std::to_string(engine::kMostGrounds) + " links are possible");
+    for (const std::string &text : given) {
+        const std::size_t urlEnd = text.find(kCarrier);
+        const auto url = options.parsedUrl("ground", text.substr(0, urlEnd));
+        if (!url)
+            continue;
+        const std::string carrier = urlEnd == text.npos ? options.text("carrier") : text.substr(urlEnd + kCarrier.size());
+        if (std::ranges::any_of(out, [&](const engine::GroundLink &other) { return other.url == *url; }))
+            options.fail("--ground '" + text + "': this link is given twice");
+        out.push_back({*url, readCarrier(options, *url, carrier)});
+    }
+    return out;
 }
 
 channel::FreshnessLimits readFreshness(Options &options)
@@ -63,9 +84,14 @@ void declareAgent(Options &options)
                     "Plain MAVLink link to the autopilot, e.g. serial:/dev/ttyAMA0:921600, udpin:14551 or "
                     "tcp:127.0.0.1:5760. A listening link without a host listens on 127.0.0.1: any program that reaches that "
                     "port can control the vehicle.");
-    options.addLink("ground", "Sealed link to the ground station; the agent announces itself there.", leadsToStation);
+    options.addLink(
+        "ground",
+        "Sealed link to a ground station; the agent announces itself there. May be given up to 8 times: for several "
+        "stations, or for several modems to one, which uses the link that it heard last. With ,carrier=NAME behind "
+        "the URL, that link has a carrier of its own.",
+        leadsToStation);
     options.addValue("carrier", "datagram|serial|tunnel",
-                     "How sealed records travel on the ground link: one per datagram; in COBS frames, on a byte stream that "
+                     "How sealed records travel on the ground links: one per datagram; in COBS frames, on a byte stream that "
                      "only the two ends share; or in MAVLink TUNNEL messages, through MAVLink routers and radios (any link). "
                      "Default: datagram or serial, depending on the link. The station detects the carrier.");
     options.addValue("identity", "FILE", "Private key of this agent (skyseal-cli keys new).");
@@ -102,19 +128,19 @@ void declareAgent(Options &options)
 std::optional<AgentSetup> readAgent(Options &options)
 {
     const auto vehicle = options.url("vehicle", link::LinkUrl::kLoopback);
-    const auto ground = options.url("ground");
+    std::vector<engine::GroundLink> grounds = readGrounds(options);
     engine::KeyPaths keys{options.required("identity"), options.required("peers"), PassphraseInput::read(options).ask()};
     channel::Policy policy{options.suites("suites"), options.has("allow-research"), options.has("allow-plain")};
     if (const auto weakest = options.suite("weakest-suite"))
         policy.suites = channel::notWeakerThan(*weakest, policy.suites);
     policy.allowInline = options.has("allow-inline");
-    const Carrier carrier = readCarrier(options, ground);
     const channel::FreshnessLimits freshness = readFreshness(options);
     if (std::none_of(policy.suites.begin(), policy.suites.end(), isSecure))
         options.fail("--suites: a session begins with a secure suite, so the list must contain one");
-    if (!vehicle || !ground)
+    if (!vehicle || grounds.empty())
         return std::nullopt;
-    return AgentSetup{{*vehicle, *ground, std::move(policy), options.has("allow-plain"), carrier, freshness}, std::move(keys)};
+    return AgentSetup{{*vehicle, std::move(grounds), std::move(policy), options.has("allow-plain"), freshness},
+                      std::move(keys)};
 }
 
 } // namespace skyseal::app

@@ -15,8 +15,7 @@ std::string needRestart(const AgentSetup &now, const AgentSetup &then)
             out.append(out.empty() ? "--" : ", --").append(option);
     };
     compare("vehicle", now.config.vehicle == then.config.vehicle);
-    compare("ground", now.config.ground == then.config.ground);
-    compare("carrier", now.config.carrier == then.config.carrier);
+    compare("ground", now.config.grounds == then.config.grounds);
     compare("identity", now.keys.identity == then.keys.identity);
     compare("peers", now.keys.peers == then.keys.peers);
     compare("allow-plain", now.config.allowPlain == then.config.allowPlain);

@@ -59,6 +59,9 @@ public:
     /// A link that was declared with addLink(). A listening link whose host was left out listens on `unnamedHost`.
     std::optional<link::LinkUrl> url(const char *name, std::string_view unnamedHost = link::LinkUrl::kAnyHost);
     std::vector<link::LinkUrl> urls(const char *name);
+    /// The link that `text` describes, checked as a value of the option. For options whose value says more than a URL.
+    std::optional<link::LinkUrl> parsedUrl(const std::string &option, const std::string &text,
+                                           std::string_view unnamedHost = link::LinkUrl::kAnyHost);
     /// The positional arguments; records a problem if there are fewer or more.
     QStringList arguments(int least, int most);
 
@@ -66,8 +69,6 @@ public:
 
 private:
     std::optional<crypto::SuiteId> suiteNamed(const std::string &option, const std::string &name, bool plainToo = false);
-    std::optional<link::LinkUrl> parsedUrl(const std::string &option, const std::string &text,
-                                           std::string_view unnamedHost = link::LinkUrl::kAnyHost);
 
     void declare(const QCommandLineOption &option);
     std::optional<int> parseWithConfig(const QStringList &arguments);

@@ -222,7 +222,8 @@ AgentHandshakes::Targets AgentHandshakes::announceTargets(TimePoint now)
         const Session &session = *entry.session;
         if (now < session.quietFrom()) {
             served.push_back(session.path());
-            served.push_back(session.origin());
+            if (session.origin().link == session.path().link) // otherwise it is another way to the same station
+                served.push_back(session.origin());
             ++peersServed; // a peer has one session at most
         } else if (!holds(out.paths, session.path())) {
             out.paths.push_back(session.path());
@@ -248,10 +249,26 @@ void AgentHandshakes::handleDeadline(TimePoint now)
     const Targets targets = announceTargets(now);
     if (targets.paths.empty() || now < announceDue(targets))
         return;
+    requestReportsAt(now, targets.paths);
     const auto datagram = m_announcement.make(m_core.context.random);
     for (const Path &path : targets.paths)
         m_core.context.outgoing.push(path, datagram);
     m_announced = now;
+}
+
+/// Quiet sessions try the other addresses of this carrier, whose peer an announcement alone would not bring there while it
+/// still receives our records.
+void AgentHandshakes::requestReportsAt(TimePoint now, const std::vector<Path> &paths)
+{
+    m_core.table.forEach([&](SessionTable::Entry &entry) {
+        if (!entry.up || now < entry.session->quietFrom())
+            return;
+        const Path used = entry.session->path();
+        for (const Path &path : paths) {
+            if (path != used && path.carrier == used.carrier)
+                entry.session->requestReportAt(now, path);
+        }
+    });
 }
 
 TimePoint AgentHandshakes::deadline(TimePoint now)

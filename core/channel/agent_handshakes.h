@@ -51,6 +51,7 @@ private:
     const Answered *greatestOf(const PublicKey &peer) const;
     template<typename Condition> void discardIf(Condition condition);
     Targets announceTargets(TimePoint now);
+    void requestReportsAt(TimePoint now, const std::vector<Path> &paths);
     TimePoint announceDue(const Targets &targets) const;
 
     EndpointCore &m_core;

@@ -123,7 +123,7 @@ void Session::handleDeadline(TimePoint now)
         // More often until both ends have confirmed the session and know the round trip, by which a switch is timed.
         const bool settled = m_confirmed && roundTrip().settled();
         m_reports.schedule(now + (settled ? std::min(timing.statsEvery, timing.keepAliveAfter) : timing.handshakeRetry));
-        sendReport(now, !m_confirmed);
+        sendReport(now, path(), !m_confirmed);
     }
     m_path.handleDeadline(now);
     notifyMove(now);
@@ -160,13 +160,13 @@ Sealed Session::seal(TimePoint now, ByteView plaintext, MutableByteView out)
     if (plaintext.size() > kMaxRecordPayload)
         return SealError::TooLong;
     if (!m_identity.initiator)
-        return sealRecord(now, plaintext, out);
+        return sealRecord(now, path(), plaintext, out);
     // A station sends little, so that the copy costs nothing; an agent must know the age of what it sends.
     std::array<std::uint8_t, kFrameStampLength + kMaxRecordPayload> stamped;
-    return sealRecord(now, stampFrames(m_reports.stamp(now), plaintext, stamped), out);
+    return sealRecord(now, path(), stampFrames(m_reports.stamp(now), plaintext, stamped), out);
 }
 
-Sealed Session::sealRecord(TimePoint now, ByteView plaintext, MutableByteView out)
+Sealed Session::sealRecord(TimePoint now, const Path &to, ByteView plaintext, MutableByteView out)
 {
     LiveEpoch &epoch = m_epochs.current();
     if (exhausted(epoch))
@@ -175,10 +175,10 @@ Sealed Session::sealRecord(TimePoint now, ByteView plaintext, MutableByteView ou
         return SealError::NoRoom;
 
     const std::uint32_t counter = epoch.sent++;
-    const RecordHeader header{kindFor(now, plaintext), static_cast<std::uint8_t>(epoch.number), m_identity.theirs, counter};
+    const RecordHeader header{kindFor(now, to, plaintext), static_cast<std::uint8_t>(epoch.number), m_identity.theirs, counter};
     const std::size_t head = header.length();
     header.write(out);
-    const AssociatedData associated(header, epoch.suite, m_identity.direction(), path().carrier);
+    const AssociatedData associated(header, epoch.suite, m_identity.direction(), to.carrier);
     const std::size_t sealed = epoch.writer->seal(nonceOf(counter), associated.view(), plaintext, out.subspan(head));
     if (sealed == 0)
         return SealError::NoRoom;
@@ -198,9 +198,9 @@ bool Session::exhausted(const LiveEpoch &epoch)
 
 /// A record without a connection id belongs to the session that is up at the other end of the line. Control messages always
 /// carry the id, so that a reconnected line finds its session again.
-DatagramKind Session::kindFor(TimePoint now, ByteView plaintext) const
+DatagramKind Session::kindFor(TimePoint now, const Path &to, ByteView plaintext) const
 {
-    const bool alone = path().carrier == Carrier::Serial && m_confirmed && now >= m_namedUntil;
+    const bool alone = to.carrier == Carrier::Serial && m_confirmed && now >= m_namedUntil;
     return alone && !isControl(plaintext) ? DatagramKind::SingleRecord : DatagramKind::Record;
 }
 
@@ -328,29 +328,39 @@ Session::Opened Session::openInline(TimePoint now, const InlineFrame &frame, std
 
 void Session::send(TimePoint now, const ControlMessage &message)
 {
+    sendTo(now, path(), message);
+}
+
+void Session::sendTo(TimePoint now, const Path &to, const ControlMessage &message)
+{
     if (m_closingUntil)
         return;
     std::array<std::uint8_t, kMaxControl> plaintext;
-    sendControl(now, ByteView(plaintext).first(writeControl(message, plaintext)));
+    sendControl(now, to, ByteView(plaintext).first(writeControl(message, plaintext)));
 }
 
-void Session::sendControl(TimePoint now, ByteView plaintext)
+void Session::sendControl(TimePoint now, const Path &to, ByteView plaintext)
 {
     DatagramQueue::Item &draft = m_context.outgoing.draft();
-    if (const auto sealed = sealRecord(now, plaintext, draft.bytes))
-        m_context.outgoing.commit(path(), *sealed);
+    if (const auto sealed = sealRecord(now, to, plaintext, draft.bytes))
+        m_context.outgoing.commit(to, *sealed);
 }
 
 void Session::sendKeepAlive(TimePoint now)
 {
     if (!m_closingUntil && m_keepAlives.take(now))
-        sendControl(now, {});
+        sendControl(now, path(), {});
 }
 
 void Session::requestReport(TimePoint now)
 {
     if (m_reportRequests.take(now)) // Otherwise the next report is soon enough.
-        sendReport(now, true);
+        sendReport(now, path(), true);
+}
+
+void Session::requestReportAt(TimePoint now, const Path &to)
+{
+    sendReport(now, to, true);
 }
 
 void Session::handleControl(TimePoint now, const Path &from, RecordPosition position, ByteView plaintext)
@@ -368,7 +378,7 @@ void Session::handleControl(TimePoint now, const Path &from, RecordPosition posi
         m_switch.handle(now, *message, *this);
 }
 
-void Session::sendReport(TimePoint now, bool answerAtOnce)
+void Session::sendReport(TimePoint now, const Path &to, bool answerAtOnce)
 {
     Report report = m_reports.make(now);
     report.answerAtOnce = answerAtOnce;
@@ -380,7 +390,7 @@ void Session::sendReport(TimePoint now, bool answerAtOnce)
     report.cannotStore = !m_identity.initiator && !m_context.counters.problem().empty();
     if (m_reports.peerAsksCosts() && m_context.costs)
         report.costs = m_context.costs(id());
-    send(now, report);
+    sendTo(now, to, report);
 }
 
 void Session::handleReport(TimePoint now, const Path &from, RecordPosition position, const Report &report)
@@ -397,7 +407,7 @@ void Session::handleReport(TimePoint now, const Path &from, RecordPosition posit
         m_closingUntil = now; // Nothing more may be sealed, not even a Close.
     }
     if (report.answerAtOnce)
-        sendReport(now, false);
+        sendReport(now, from, false);
 }
 
 // ---- switch

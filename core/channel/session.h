@@ -89,6 +89,9 @@ public:
     void handleDeadline(TimePoint now);
     /// Sends a report that asks for an answer, at most once a second: when the stream of the session's link was reconnected.
     void requestReport(TimePoint now);
+    /// Sends such a report to another address at which the peer may be; its answer moves the path there. An agent whose session
+    /// is quiet does so: where only its own records get through, the station has no reason to leave the path.
+    void requestReportAt(TimePoint now, const Path &to);
     void countPlaintextDropped(std::uint64_t count) { m_epochs.current().rx.plaintextDropped += count; }
     void countMalformed() { ++m_epochs.current().rx.malformed; }
     /// The owner's counts, for the next report.
@@ -134,17 +137,18 @@ private:
 
     const RoundTrip &roundTrip() const { return m_reports.roundTrip(); }
     NextEpoch prepareNext(crypto::SuiteId suite, const std::optional<SwitchSecret> &exchanged);
-    DatagramKind kindFor(TimePoint now, ByteView plaintext) const;
-    Sealed sealRecord(TimePoint now, ByteView plaintext, MutableByteView out);
+    DatagramKind kindFor(TimePoint now, const Path &to, ByteView plaintext) const;
+    Sealed sealRecord(TimePoint now, const Path &to, ByteView plaintext, MutableByteView out);
     void deliver(TimePoint now, LiveEpoch &epoch, RecordPosition position, ByteView plaintext, Delivery &delivery);
     bool exhausted(const LiveEpoch &epoch);
     Opened opened(TimePoint now, const Path &from, const OpenRecord &record, std::optional<Delivery> &delivery);
     Opened refused(TimePoint now, RecordFault fault);
     bool follow(TimePoint now, const Path &from);
-    void sendControl(TimePoint now, ByteView plaintext);
+    void sendControl(TimePoint now, const Path &to, ByteView plaintext);
     void handleControl(TimePoint now, const Path &from, RecordPosition position, ByteView plaintext);
     void handleReport(TimePoint now, const Path &from, RecordPosition position, const Report &report);
-    void sendReport(TimePoint now, bool answerAtOnce);
+    void sendTo(TimePoint now, const Path &to, const ControlMessage &message);
+    void sendReport(TimePoint now, const Path &to, bool answerAtOnce);
     TimePoint retirePreviousAt() const;
     /// The owner does not know a session yet that this end only answered.
     bool knownToOwner() const { return m_confirmed || m_identity.initiator; }

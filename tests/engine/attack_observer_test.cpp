@@ -58,7 +58,7 @@ struct ObservedFlight
         auto secrets = keys.secrets(channel::Role::Agent);
         secrets->peers[0].role = channel::PeerRole::Observer;
         engine::AgentConfig config{urlOf("udpin:127.0.0.1:0"),
-                                   urlOf("udpout:127.0.0.1:" + std::to_string(observer.port())),
+                                   {{urlOf("udpout:127.0.0.1:" + std::to_string(observer.port()))}},
                                    {channel::defaultSuites(), false, false},
                                    false};
         agent = std::make_unique<engine::AgentCore>(std::move(config), std::move(secrets), [](const engine::AgentEvent &) {});

@@ -22,7 +22,7 @@ public:
     ClearAgent()
     {
         engine::AgentConfig config{urlOf("udpin:127.0.0.1:0"),
-                                   urlOf("udpout:127.0.0.1:" + std::to_string(m_ground.port())),
+                                   {{urlOf("udpout:127.0.0.1:" + std::to_string(m_ground.port()))}},
                                    {channel::defaultSuites(), true, true},
                                    true};
         m_agent = std::make_unique<engine::AgentCore>(std::move(config), m_keys.secrets(channel::Role::Agent),

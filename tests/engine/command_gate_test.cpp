@@ -279,7 +279,7 @@ void CommandGateTest::lossOfEachStationIsItsOwn()
     };
     const auto take = [&](channel::SessionId session, std::uint8_t sequence) {
         const QByteArray bytes = frame(sequence);
-        return sessions.note(TimePoint{}, session, LinkId{2}, *mavlink::readFrame(viewOf(bytes), mavlink::Dialect::builtin()));
+        return sessions.note(TimePoint{}, session, *mavlink::readFrame(viewOf(bytes), mavlink::Dialect::builtin()));
     };
     QCOMPARE(take(kPilot, 0).lost, std::uint64_t(0));
     QCOMPARE(take(kPilot, 3).lost, std::uint64_t(2));

@@ -62,7 +62,7 @@ void bringUp(BareEnd &end, crypto::SuiteId suite)
 AgentRig::AgentRig(crypto::SuiteId suite) : m_ground(m_keys, channel::Role::Station, everySuite())
 {
     const link::LinkUrl ground = urlOf("udpout:" + loopback(m_ground.port()));
-    engine::AgentConfig config{urlOf("udpin:127.0.0.1:0"), ground, everySuite(), false};
+    engine::AgentConfig config{urlOf("udpin:127.0.0.1:0"), {{ground}}, everySuite(), false};
     m_agent = std::make_unique<engine::AgentCore>(std::move(config), m_keys.secrets(channel::Role::Agent),
                                                   [](const engine::AgentEvent &) {});
     m_agent->start();

@@ -86,7 +86,7 @@ void ExpectedHostTest::stationAtTheNamedHostComesFirst()
     BareEnd station(keys, channel::Role::Station, {channel::defaultSuites(), false, false});
     bool agentUp = false, floodTold = false;
     engine::AgentConfig config{urlOf("udpin:127.0.0.1:0"),
-                               urlOf("udpout:localhost:" + std::to_string(station.port())),
+                               {{urlOf("udpout:localhost:" + std::to_string(station.port()))}},
                                {channel::defaultSuites(), false, false},
                                false};
     engine::AgentCore agent(std::move(config), keys.secrets(channel::Role::Agent), [&](const engine::AgentEvent &event) {
@@ -96,8 +96,8 @@ void ExpectedHostTest::stationAtTheNamedHostComesFirst()
         floodTold = floodTold || (refused && refused->reason == channel::RefusalReason::Flood);
     });
     agent.start();
-    EVENTUALLY_EQUAL(int(agent.snapshot().ground.phase), int(engine::LinkPhase::Connected));
-    const std::uint16_t port = portOf(agent.snapshot().ground.localAddress);
+    EVENTUALLY_EQUAL(int(agent.snapshot().grounds.at(0).phase), int(engine::LinkPhase::Connected));
+    const std::uint16_t port = portOf(agent.snapshot().grounds.at(0).localAddress);
 
     // Each host has a share of two a second; sixty hosts exceed the total of fifty.
     std::vector<std::unique_ptr<FloodingHost>> hosts;

@@ -19,15 +19,20 @@ sim::SimulatedVehicleConfig vehicleConfig(std::uint8_t systemId)
     return config;
 }
 
-void introduce(const std::string &file, const char *name, const crypto::PublicKey &key, channel::PeerRole role,
-               std::vector<std::uint8_t> systemIds)
+keys::PeerEntry entryOf(const std::string &name, const crypto::PublicKey &key, channel::PeerRole role,
+                        std::vector<std::uint8_t> systemIds)
 {
-    keys::PeersFile peers;
     keys::PeerEntry entry;
     entry.peer.key = key;
     entry.peer.name = name;
     entry.peer.role = role;
     entry.peer.systemIds = std::move(systemIds);
+    return entry;
+}
+
+/// Adds the entry to the list in the file.
+void add(keys::PeersFile peers, keys::PeerEntry entry, const std::string &file)
+{
     if (!peers.add(std::move(entry)) || !peers.save(file))
         qFatal("cannot write %s", file.c_str());
 }
@@ -74,7 +79,8 @@ FlightRig::FlightRig(channel::PeerRole stationRole, std::vector<std::uint8_t> pi
     const auto air = keys::writeNewIdentity(file("air.key"), random);
     if (!ground || !air)
         qFatal("cannot write keys");
-    introduce(file("ground.peers"), "air-1", air->publicKey, channel::PeerRole::Pilot, std::move(pinned));
+    add({}, entryOf("air-1", air->publicKey, channel::PeerRole::Pilot, std::move(pinned)), file("ground.peers"));
+    m_airKey = air->publicKey;
     m_groundKey = ground->publicKey;
     introduceStation(true);
 }
@@ -84,31 +90,47 @@ void FlightRig::introduceStation(bool known)
     // Otherwise the list holds another key.
     crypto::PublicKey key = m_groundKey;
     key[0] ^= known ? 0 : 1;
-    introduce(file("air.peers"), "ground", key, m_stationRole, m_stationSystems);
+    add({}, entryOf("ground", key, m_stationRole, m_stationSystems), file("air.peers"));
+}
+
+engine::StationConfig FlightRig::addStation(const std::string &name, channel::PeerRole role)
+{
+    crypto::SystemRandom random;
+    const auto identity = keys::writeNewIdentity(file(name + ".key"), random);
+    auto known = keys::PeersFile::load(file("air.peers"));
+    if (!identity || !known)
+        qFatal("cannot add a station");
+    add(std::move(*known), entryOf(name, identity->publicKey, role, {}), file("air.peers"));
+    add({}, entryOf("air-1", m_airKey, channel::PeerRole::Pilot, {}), file(name + ".peers"));
+    return configOf(name, engine::SecureMode::Required);
 }
 
 engine::StationConfig FlightRig::stationConfig(engine::SecureMode mode) const
 {
+    return configOf("ground", mode);
+}
+
+engine::StationConfig FlightRig::configOf(const std::string &station, engine::SecureMode mode) const
+{
     engine::StationConfig config;
     config.secure = mode;
     if (mode != engine::SecureMode::Off)
-        config.keys = {file("ground.key"), file("ground.peers")};
+        config.keys = {file(station + ".key"), file(station + ".peers")};
     config.policy.suites = channel::defaultSuites();
     config.policy.allowResearch = true;
     config.record = false;
     return config;
 }
 
-void FlightRig::startAgent(const std::string &ground)
+void FlightRig::startAgentAt(const std::vector<std::string> &grounds)
 {
     auto secrets = engine::readSecretFiles({file("air.key"), file("air.peers")});
     if (!secrets)
         qFatal("%s", secrets.error().text().c_str());
-    engine::AgentConfig config{urlOf("udpin:127.0.0.1:" + m_vehiclePort),
-                               urlOf("udpout:" + ground),
-                               {channel::defaultSuites(), true, allowPlain},
-                               allowPlain,
-                               carrier};
+    engine::AgentConfig config{
+        urlOf("udpin:127.0.0.1:" + m_vehiclePort), {}, {channel::defaultSuites(), true, allowPlain}, allowPlain};
+    for (const std::string &ground : grounds)
+        config.grounds.push_back({urlOf("udpout:" + ground), carrier});
     agent = std::make_unique<engine::AgentCore>(std::move(config), std::move(*secrets),
                                                 [this](const engine::AgentEvent &event) { agentEvents.push_back(event); });
     agent->start();

@@ -43,7 +43,11 @@ public:
 
     engine::StationConfig stationConfig(engine::SecureMode mode = engine::SecureMode::Required) const;
     /// A fresh agent, as after a restart of its program, that announces itself to `ground` ("127.0.0.1:port").
-    void startAgent(const std::string &ground);
+    void startAgent(const std::string &ground) { startAgentAt({ground}); }
+    /// The same with a ground link to each address.
+    void startAgentAt(const std::vector<std::string> &grounds);
+    /// Pairs another station with the agents that start from now on. Returns its configuration.
+    engine::StationConfig addStation(const std::string &name, channel::PeerRole role);
     /// Whether agents that start from now on know the station's key.
     void introduceStation(bool known);
     /// Like kill -9: no close message is sent.
@@ -56,10 +60,11 @@ public:
     Carrier carrier = Carrier::Datagram; ///< of those too
 
 private:
-    std::string file(const char *name) const { return m_folder.filePath(QLatin1String(name)).toStdString(); }
+    std::string file(const std::string &name) const { return m_folder.filePath(QString::fromStdString(name)).toStdString(); }
+    engine::StationConfig configOf(const std::string &station, engine::SecureMode mode) const;
 
     QTemporaryDir m_folder;
-    crypto::PublicKey m_groundKey{};
+    crypto::PublicKey m_groundKey{}, m_airKey{};
     channel::PeerRole m_stationRole;
     std::vector<std::uint8_t> m_stationSystems;
     std::string m_vehiclePort = "0"; ///< kept over restarts

@@ -62,7 +62,7 @@ void LateRecordTest::agentTakesIt()
     std::vector<channel::SessionDown> downs;
     bool refused = false;
     engine::AgentCore agent(
-        {urlOf("udpin:127.0.0.1:0"), urlOf("udpout:127.0.0.1:" + std::to_string(ground.port())), kPolicy, false},
+        {urlOf("udpin:127.0.0.1:0"), {{urlOf("udpout:127.0.0.1:" + std::to_string(ground.port()))}}, kPolicy, false},
         keys.secrets(channel::Role::Agent), [&](const engine::AgentEvent &event) {
             const auto *happened = std::get_if<channel::Event>(&event);
             if (const auto *down = happened ? std::get_if<channel::SessionDown>(happened) : nullptr)

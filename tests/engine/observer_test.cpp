@@ -128,7 +128,7 @@ struct AgentWithOneStation
         auto secrets = keys.secrets(channel::Role::Agent);
         secrets->peers[0].role = role;
         engine::AgentConfig config{urlOf("udpin:127.0.0.1:0"),
-                                   urlOf("udpout:127.0.0.1:" + std::to_string(ground.port())),
+                                   {{urlOf("udpout:127.0.0.1:" + std::to_string(ground.port()))}},
                                    {channel::defaultSuites(), false, false},
                                    false};
         agent = std::make_unique<engine::AgentCore>(std::move(config), std::move(secrets),

@@ -28,7 +28,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr LinkId kVehicleLink{1}, kGroundLink{2};
+constexpr LinkId kVehicleLink{1}, kGroundLink{2}; // as engine::groundLink(0)
 constexpr std::size_t kStations = 3;
 constexpr Duration kStep = 50ms;
 
@@ -87,9 +87,8 @@ public:
         }
         const bool stream = carrier == Carrier::Serial;
         engine::AgentConfig config{.vehicle = SimulatedHost::url("udpin:14560"),
-                                   .ground = SimulatedHost::url(stream ? "tcpin:14550" : "udpin:14550"),
+                                   .grounds = {{SimulatedHost::url(stream ? "tcpin:14550" : "udpin:14550"), carrier}},
                                    .policy = policyOf(settings & 6),
-                                   .carrier = carrier,
                                    .freshness = m_limits};
         m_agent = std::make_unique<engine::AgentCore>(std::move(config), std::move(secrets),
                                                       [this](const engine::AgentEvent &event) { judge(event); });

@@ -6,25 +6,42 @@
 #include "core/channel/policy.h"
 #include "core/link/link_url.h"
 
+#include <vector>
+
 namespace skyseal::engine {
+
+/// A link to ground stations.
+struct GroundLink
+{
+    link::LinkUrl url;
+    /// Carrier of sealed messages: datagrams need a link of datagrams, COBS a stream; TUNNEL works on both.
+    Carrier carrier = Carrier::Datagram;
+
+    bool operator==(const GroundLink &) const = default;
+};
 
 struct AgentConfig
 {
     link::LinkUrl vehicle;
-    link::LinkUrl ground;
+    std::vector<GroundLink> grounds; ///< one to kMostGrounds: several stations, or several modems to one
     channel::Policy policy;
     /// Clear MAVLink is forwarded while no session is up: the baseline of a measurement.
     bool allowPlain = false;
-    /// Carrier of sealed messages on the ground link: datagrams need a link of datagrams, COBS a stream; TUNNEL works on
-    /// both.
-    Carrier carrier = Carrier::Datagram;
     channel::FreshnessLimits freshness = {}; ///< how late a command may arrive
 };
 
-/// The two links of an agent.
+inline constexpr std::size_t kMostGrounds = 8;
+
 inline constexpr LinkId kVehicleLink{1};
-inline constexpr LinkId kGroundLink{2};
-/// The remote of a ground link that has only one, for clear frames.
-inline constexpr Path kGround{kGroundLink, {}};
+/// The id of a ground link, by its index in AgentConfig::grounds.
+constexpr LinkId groundLink(std::size_t index)
+{
+    return LinkId{2 + static_cast<std::uint32_t>(index)};
+}
+/// The index of a ground link; only for links other than the vehicle's.
+constexpr std::size_t groundIndex(LinkId link)
+{
+    return static_cast<std::size_t>(link) - 2;
+}
 
 } // namespace skyseal::engine

@@ -11,9 +11,12 @@ namespace skyseal::engine {
 namespace {
 
 /// Where sealed messages to the ground go.
-Path groundOf(const AgentConfig &config)
+std::vector<Path> groundsOf(const AgentConfig &config)
 {
-    return {kGroundLink, {}, config.carrier};
+    std::vector<Path> out;
+    for (std::size_t i = 0; i < config.grounds.size(); ++i)
+        out.push_back({groundLink(i), {}, config.grounds[i].carrier});
+    return out;
 }
 
 channel::Endpoint makeEndpoint(const AgentConfig &config, SecretFiles &secrets)
@@ -24,7 +27,7 @@ channel::Endpoint makeEndpoint(const AgentConfig &config, SecretFiles &secrets)
     out.peers = secrets.peers;
     out.policy = config.policy;
     out.freshness = config.freshness;
-    out.announceTo = {groundOf(config)};
+    out.announceTo = groundsOf(config);
     out.messageTraits = std::make_shared<DialectTraits>(mavlink::Dialect::builtin());
     return {std::move(out), secrets.random, *secrets.counters, steadyNow()};
 }
@@ -32,7 +35,7 @@ channel::Endpoint makeEndpoint(const AgentConfig &config, SecretFiles &secrets)
 } // namespace
 
 AgentCore::AgentCore(AgentConfig config, std::unique_ptr<SecretFiles> secrets, Notify notify)
-    : m_config(std::move(config)), m_secrets(std::move(secrets)), m_events(std::move(notify)), m_ground(groundOf(m_config)),
+    : m_config(std::move(config)), m_secrets(std::move(secrets)), m_events(std::move(notify)), m_grounds(groundsOf(m_config)),
       m_links(*this, [this](link::Link &link) { linkChanged(link); }),
       m_ingress(mavlink::Dialect::builtin(), m_links.carriers()), m_channel(makeEndpoint(m_config, *m_secrets), m_links),
       m_pairing(m_links, m_secrets->random,
@@ -50,7 +53,8 @@ void AgentCore::start()
 {
     m_receiver.addLinks();
     m_links.open(kVehicleLink, m_config.vehicle); // first, so that a station that finds the agent finds the vehicle as well
-    m_links.open(kGroundLink, m_config.ground);
+    for (std::size_t i = 0; i < m_config.grounds.size(); ++i)
+        m_links.open(groundLink(i), m_config.grounds[i].url);
     finishWake();
 }
 
@@ -81,7 +85,7 @@ Result<void, PairingRefusal> AgentCore::openPairing(std::string name, std::share
     config.name = std::move(name);
     config.systemId = m_receiver.onlySystem();
     config.passphrase = std::move(passphrase);
-    config.callTo = {m_ground};
+    config.callTo = m_grounds;
     m_pairing.open(steadyNow(), std::move(config));
     finishWake();
     return {};
@@ -136,8 +140,12 @@ AgentSnapshot AgentCore::snapshot()
         m_events.publish(now, *storage);
     AgentSnapshot out;
     out.storageProblem = m_storage.problem();
-    for (LinkSnapshot &link : m_links.snapshots(now))
-        (link.id == kVehicleLink ? out.vehicle : out.ground) = std::move(link);
+    for (LinkSnapshot &link : m_links.snapshots(now)) { // in the order in which they were opened
+        if (link.id == kVehicleLink)
+            out.vehicle = std::move(link);
+        else
+            out.grounds.push_back(std::move(link));
+    }
     const metrics::SequenceCounts counts = m_receiver.fromVehicle().total();
     out.mavlink = {counts.received,  counts.lost,         counts.late,
                    counts.duplicate, m_links.badFrames(), m_receiver.fromVehicle().evicted()};
@@ -152,14 +160,15 @@ AgentSnapshot AgentCore::snapshot()
 
 void AgentCore::linkChanged(link::Link &link)
 {
-    if (link.id() == kVehicleLink && link.traits().hasOneRemote)
+    const bool toGround = link.id() != kVehicleLink;
+    if (!toGround && link.traits().hasOneRemote)
         m_receiver.fixVehicle({kVehicleLink, {}});
-    // When many call at once, the handshakes of the address that the operator named come first.
-    if (link.id() == kGroundLink && link.traits().isDatagramClient() && link.remote() != Address{}) {
-        m_ground.remote = link.remote();
-        m_channel.endpoint().setAnnounceTo(steadyNow(), {m_ground});
+    // When many call at once, the handshakes of the addresses that the operator named come first.
+    if (toGround && link.traits().isDatagramClient() && link.remote() != Address{}) {
+        m_grounds[groundIndex(link.id())].remote = link.remote();
+        m_channel.endpoint().setAnnounceTo(steadyNow(), m_grounds);
     }
-    m_events.publish(steadyNow(), AgentLinkChanged{link.id() == kGroundLink, m_links.snapshot(link)});
+    m_events.publish(steadyNow(), AgentLinkChanged{toGround, m_links.snapshot(link)});
 }
 
 void AgentCore::linkReceived(link::Link &link, std::span<const link::ReceivedBlock> blocks)
@@ -174,8 +183,8 @@ void AgentCore::linkReceived(link::Link &link, std::span<const link::ReceivedBlo
 void AgentCore::linkPeerJoined(link::Link &link, const Path &path)
 {
     m_receiver.streamChanged(path);
-    if (link.id() == kGroundLink) {
-        m_channel.endpoint().handleStreamBegan(steadyNow(), kGroundLink);
+    if (link.id() != kVehicleLink) {
+        m_channel.endpoint().handleStreamBegan(steadyNow(), link.id());
         finishWake();
     }
 }
@@ -201,7 +210,7 @@ void AgentCore::handleDeadline()
 {
     const TimePoint now = steadyNow();
     m_channel.endpoint().handleDeadline(now);
-    m_node.handleDeadline(now, m_links, kGround);
+    m_node.handleDeadline(now, m_links, m_grounds);
     m_pairing.handleDeadline(now);
     m_events.publishDue(now);
     finishWake();

@@ -1,5 +1,5 @@
 // The agent's engine: stands beside an autopilot that knows nothing of sealing, exchanges plain MAVLink with it and sealed
-// records with the ground, and forwards whole frames both ways unchanged. It adds nothing of its own: when the sealed link
+// records with ground stations, and forwards whole frames both ways unchanged. It adds nothing of its own: when the sealed link
 // fails the autopilot receives no station any more, and its own failsafe acts.
 //
 // Lives on one thread with an event loop.
@@ -65,7 +65,7 @@ private:
     AgentConfig m_config;
     std::unique_ptr<SecretFiles> m_secrets;
     AgentEvents m_events;
-    Path m_ground; ///< where stations are looked for; the address is known once a name was resolved
+    std::vector<Path> m_grounds; ///< where stations are looked for; an address is known once its name was resolved
     LinkPool m_links;
     Ingress m_ingress;
     ChannelDriver m_channel;

@@ -4,12 +4,41 @@
 #include "core/channel/endpoint.h"
 #include "core/mavlink/dialect.h"
 
+#include <algorithm>
+
 namespace skyseal::engine {
+
+namespace {
+
+/// Where clear frames go.
+std::vector<Path> clearPaths(const AgentConfig &config)
+{
+    std::vector<Path> out;
+    for (std::size_t i = 0; i < config.grounds.size(); ++i)
+        out.push_back({groundLink(i), {}});
+    return out;
+}
+
+bool isTunnel(const GroundLink &ground)
+{
+    return ground.carrier == Carrier::Tunnel;
+}
+
+} // namespace
+
+AgentReceiver::AgentReceiver(const Parts &parts) : m_parts(parts), m_clear(parts.links, clearPaths(parts.config)) {}
 
 void AgentReceiver::addLinks()
 {
     m_parts.ingress.addLink(kVehicleLink, {.isStream = m_parts.config.vehicle.traits().isStream}, m_vehicleSink);
-    m_parts.ingress.addLink(kGroundLink, groundRules(), *this);
+    for (std::size_t i = 0; i < m_parts.config.grounds.size(); ++i)
+        m_parts.ingress.addLink(groundLink(i), groundRules(m_parts.config.grounds[i]), *this);
+}
+
+void AgentReceiver::updateRules()
+{
+    for (std::size_t i = 0; i < m_parts.config.grounds.size(); ++i)
+        m_parts.ingress.setRules(groundLink(i), groundRules(m_parts.config.grounds[i]));
 }
 
 void AgentReceiver::streamChanged(const Path &path)
@@ -40,13 +69,13 @@ AgentCounters AgentReceiver::counters() const
     return out;
 }
 
-IngressRules AgentReceiver::groundRules() const
+IngressRules AgentReceiver::groundRules(const GroundLink &ground) const
 {
-    const bool tunnel = m_parts.config.carrier == Carrier::Tunnel;
-    const bool cobs = m_parts.config.carrier == Carrier::Serial;
+    const bool tunnel = isTunnel(ground);
+    const bool cobs = ground.carrier == Carrier::Serial;
     IngressRules out;
-    out.isStream = cobs || (tunnel && m_parts.config.ground.traits().isStream);
-    out.takesDatagrams = m_parts.config.carrier == Carrier::Datagram;
+    out.isStream = cobs || (tunnel && ground.url.traits().isStream);
+    out.takesDatagrams = ground.carrier == Carrier::Datagram;
     out.takesCobs = cobs;
     out.takesTunnel = tunnel;
     // Clear bytes are searched only for frames that are of use: those that carry messages of the channel, those sealed in
@@ -93,7 +122,7 @@ bool AgentReceiver::takeVehicleHeartbeat(TimePoint now, const Path &from, const 
     m_routes.heard(now, from, systemId);
     if (m_armed.note(heartbeat) && m_parts.pairing.isOpen()) // a pairing must not be possible in flight
         m_parts.pairing.cancel(now, channel::PairingEnd::Armed);
-    if (m_parts.config.carrier == Carrier::Tunnel)
+    if (std::ranges::any_of(m_parts.config.grounds, isTunnel))
         m_parts.node.setSystem(now, systemId, m_parts.links.carriers());
     return true;
 }
@@ -102,7 +131,7 @@ bool AgentReceiver::takePairing(const link::Link &, const link::ReceivedBlock &m
 {
     if (!m_parts.pairing.take(message.time, message.path, message.bytes))
         return false;
-    m_parts.links.noteRemote(kGroundLink, message.path.remote);
+    m_parts.links.noteRemote(message.path.link, message.path.remote);
     return true;
 }
 
@@ -133,14 +162,14 @@ void AgentReceiver::takeDelivery(const link::ReceivedBlock &block, const channel
             return;
         ++frames;
         if (item.frame) {
-            const auto counts = m_sessions.note(block.time, delivery.session, kGroundLink, *item.frame);
+            const auto counts = m_sessions.note(block.time, delivery.session, *item.frame);
             m_parts.channel.endpoint().noteFrames(delivery.session, counts);
         }
         if (m_gate.accept(block.time, delivery, item, [this](std::uint8_t systemId) { return m_routes.isVehicle(systemId); }))
             sendToVehicle(item);
     });
     m_parts.channel.countFrames(delivery.session, frames);
-    m_parts.links.noteRemote(kGroundLink, block.path.remote);
+    m_parts.links.noteRemote(block.path.link, block.path.remote);
     m_parts.links.noteUse(block.path);
 }
 
@@ -156,14 +185,15 @@ void AgentReceiver::takeClear(const link::Link &, const link::ReceivedBlock &blo
     }
 }
 
-void AgentReceiver::takeUnusable(const link::Link &, Unusable what)
+void AgentReceiver::takeUnusable(const link::Link &link, Unusable what)
 {
     if (what == Unusable::Clear) {
         ++m_counters.clearRefused;
         return;
     }
     // Behind a router the datagrams themselves are not the station's.
-    m_counters.unusable += what == Unusable::Message || m_parts.config.carrier == Carrier::Datagram;
+    const GroundLink &ground = m_parts.config.grounds[groundIndex(link.id())];
+    m_counters.unusable += what == Unusable::Message || ground.carrier == Carrier::Datagram;
 }
 
 void AgentReceiver::sendToVehicle(const mavlink::ScanItem &item)

@@ -47,13 +47,13 @@ public:
         EventHandler &handler;
     };
 
-    explicit AgentReceiver(const Parts &parts) : m_parts(parts), m_clear(parts.links, kGround) {}
+    explicit AgentReceiver(const Parts &parts);
 
-    /// Registers both links with the ingress; call before they open.
+    /// Registers the links with the ingress; call before they open.
     void addLinks();
     void setPeers(const std::vector<channel::Peer> &peers) { m_gate.setPeers(peers); }
-    /// Call when the policy has changed: what is looked for on the ground link depends on it.
-    void updateRules() { m_parts.ingress.setRules(kGroundLink, groundRules()); }
+    /// Call when the policy has changed: what is looked for on the ground links depends on it.
+    void updateRules();
     /// The vehicle's link has one remote, so frames for any system go there.
     void fixVehicle(const Path &path) { m_routes.setFixed(path); }
     /// A stream begins or ends.
@@ -101,7 +101,7 @@ private:
     void takeDelivery(const link::ReceivedBlock &block, const channel::Delivery &delivery);
     void sendToVehicle(const mavlink::ScanItem &item);
     bool isPlain() const { return m_parts.config.allowPlain && m_sessions.none(); }
-    IngressRules groundRules() const;
+    IngressRules groundRules(const GroundLink &ground) const;
 
     const Parts m_parts;
     VehicleSink m_vehicleSink{*this};

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace skyseal::engine {
 
@@ -26,8 +27,9 @@ struct AgentCounters
 
 struct AgentSnapshot
 {
-    LinkSnapshot vehicle, ground;
-    MavlinkTotals mavlink; ///< frames received from the vehicle
+    LinkSnapshot vehicle;
+    std::vector<LinkSnapshot> grounds; ///< in the order of AgentConfig::grounds
+    MavlinkTotals mavlink;             ///< frames received from the vehicle
     ChannelTotals channel;
     AgentCounters counters;
     std::string storageProblem; ///< why the counters of handshakes are not stored; empty if they are

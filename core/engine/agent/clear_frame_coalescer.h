@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <utility>
+#include <vector>
 
 namespace skyseal::engine {
 
@@ -16,7 +17,7 @@ class ClearFrameCoalescer
 public:
     static constexpr std::size_t kRoom = channel::kMaxRecordPayload;
 
-    ClearFrameCoalescer(LinkPool &links, const Path &to) : m_links(links), m_to(to) {}
+    ClearFrameCoalescer(LinkPool &links, std::vector<Path> to) : m_links(links), m_to(std::move(to)) {}
 
     /// Adds a whole frame of at most kRoom bytes.
     void add(ByteView frame)
@@ -30,13 +31,16 @@ public:
     /// Call at the end of each wake-up.
     void flush()
     {
-        if (m_size > 0)
-            m_links.send(m_to, ByteView(m_bytes).first(std::exchange(m_size, 0)));
+        const ByteView frames = ByteView(m_bytes).first(std::exchange(m_size, 0));
+        if (frames.empty())
+            return;
+        for (const Path &path : m_to)
+            m_links.send(path, frames);
     }
 
 private:
     LinkPool &m_links;
-    const Path m_to;
+    const std::vector<Path> m_to;
     std::size_t m_size = 0;
     std::array<std::uint8_t, kRoom> m_bytes;
 };

@@ -27,10 +27,11 @@ public:
     const std::vector<channel::SessionId> &all() const { return m_all; }
 
     /// Counts a frame of the station. Returns the sums over its session.
-    channel::FrameCounters note(TimePoint now, channel::SessionId session, LinkId link, const mavlink::Frame &frame)
+    channel::FrameCounters note(TimePoint now, channel::SessionId session, const mavlink::Frame &frame)
     {
         metrics::SequenceTable &table = m_received[session];
-        table.note({link, frame.systemId(), frame.componentId()}, frame.sequence(), now);
+        // Without the link: a session may change over to another modem, and its frames go on in one sequence.
+        table.note({LinkId{}, frame.systemId(), frame.componentId()}, frame.sequence(), now);
         const metrics::SequenceCounts counts = table.total();
         return {counts.received - counts.duplicate, counts.lost};
     }

@@ -7,6 +7,7 @@
 #include "core/mavlink/enums.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace skyseal::engine {
 
@@ -24,11 +25,15 @@ public:
         m_due = now + kPeriod;
     }
 
-    void handleDeadline(TimePoint now, LinkPool &links, const Path &to)
+    /// Sends a heartbeat to each of the paths in Carrier::Tunnel if one is due.
+    void handleDeadline(TimePoint now, LinkPool &links, const std::vector<Path> &grounds)
     {
         if (now < m_due)
             return;
-        links.send(to, links.carriers().heartbeat());
+        for (const Path &to : grounds) {
+            if (to.carrier == Carrier::Tunnel)
+                links.send({to.link, {}}, links.carriers().heartbeat());
+        }
         m_due = std::max(m_due + kPeriod, now);
     }
     TimePoint nextDeadline() const { return m_due; }
