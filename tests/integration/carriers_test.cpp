@@ -144,6 +144,19 @@ void CarriersTest::optionsThatDoNotFit()
     QCOMPARE(status(QStringLiteral("udpout:127.0.0.1:14550"), QStringLiteral("serial")), 2);
     QCOMPARE(status(QStringLiteral("tcp:127.0.0.1:14550"), QStringLiteral("datagram")), 2);
     QCOMPARE(status(QStringLiteral("udpout:127.0.0.1:14550"), QStringLiteral("pigeon")), 2);
+    // A carrier behind the URL is for that link alone.
+    QCOMPARE(status(QStringLiteral("udpout:127.0.0.1:14550,carrier=serial"), {}), 2);
+    QCOMPARE(status(QStringLiteral("tcp:127.0.0.1:14550,carrier=datagram"), QStringLiteral("tunnel")), 2);
+    QCOMPARE(status(QStringLiteral("udpout:127.0.0.1:14550,speed=9"), {}), 2);
+    // More links than there may be, and one twice.
+    const auto withMore = [&](int more, int step) {
+        QStringList arguments = flight.airArguments();
+        for (int i = 0; i < more; ++i)
+            arguments += {QStringLiteral("--ground"), loopback("udpout", static_cast<quint16>(20000 + i * step))};
+        return Program(QStringLiteral("skyseal-air"), arguments).waitForExit();
+    };
+    QCOMPARE(withMore(8, 1), 2); // nine with that of the flight
+    QCOMPARE(withMore(2, 0), 2);
 }
 
 SKYSEAL_TEST(CarriersTest)

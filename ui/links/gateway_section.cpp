@@ -32,6 +32,7 @@ GatewaySection::GatewaySection(StationInterface &station, QWidget *parent) : QWi
 {
     m_on = new QCheckBox(tr("Serve other stations"), this);
     m_on->setObjectName(QStringLiteral("serveOn"));
+    m_on->setAccessibleName(m_on->text());
     m_on->setToolTip(
         tr("QGroundControl, Mission Planner, MAVProxy or a MAVSDK program uses the sealed link through this window"));
     m_url = new QComboBox(this);
