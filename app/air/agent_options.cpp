@@ -11,10 +11,9 @@ namespace skyseal::app {
 
 namespace {
 
-/// The agent sends the first message, so it needs a remote end, or a byte stream that a station opens.
-bool leadsToStation(const link::LinkTraits &traits)
+bool listens(const engine::GroundLink &ground)
 {
-    return !traits.isRecording && !traits.isDatagramServer();
+    return ground.url.traits().isDatagramServer();
 }
 
 /// The carrier `name` for a link; its default if the name is empty.
@@ -22,6 +21,8 @@ Carrier readCarrier(Options &options, const link::LinkUrl &ground, const std::st
 {
     const bool datagrams = !ground.traits().isStream;
     const std::string asked = !name.empty() ? name : datagrams ? "datagram" : "serial";
+    if (asked == "tunnel" && ground.traits().isDatagramServer())
+        options.fail("--carrier 'tunnel': behind a router the agent must call, but " + ground.toText() + " only listens");
     if (asked == "tunnel")
         return Carrier::Tunnel;
     if (asked != "datagram" && asked != "serial")
@@ -88,8 +89,9 @@ void declareAgent(Options &options)
         "ground",
         "Sealed link to a ground station; the agent announces itself there. May be given up to 8 times: for several "
         "stations, or for several modems to one, which uses the link that it heard last. With ,carrier=NAME behind "
-        "the URL, that link has a carrier of its own.",
-        leadsToStation);
+        "the URL, that link has a carrier of its own. On udpin the agent announces nothing, and answers stations that "
+        "it knows and that call it with a udpout link.",
+        isLive);
     options.addValue("carrier", "datagram|serial|tunnel",
                      "How sealed records travel on the ground links: one per datagram; in COBS frames, on a byte stream that "
                      "only the two ends share; or in MAVLink TUNNEL messages, through MAVLink routers and radios (any link). "
@@ -137,6 +139,8 @@ std::optional<AgentSetup> readAgent(Options &options)
     const channel::FreshnessLimits freshness = readFreshness(options);
     if (std::none_of(policy.suites.begin(), policy.suites.end(), isSecure))
         options.fail("--suites: a session begins with a secure suite, so the list must contain one");
+    if (options.has("allow-plain") && !grounds.empty() && std::ranges::all_of(grounds, listens))
+        options.fail("--allow-plain: plain MAVLink needs a --ground that leads to the station");
     if (!vehicle || grounds.empty())
         return std::nullopt;
     return AgentSetup{{*vehicle, std::move(grounds), std::move(policy), options.has("allow-plain"), freshness},

@@ -154,12 +154,21 @@ void PairingServer::takePassphrase()
         open(shareInLockedMemory(std::move(*passphrase)));
 }
 
+static const char *textOf(engine::PairingRefusal refusal)
+{
+    switch (refusal) {
+    case engine::PairingRefusal::Armed: return "the vehicle is armed";
+    case engine::PairingRefusal::OpenAlready: return "the pairing window is already open";
+    case engine::PairingRefusal::OnlyListens: return "the agent only listens; pair over a --ground that leads to the station";
+    }
+    return "";
+}
+
 void PairingServer::open(std::shared_ptr<const crypto::Passphrase> passphrase)
 {
     const auto opened = m_agent.openPairing(QSysInfo::machineHostName().toStdString(), std::move(passphrase));
     if (!opened) {
-        notify(refusal(opened.error() == engine::PairingRefusal::Armed ? "the vehicle is armed"
-                                                                       : "the pairing window is already open"));
+        notify(refusal(textOf(opened.error())));
         return;
     }
     PairingStatus status;

@@ -381,6 +381,16 @@ void Endpoint::setAnnounceTo(TimePoint now, std::vector<Path> paths)
     m_state->refresh(now);
 }
 
+void Endpoint::setCallAt(TimePoint now, std::vector<Path> paths)
+{
+    if (m_state->core.config.callAt == paths)
+        return;
+    m_state->core.config.callAt = std::move(paths);
+    if (m_state->stationHandshakes)
+        m_state->stationHandshakes->callAtChanged();
+    m_state->handleDeadline(now);
+}
+
 // ---- output
 
 std::optional<Transmit> Endpoint::pollTransmit()

@@ -100,6 +100,8 @@ public:
     /// at once.
     void setPeers(TimePoint now, std::vector<Peer> peers);
     void setPolicy(TimePoint now, Policy policy);
+    /// Replaces the addresses at which a station calls agents that listen.
+    void setCallAt(TimePoint now, std::vector<Path> paths);
     /// Replaces an agent's announcement targets.
     void setAnnounceTo(TimePoint now, std::vector<Path> paths);
 

@@ -315,6 +315,7 @@ bool StationHandshakes::handleAnswer(TimePoint now, const Path &from, ByteView d
     m_attempts.erase(m_attempts.begin() + (found - m_attempts.data())); // The session keeps its slot.
     auto &entry = m_core.table.put(std::move(session), false, now);
     sessionLives(entry.session->peer().key); // ends the attempt on another carrier, too
+    stopCallingAt(from);
     m_core.bringUp(now, entry);
     entry.session->handleDeadline(now); // The first report proves that we are no replay.
     return true;
@@ -340,8 +341,34 @@ void StationHandshakes::sessionLives(const PublicKey &peer)
     }
 }
 
+void StationHandshakes::callAgents(TimePoint now)
+{
+    if (m_core.config.callAt.empty() || now < m_calls.nextTurn())
+        return;
+    std::vector<PublicKey> agents;
+    for (const Peer &peer : m_core.config.peers) {
+        if (!m_core.table.upWith(peer.key))
+            agents.push_back(peer.key);
+    }
+    std::vector<Path> places = m_core.config.callAt;
+    std::erase_if(places, [this](const Path &path) { return m_core.table.upAt(path) != nullptr; });
+    m_calls.take(now, agents, places, [&](const PublicKey &agent, const Path &place) {
+        want(now, agent, place.carrier, now).placeAt(place).proven = true; // by the operator, who named it
+    });
+}
+
+/// The agent that listens there has a session, so that first messages to others would only be refused.
+void StationHandshakes::stopCallingAt(const Path &path)
+{
+    if (std::ranges::find(m_core.config.callAt, path) == m_core.config.callAt.end())
+        return;
+    for (Attempt &attempt : m_attempts)
+        std::erase_if(attempt.places, [&](const Place &place) { return place.path == path && !place.answerDue; });
+}
+
 void StationHandshakes::handleDeadline(TimePoint now)
 {
+    callAgents(now);
     m_core.table.forEach([&](SessionTable::Entry &entry) {
         if (!entry.up || !entry.session->silent(now))
             return;
@@ -358,7 +385,7 @@ void StationHandshakes::handleDeadline(TimePoint now)
 
 TimePoint StationHandshakes::deadline(TimePoint now)
 {
-    TimePoint due = kNever;
+    TimePoint due = m_core.config.callAt.empty() ? kNever : m_calls.nextTurn();
     for (const Attempt &attempt : m_attempts)
         due = std::min({due, attempt.due, attempt.wantedUntil});
     m_core.table.forEach([&](SessionTable::Entry &entry) {

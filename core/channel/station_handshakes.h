@@ -1,7 +1,8 @@
-// The station's handshakes: it answers announcements of known agents, and replaces sessions that fell silent (PROTOCOL.md,
-// section 4).
+// The station's handshakes: it answers announcements of known agents, calls agents that listen, and replaces sessions that fell
+// silent (PROTOCOL.md, section 4).
 #pragma once
 
+#include "core/channel/agent_calls.h"
 #include "core/channel/endpoint_core.h"
 #include "core/channel/handshake_attempt.h"
 #include "core/channel/token_bucket.h"
@@ -32,6 +33,8 @@ public:
     /// An authentic record came from this peer, so it needs no new session.
     void sessionLives(const PublicKey &peer);
     void handleDeadline(TimePoint now);
+    /// The addresses of agents that listen have changed.
+    void callAtChanged() { m_calls.hurry(); }
 
 private:
     using Attempt = HandshakeAttempt;
@@ -43,6 +46,8 @@ private:
         std::optional<Path> announcedFrom{}; ///< of the latest announcement
     };
 
+    void callAgents(TimePoint now);
+    void stopCallingAt(const Path &path);
     const Known *announcer(TimePoint now, const Path &from, ByteView datagram);
     bool mayCheck(TimePoint now);
     Attempt *attemptWith(const PublicKey &peer, Carrier carrier);
@@ -65,6 +70,7 @@ private:
     EndpointCore &m_core;
     std::vector<Known> m_known;
     std::vector<Attempt> m_attempts;
+    AgentCalls m_calls;
     TokenBucket m_answers; ///< answers that may be computed on
     TokenBucket m_checks;  ///< hashes over messages that may come from any listed peer
 };

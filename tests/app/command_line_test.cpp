@@ -156,8 +156,10 @@ void CommandLineTest::usageErrors_data()
          {"keys pair --link tlog:flight.tlog --identity k --peers p", "sweep --link tlog:flight.tlog --identity k --peers p",
           "impair --listen tlog:flight.tlog --to udpout:127.0.0.1:9"})
         row("skyseal-cli", command, "tcpin:HOST:PORT or serial:/dev/NAME:BAUD is expected");
-    row("skyseal-air", "--vehicle udpin:127.0.0.1:0 --ground udpin:127.0.0.1:0 --identity k --peers p",
-        "--ground 'udpin:127.0.0.1:0': udpout:HOST:PORT, ");
+    row("skyseal-air", "--vehicle udpin:127.0.0.1:0 --ground tlog:flight.tlog --identity k --peers p",
+        "--ground 'tlog:flight.tlog': udpin:HOST:PORT, ");
+    row("skyseal-air", "--vehicle udpin:127.0.0.1:0 --ground udpin:127.0.0.1:0 --carrier tunnel --identity k --peers p",
+        "only listens");
     row("skyseal-air", "--vehicle udpin:127.0.0.1:0 --ground udpout:127.0.0.1:9 --identity k --peers p --suites ,", "suite");
     row("skyseal-air", "--vehicle udpin:127.0.0.1:0 --ground udpout:127.0.0.1:9 --identity k --peers p --suites rc4", "secure");
     row("skyseal-air",

@@ -124,13 +124,21 @@ engine::StationConfig FlightRig::configOf(const std::string &station, engine::Se
 
 void FlightRig::startAgentAt(const std::vector<std::string> &grounds)
 {
+    std::vector<link::LinkUrl> urls;
+    for (const std::string &ground : grounds)
+        urls.push_back(urlOf("udpout:" + ground));
+    startAgentOn(urls);
+}
+
+void FlightRig::startAgentOn(const std::vector<link::LinkUrl> &grounds)
+{
     auto secrets = engine::readSecretFiles({file("air.key"), file("air.peers")});
     if (!secrets)
         qFatal("%s", secrets.error().text().c_str());
     engine::AgentConfig config{
         urlOf("udpin:127.0.0.1:" + m_vehiclePort), {}, {channel::defaultSuites(), true, allowPlain}, allowPlain};
-    for (const std::string &ground : grounds)
-        config.grounds.push_back({urlOf("udpout:" + ground), carrier});
+    for (const link::LinkUrl &ground : grounds)
+        config.grounds.push_back({ground, carrier});
     agent = std::make_unique<engine::AgentCore>(std::move(config), std::move(*secrets),
                                                 [this](const engine::AgentEvent &event) { agentEvents.push_back(event); });
     agent->start();

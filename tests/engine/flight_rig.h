@@ -46,6 +46,8 @@ public:
     void startAgent(const std::string &ground) { startAgentAt({ground}); }
     /// The same with a ground link to each address.
     void startAgentAt(const std::vector<std::string> &grounds);
+    /// The same with any links.
+    void startAgentOn(const std::vector<link::LinkUrl> &grounds);
     /// Pairs another station with the agents that start from now on. Returns its configuration.
     engine::StationConfig addStation(const std::string &name, channel::PeerRole role);
     /// Whether agents that start from now on know the station's key.

@@ -2,6 +2,7 @@
 #include "core/channel/endpoint.h"
 #include "core/engine/station/snapshot.h"
 #include "tests/engine/ground.h"
+#include "tests/support/stranger_messages.h"
 #include "tests/support/test_runner.h"
 #include "tests/support/udp_attacker.h"
 
@@ -57,6 +58,8 @@ private Q_SLOTS:
     void plainFramesReachAll();
     void takesTheModemThatWorks_data();
     void takesTheModemThatWorks();
+    void stationCallsAnAgentThatListens();
+    void listeningAgentIsNoAmplifier();
 };
 
 void SeveralGroundsTest::stationsEachAtItsLink()
@@ -130,6 +133,57 @@ void SeveralGroundsTest::takesTheModemThatWorks()
         EVENTUALLY(rig.agent->snapshot().counters.toVehicle > commands + 1);
         QCOMPARE(int(ground.ears->snapshot->security), int(engine::Security::Sealed));
     }
+}
+
+void SeveralGroundsTest::stationCallsAnAgentThatListens()
+{
+    FlightRig rig;
+    rig.startAgentOn({urlOf("udpin:127.0.0.1:0")});
+    VehicleOnUdp vehicle(rig.vehicleAddress());
+    const std::string port = rig.agent->snapshot().grounds.at(0).localAddress;
+    Ground caller(rig.stationConfig(), urlOf("udpout:" + port));
+    Ground second(rig.addStation("observer", channel::PeerRole::Observer), urlOf("udpout:" + port));
+    EVENTUALLY(hears(caller));
+    // The agent restarts, which reads the list with the second station: both find it again.
+    rig.killAgent();
+    rig.startAgentOn({urlOf("udpin:" + port)});
+    EVENTUALLY(hears(second));
+    EVENTUALLY_EQUAL(caller.ears->all<channel::SessionUp>().size(), std::size_t(2));
+    const std::uint64_t frames = framesAt(caller);
+    EVENTUALLY(framesAt(caller) > frames + 20);
+}
+
+/// Each datagram of a stranger causes at most as many bytes as it has, and without one nothing is sent.
+void SeveralGroundsTest::listeningAgentIsNoAmplifier()
+{
+    FlightRig rig;
+    rig.startAgentOn({urlOf("udpin:127.0.0.1:0")});
+    VehicleOnUdp vehicle(rig.vehicleAddress());
+    const auto agent = [&] { return rig.agent->snapshot(); };
+    const quint16 port = portOf(agent().grounds.at(0).localAddress);
+    EVENTUALLY(agent().mavlink.frames > 50);
+    QCOMPARE(agent().grounds[0].txBytes, std::uint64_t(0));
+
+    QUdpSocket stranger;
+    QVERIFY(stranger.bind(QHostAddress::LocalHost, 0));
+    std::mt19937_64 random(1);
+    const StrangersKnowledge knows{rig.agent->publicKey(), {}, {}, {}};
+    std::uint64_t sent = 0;
+    for (const StrangerMessage &message : kStrangerMessages) {
+        for (int i = 0; i < 100; ++i) {
+            const Bytes bytes = message.make(knows, random);
+            const std::uint64_t before = agent().grounds[0].txBytes, datagrams = agent().grounds[0].rxDatagrams;
+            stranger.writeDatagram(reinterpret_cast<const char *>(bytes.data()), static_cast<qint64>(bytes.size()),
+                                   QHostAddress::LocalHost, port);
+            ++sent;
+            EVENTUALLY(agent().grounds[0].rxDatagrams > datagrams);
+            QVERIFY2(agent().grounds[0].txBytes - before <= bytes.size(), message.name);
+        }
+    }
+    QCOMPARE(agent().grounds[0].rxDatagrams, sent);
+    const std::uint64_t told = agent().grounds[0].txBytes, frames = agent().mavlink.frames;
+    EVENTUALLY(agent().mavlink.frames > frames + 100);
+    QCOMPARE(agent().grounds[0].txBytes, told); // nothing follows, and no telemetry
 }
 
 SKYSEAL_TEST(SeveralGroundsTest)

@@ -10,12 +10,14 @@ namespace skyseal::engine {
 
 namespace {
 
-/// Where sealed messages to the ground go.
-std::vector<Path> groundsOf(const AgentConfig &config)
+/// Where stations are looked for: not on links that wait for their calls.
+std::vector<Path> placesOf(const AgentConfig &config)
 {
     std::vector<Path> out;
-    for (std::size_t i = 0; i < config.grounds.size(); ++i)
-        out.push_back({groundLink(i), {}, config.grounds[i].carrier});
+    for (std::size_t i = 0; i < config.grounds.size(); ++i) {
+        if (!config.grounds[i].url.traits().isDatagramServer())
+            out.push_back({groundLink(i), {}, config.grounds[i].carrier});
+    }
     return out;
 }
 
@@ -27,7 +29,7 @@ channel::Endpoint makeEndpoint(const AgentConfig &config, SecretFiles &secrets)
     out.peers = secrets.peers;
     out.policy = config.policy;
     out.freshness = config.freshness;
-    out.announceTo = groundsOf(config);
+    out.announceTo = placesOf(config);
     out.messageTraits = std::make_shared<DialectTraits>(mavlink::Dialect::builtin());
     return {std::move(out), secrets.random, *secrets.counters, steadyNow()};
 }
@@ -35,7 +37,7 @@ channel::Endpoint makeEndpoint(const AgentConfig &config, SecretFiles &secrets)
 } // namespace
 
 AgentCore::AgentCore(AgentConfig config, std::unique_ptr<SecretFiles> secrets, Notify notify)
-    : m_config(std::move(config)), m_secrets(std::move(secrets)), m_events(std::move(notify)), m_grounds(groundsOf(m_config)),
+    : m_config(std::move(config)), m_secrets(std::move(secrets)), m_events(std::move(notify)), m_places(placesOf(m_config)),
       m_links(*this, [this](link::Link &link) { linkChanged(link); }),
       m_ingress(mavlink::Dialect::builtin(), m_links.carriers()), m_channel(makeEndpoint(m_config, *m_secrets), m_links),
       m_pairing(m_links, m_secrets->random,
@@ -79,13 +81,15 @@ Result<void, PairingRefusal> AgentCore::openPairing(std::string name, std::share
         return tl::unexpected(PairingRefusal::Armed);
     if (m_pairing.isOpen())
         return tl::unexpected(PairingRefusal::OpenAlready);
+    if (m_places.empty())
+        return tl::unexpected(PairingRefusal::OnlyListens);
     channel::PairingConfig config;
     config.role = channel::Role::Agent;
     config.identity = m_secrets->identity;
     config.name = std::move(name);
     config.systemId = m_receiver.onlySystem();
     config.passphrase = std::move(passphrase);
-    config.callTo = m_grounds;
+    config.callTo = m_places;
     m_pairing.open(steadyNow(), std::move(config));
     finishWake();
     return {};
@@ -165,8 +169,8 @@ void AgentCore::linkChanged(link::Link &link)
         m_receiver.fixVehicle({kVehicleLink, {}});
     // When many call at once, the handshakes of the addresses that the operator named come first.
     if (toGround && link.traits().isDatagramClient() && link.remote() != Address{}) {
-        m_grounds[groundIndex(link.id())].remote = link.remote();
-        m_channel.endpoint().setAnnounceTo(steadyNow(), m_grounds);
+        std::ranges::find(m_places, link.id(), &Path::link)->remote = link.remote();
+        m_channel.endpoint().setAnnounceTo(steadyNow(), m_places);
     }
     m_events.publish(steadyNow(), AgentLinkChanged{toGround, m_links.snapshot(link)});
 }
@@ -210,7 +214,7 @@ void AgentCore::handleDeadline()
 {
     const TimePoint now = steadyNow();
     m_channel.endpoint().handleDeadline(now);
-    m_node.handleDeadline(now, m_links, m_grounds);
+    m_node.handleDeadline(now, m_links, m_places);
     m_pairing.handleDeadline(now);
     m_events.publishDue(now);
     finishWake();

@@ -21,7 +21,11 @@
 namespace skyseal::engine {
 
 /// Why the window for pairing was not opened.
-enum class PairingRefusal : std::uint8_t { Armed, OpenAlready };
+enum class PairingRefusal : std::uint8_t {
+    Armed,
+    OpenAlready,
+    OnlyListens ///< the agent calls the station to pair, and no link leads to one
+};
 
 class AgentCore : private link::LinkListener, private AgentReceiver::EventHandler
 {
@@ -65,7 +69,7 @@ private:
     AgentConfig m_config;
     std::unique_ptr<SecretFiles> m_secrets;
     AgentEvents m_events;
-    std::vector<Path> m_grounds; ///< where stations are looked for; an address is known once its name was resolved
+    std::vector<Path> m_places; ///< where stations are looked for; an address is known once its name was resolved
     LinkPool m_links;
     Ingress m_ingress;
     ChannelDriver m_channel;

@@ -10,12 +10,14 @@ namespace skyseal::engine {
 
 namespace {
 
-/// Where clear frames go.
+/// Where clear frames go: not to links that wait for calls, since clear frames prove nobody's address.
 std::vector<Path> clearPaths(const AgentConfig &config)
 {
     std::vector<Path> out;
-    for (std::size_t i = 0; i < config.grounds.size(); ++i)
-        out.push_back({groundLink(i), {}});
+    for (std::size_t i = 0; i < config.grounds.size(); ++i) {
+        if (!config.grounds[i].url.traits().isDatagramServer())
+            out.push_back({groundLink(i), {}});
+    }
     return out;
 }
 

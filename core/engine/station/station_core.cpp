@@ -285,6 +285,18 @@ void StationCore::linkChanged(link::Link &link)
     m_sinks.event(LinkChanged{m_links.snapshot(link)});
 }
 
+void StationCore::callListeningAgents(TimePoint now)
+{
+    std::vector<Path> at;
+    m_links.forEach([&](const link::Link &link) {
+        const bool calls = link.traits().isDatagramClient() && !m_links.isListenOnly(link.id()) && link.remote() != Address{};
+        const bool greeted = link.counters().txBlocks > 0; // a router or vehicle had a second to answer
+        if (calls && greeted && !m_receiver.heardMavlink(link.id()))
+            at.push_back({link.id(), link.remote()});
+    });
+    m_channel->endpoint().setCallAt(now, std::move(at));
+}
+
 void StationCore::linkReceived(link::Link &link, std::span<const link::ReceivedBlock> blocks)
 {
     if (m_stopped)
@@ -422,8 +434,10 @@ void StationCore::everySecond(TimePoint now)
         m_channel->driver.roll(now);
         if (isSealing()) {
             publishUnanswering(now);
-            if (m_settings.mode() == SecureMode::Required || m_receiver.gate().policy().knowsAnybody())
+            if (m_settings.mode() == SecureMode::Required || m_receiver.gate().policy().knowsAnybody()) {
+                callListeningAgents(now);
                 m_sender.greetRouters();
+            }
         }
         m_channel->sampleSecond();
     }

@@ -106,6 +106,8 @@ private:
     void linkPeerJoined(link::Link &link, const Path &path) override;
     void linkPeerLeft(link::Link &link, const Path &path) override;
     void linkChanged(link::Link &link);
+    /// A link to one address leads to an agent that listens, unless MAVLink comes from there.
+    void callListeningAgents(TimePoint now);
     void followLinks();
     bool isVehicle(std::uint8_t systemId) const override
     {

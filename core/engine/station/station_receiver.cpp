@@ -63,6 +63,8 @@ bool StationReceiver::namesSession(ByteView message) const
 
 void StationReceiver::takeRecord(const link::Link &, const link::ReceivedBlock &message)
 {
+    if (message.path.carrier == Carrier::Tunnel)
+        noteMavlink(message.path.link);
     if (!isSealing()) {
         m_datagrams.waitingBytes += message.bytes.size();
         ++m_datagrams.waitingCount;
@@ -121,6 +123,8 @@ void StationReceiver::takeUnknownMessage(const channel::Delivery &delivery, Byte
 
 void StationReceiver::takeClear(const link::Link &, const link::ReceivedBlock &block, const mavlink::ScanItem &item)
 {
+    if (item.frame)
+        noteMavlink(block.path.link);
     takeClearItem(block, item, FrameOrigin::Live);
 }
 

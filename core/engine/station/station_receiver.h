@@ -15,6 +15,7 @@
 #include "core/engine/station/station_channel.h"
 
 #include <map>
+#include <set>
 #include <optional>
 
 namespace skyseal::engine {
@@ -54,6 +55,8 @@ public:
     FrameGate &gate() { return m_gate; }
     const FrameGate &gate() const { return m_gate; }
     const DatagramCounters &datagrams() const { return m_datagrams; }
+    /// Whether a valid MAVLink frame ever came on this link in clear, TUNNEL included.
+    bool heardMavlink(LinkId link) const { return m_mavlinkHeard.contains(link); }
 
     /// Call before the link opens.
     void addLink(LinkId id, const link::LinkTraits &traits);
@@ -99,6 +102,11 @@ private:
         if (m_gateway)
             m_gateway->sendToClients(frame);
     }
+    void noteMavlink(LinkId link)
+    {
+        if (link != m_newestMavlink)
+            m_mavlinkHeard.insert(m_newestMavlink = link);
+    }
     IngressRules rulesFor(const link::LinkTraits &traits) const;
     bool isSealing() const { return m_channel && !m_parts.settings.isPlain(); }
 
@@ -111,6 +119,8 @@ private:
     RecordingSink m_recordings{*this};
     std::map<LinkId, MavsecSink> m_mavsec;
     DatagramCounters m_datagrams;
+    std::set<LinkId> m_mavlinkHeard;
+    LinkId m_newestMavlink{};
 };
 
 } // namespace skyseal::engine

@@ -1,0 +1,230 @@
+// Agents that listen and announce nothing, on a virtual clock: a station that knows their addresses, but not which agent is at
+// which, gets a session with each.
+#include "core/crypto/x25519.h"
+#include "tests/channel/pair.h"
+#include "tests/support/test_runner.h"
+
+#include <QtTest/QTest>
+
+#include <map>
+
+using namespace skyseal;
+using namespace skyseal::test;
+using namespace std::chrono_literals;
+
+namespace {
+
+/// Agents at addresses of their own, in an order that the station cannot know; every datagram arrives after 10 ms.
+class Listeners
+{
+public:
+    explicit Listeners(std::size_t agents) : m_agents(agents)
+    {
+        Config station = configFor(Role::Station, keyPair());
+        for (Agent &agent : m_agents) {
+            agent.identity = keyPair();
+            station.peers.push_back({agent.identity->publicKey, "agent", PeerRole::Pilot, {}, {}});
+        }
+        m_stationKey = station.identity->publicKey;
+        for (Agent &agent : m_agents)
+            start(agent);
+        m_station = std::make_unique<Endpoint>(std::move(station), m_random, m_stationCounters, now);
+    }
+
+    void call(const std::vector<std::size_t> &addresses)
+    {
+        std::vector<Path> paths;
+        for (const std::size_t address : addresses)
+            paths.push_back(pathOf(address));
+        m_station->setCallAt(now, std::move(paths));
+        pump();
+    }
+    void run(Duration span, const std::function<bool()> &until = {})
+    {
+        const TimePoint end = now + span;
+        while (now < end && !(until && until())) {
+            TimePoint due = std::min(end, m_station->nextDeadline());
+            for (const Agent &agent : m_agents)
+                due = std::min(due, agent.endpoint ? agent.endpoint->nextDeadline() : kNever);
+            if (!m_flying.empty())
+                due = std::min(due, m_flying.begin()->first);
+            now = std::max(now, due);
+            while (!m_flying.empty() && m_flying.begin()->first <= now)
+                arrive(m_flying.extract(m_flying.begin()).mapped());
+            if (m_station->nextDeadline() <= now)
+                m_station->handleDeadline(now);
+            for (Agent &agent : m_agents) {
+                if (agent.endpoint && agent.endpoint->nextDeadline() <= now)
+                    agent.endpoint->handleDeadline(now);
+            }
+            pump();
+        }
+    }
+    std::size_t sessions() const { return m_station->sessions().size(); }
+    void kill(std::size_t agent) { m_agents[agent].endpoint.reset(); }
+    void restart(std::size_t agent) { start(m_agents[agent]); }
+
+    TimePoint now{1h};
+    std::uint64_t firsts = 0; ///< first messages that the station sent
+
+private:
+    struct Agent
+    {
+        std::shared_ptr<crypto::X25519KeyPair> identity;
+        MemoryCounterStore counters;
+        std::unique_ptr<Endpoint> endpoint;
+    };
+    struct Datagram
+    {
+        bool toStation = false;
+        std::size_t address = 0;
+        Bytes bytes;
+    };
+
+    std::shared_ptr<crypto::X25519KeyPair> keyPair()
+    {
+        return std::make_shared<crypto::X25519KeyPair>(crypto::X25519KeyPair::generate(m_random));
+    }
+    static Config configFor(Role role, std::shared_ptr<crypto::X25519KeyPair> identity)
+    {
+        Config config;
+        config.role = role;
+        config.identity = std::move(identity);
+        config.policy = {defaultSuites(), false, false};
+        return config;
+    }
+    void start(Agent &agent)
+    {
+        Config config = configFor(Role::Agent, agent.identity);
+        config.peers.push_back({m_stationKey, "station", PeerRole::Pilot, {}, {}});
+        agent.endpoint = std::make_unique<Endpoint>(std::move(config), m_random, agent.counters, now);
+    }
+    /// The last agent of the list is at the first address.
+    Agent &at(std::size_t address) { return m_agents[m_agents.size() - 1 - address]; }
+    static Path pathOf(std::size_t address)
+    {
+        Path path{LinkId{1 + static_cast<std::uint32_t>(address)}, {}};
+        path.remote.ip[15] = static_cast<std::uint8_t>(1 + address);
+        path.remote.port = 14550;
+        return path;
+    }
+    void arrive(Datagram datagram)
+    {
+        if (datagram.toStation)
+            m_station->handleDatagram(now, pathOf(datagram.address), datagram.bytes);
+        else if (datagram.address < m_agents.size() && at(datagram.address).endpoint)
+            at(datagram.address).endpoint->handleDatagram(now, Path{LinkId{9}, {{}, 40000}}, datagram.bytes);
+        pump();
+    }
+    void pump()
+    {
+        while (const auto sent = m_station->pollTransmit()) {
+            firsts += sent->bytes[0] == 0x59;
+            const std::size_t address = static_cast<std::size_t>(sent->to.link) - 1;
+            m_flying.emplace(now + 10ms, Datagram{false, address, Bytes(sent->bytes.begin(), sent->bytes.end())});
+        }
+        while (m_station->pollEvent()) {}
+        for (std::size_t address = 0; address < m_agents.size(); ++address) {
+            if (!at(address).endpoint)
+                continue;
+            while (const auto sent = at(address).endpoint->pollTransmit())
+                m_flying.emplace(now + 10ms, Datagram{true, address, Bytes(sent->bytes.begin(), sent->bytes.end())});
+            while (at(address).endpoint->pollEvent()) {}
+        }
+    }
+
+    SeededRandom m_random{1};
+    std::vector<Agent> m_agents;
+    PublicKey m_stationKey{};
+    MemoryCounterStore m_stationCounters;
+    std::unique_ptr<Endpoint> m_station;
+    std::multimap<TimePoint, Datagram> m_flying;
+};
+
+std::vector<std::size_t> upTo(std::size_t count)
+{
+    std::vector<std::size_t> out(count);
+    for (std::size_t i = 0; i < count; ++i)
+        out[i] = i;
+    return out;
+}
+
+} // namespace
+
+class ListeningAgentsTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void nobodyIsCalledWithoutAnAddress();
+    void oneIsFoundAtOnce();
+    void manyAreFoundInTurns();
+    void isFoundAgainAfterARestart();
+    void silentAddressIsCalledSparingly();
+};
+
+void ListeningAgentsTest::nobodyIsCalledWithoutAnAddress()
+{
+    Listeners listeners(3);
+    listeners.run(60s);
+    QCOMPARE(listeners.firsts, std::uint64_t(0));
+    QCOMPARE(listeners.sessions(), std::size_t(0));
+}
+
+void ListeningAgentsTest::oneIsFoundAtOnce()
+{
+    Listeners listeners(1);
+    listeners.call({0});
+    listeners.run(50ms);
+    QCOMPARE(listeners.sessions(), std::size_t(1));
+    listeners.run(60s);
+    QCOMPARE(listeners.firsts, std::uint64_t(1)); // and no call follows
+    QCOMPARE(listeners.sessions(), std::size_t(1));
+}
+
+void ListeningAgentsTest::manyAreFoundInTurns()
+{
+    // Four agents at four addresses take one turn; 18 agents at 18 addresses, 5 x 5 groups, at most 25.
+    for (const std::size_t count : {4u, 18u}) {
+        Listeners listeners(count);
+        listeners.call(upTo(count));
+        listeners.run(count == 4 ? 1s : 25 * 5s, [&] { return listeners.sessions() == count; });
+        QCOMPARE(listeners.sessions(), count);
+        listeners.run(12s); // attempts that a found agent made superfluous have ended
+        const std::uint64_t before = listeners.firsts;
+        listeners.run(60s);
+        QCOMPARE(listeners.firsts, before);
+        QCOMPARE(listeners.sessions(), count);
+    }
+}
+
+void ListeningAgentsTest::isFoundAgainAfterARestart()
+{
+    Listeners listeners(2);
+    listeners.call(upTo(2));
+    listeners.run(1s);
+    QCOMPARE(listeners.sessions(), std::size_t(2));
+    for (const Duration away : {Duration(100ms), Duration(30s), Duration(900s)}) { // the last is longer than a session is kept
+        listeners.kill(0);
+        listeners.run(away);
+        listeners.restart(0);
+        const std::uint64_t before = listeners.firsts;
+        listeners.run(6s);
+        QVERIFY(listeners.firsts > before);
+        QCOMPARE(listeners.sessions(), std::size_t(2));
+    }
+}
+
+void ListeningAgentsTest::silentAddressIsCalledSparingly()
+{
+    Listeners listeners(100);
+    listeners.call({200}); // where nobody is
+    listeners.run(60s);
+    // Two groups of four are wanted at a time, each agent at most at 250 ms, 500 ms, 1 s and then every 2 s, less a quarter.
+    QVERIFY(listeners.firsts > 100);
+    QVERIFY2(listeners.firsts < 60 * 8 * 2, qPrintable(QString::number(listeners.firsts)));
+    QCOMPARE(listeners.sessions(), std::size_t(0));
+}
+
+SKYSEAL_TEST(ListeningAgentsTest)
+#include "listening_agents_test.moc"
