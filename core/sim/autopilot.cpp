@@ -7,6 +7,9 @@ namespace skyseal::sim {
 namespace {
 
 constexpr std::uint64_t kBatteryWatch = 100'000; // µs
+constexpr std::uint64_t kFenceWatch = 40'000;    // µs
+// FENCE_ACTION; the others return. This vehicle has no SMART_RTL.
+constexpr int kReportOnly = 0, kAlwaysLand = 2, kBrakeOrLand = 4, kSmartReturnOrLand = 5;
 constexpr int kAllChecks = 1, kBatteryCheck = 256, kRcCheck = 64;
 
 std::string format(const char *pattern, double a, double b = 0)
@@ -26,7 +29,17 @@ Autopilot::Autopilot(const AutopilotConfig &config)
 
 Situation Autopilot::situation() const
 {
-    return {estimate(), m_settings, m_pilot.sticks(), m_home.value_or(Vector3{}), landed()};
+    return {estimate(), m_settings, m_pilot.sticks(), m_home.value_or(Vector3{}), returnPoint(), landed()};
+}
+
+Vector3 Autopilot::returnPoint() const
+{
+    const Vector3 home = m_home.value_or(Vector3{});
+    if (m_rallyPoints.items().empty())
+        return home;
+    return m_rallyPoints.bestFor(estimate().position, home, m_world,
+                                 static_cast<double>(m_parameters.value("RALLY_LIMIT_KM")) * 1000,
+                                 m_parameters.flag("RALLY_INCL_HOME"));
 }
 
 void Autopilot::step()
@@ -57,6 +70,8 @@ void Autopilot::watch()
 
     if (m_time % kBatteryWatch == 0)
         watchBattery();
+    if (m_time % kFenceWatch == 0)
+        watchFence();
     const double patience = m_settings.disarmDelay;
     if (m_armed && landed() && ((m_flown && landsHere()) || (patience > 0 && m_landDetector.idleFor() >= patience)))
         disarmNow();
@@ -98,6 +113,30 @@ void Autopilot::watchPosition()
         failsafe("EKF", FlightMode::Land);
 }
 
+void Autopilot::watchFence()
+{
+    const Situation now = situation();
+    const std::uint8_t fresh = m_fence.check(m_time, now);
+    if (fresh == 0 || !m_armed)
+        return;
+    m_texts.say(Severity::Notice, "Fence Breached");
+    const int action = m_parameters.integer("FENCE_ACTION");
+    if (action == kReportOnly)
+        return;
+    const bool tooHigh = (m_fence.breaches() & mavlink::FENCE_TYPE_ALT_MAX) != 0;
+    const bool stickDown = m_modes.current() == FlightMode::Stabilize && now.sticks.throttle <= 0;
+    if (landed() || (stickDown && !tooHigh)) // too high, a pilot closes the throttle to come down
+        return disarmNow();
+    FlightMode mode = FlightMode::Rtl;
+    if (action == kAlwaysLand || action == kSmartReturnOrLand || m_fence.breachDistance(fresh) > Fence::kGiveUp)
+        mode = FlightMode::Land;
+    else if (action == kBrakeOrLand)
+        mode = FlightMode::Brake;
+    if (m_modes.enter(mode, now))
+        m_modes.enter(FlightMode::Land, now);
+    m_fence.beginRecovery(m_time);
+}
+
 /// Whether the present mode ends with a landing, after which the rotors stop.
 bool Autopilot::landsHere() const
 {
@@ -126,6 +165,7 @@ void Autopilot::failsafe(std::string_view cause, FlightMode action)
         action = FlightMode::Land;
     m_texts.say(Severity::Critical, std::string(cause) + " Failsafe - " + std::string(name(action)));
     m_modes.enter(action, now);
+    m_fence.beginRecovery(m_time);
 }
 
 // Requests: the conditions of each and the texts of its refusals.
@@ -143,6 +183,8 @@ Autopilot::Refusal Autopilot::preArm() const
         if (!estimate().positionOk)
             return "Need Position Estimate";
     }
+    if (const char *reason = m_fence.preArm(estimate().positionOk))
+        return reason;
     if (checked(kBatteryCheck)) {
         if (m_batteryWatch.level() != BatteryLevel::Good)
             return "Battery 1 low voltage failsafe";
@@ -199,6 +241,7 @@ Autopilot::Refusal Autopilot::enterMode(FlightMode mode)
     if (const char *reason = m_modes.enter(mode, situation()))
         return "Mode change to " + std::string(name(mode)) + " failed: " + reason;
     m_landDetector.resetIdle();
+    m_fence.beginRecovery(m_time);
     return std::nullopt;
 }
 
@@ -223,6 +266,8 @@ Autopilot::Refusal Autopilot::goTo(const Vector3 &place)
         return "Goto: needs GUIDED";
     if (!place.finite() || place.length() > 1e5)
         return "Goto: too far away";
+    if (!m_fence.allows(place, situation().home))
+        return "Goto: outside the fence";
     m_modes.guided().goTo(situation(), place.x, place.y, -place.z);
     return std::nullopt;
 }

@@ -3,10 +3,12 @@
 #pragma once
 
 #include "core/sim/battery_watch.h"
+#include "core/sim/fence.h"
 #include "core/sim/flight_modes.h"
 #include "core/sim/flight_physics.h"
 #include "core/sim/land_detector.h"
 #include "core/sim/parameters.h"
+#include "core/sim/rally_points.h"
 #include "core/sim/rotor_control.h"
 #include "core/sim/status_texts.h"
 
@@ -27,6 +29,8 @@ public:
     using Refusal = std::optional<std::string>;
 
     explicit Autopilot(const AutopilotConfig &config);
+    Autopilot(const Autopilot &) = delete;
+    Autopilot &operator=(const Autopilot &) = delete;
 
     static constexpr std::uint64_t kStep = 2500; ///< µs
     void step();
@@ -74,6 +78,10 @@ public:
     const FlightModes &modes() const { return m_modes; }
     Parameters &parameters() { return m_parameters; }
     const Parameters &parameters() const { return m_parameters; }
+    Fence &fence() { return m_fence; }
+    const Fence &fence() const { return m_fence; }
+    RallyPoints &rallyPoints() { return m_rallyPoints; }
+    const RallyPoints &rallyPoints() const { return m_rallyPoints; }
     PilotInput &pilot() { return m_pilot; }
     const PilotInput &pilot() const { return m_pilot; }
     StatusTexts &texts() { return m_texts; }
@@ -82,6 +90,8 @@ private:
     void watch();
     void watchBattery();
     void watchPosition();
+    void watchFence();
+    Vector3 returnPoint() const;
     void disarmNow();
     bool landsHere() const;
 
@@ -95,6 +105,8 @@ private:
     RotorControl m_rotors;
     LandDetector m_landDetector;
     BatteryWatch m_batteryWatch;
+    Fence m_fence{m_parameters};
+    RallyPoints m_rallyPoints;
     StatusTexts m_texts;
 
     std::uint64_t m_time = 0;

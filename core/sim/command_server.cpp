@@ -43,6 +43,7 @@ std::uint8_t CommandServer::execute(TimePoint now, const Command &command)
     case MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN: return reboot(command);
     case MAV_CMD_DO_SET_HOME: return setHome(command);
     case MAV_CMD_DO_SET_MISSION_CURRENT: return setCurrent(command);
+    case MAV_CMD_DO_FENCE_ENABLE: return enableFence(index(command.parameters[0]));
     case MAV_CMD_MISSION_START: return answer(m_autopilot.startMission());
     case MAV_CMD_RUN_PREARM_CHECKS:
         if (const auto reason = m_autopilot.preArm())
@@ -175,6 +176,21 @@ std::uint8_t CommandServer::setCurrent(const Command &command)
     if (sequence > 0xffff || !m_autopilot.modes().mission().setCurrent(static_cast<std::uint16_t>(sequence)))
         return MAV_RESULT_FAILED;
     return MAV_RESULT_ACCEPTED;
+}
+
+std::uint8_t CommandServer::enableFence(std::uint32_t what)
+{
+    Fence &fence = m_autopilot.fence();
+    switch (what) {
+    case 0: fence.enable(false); return MAV_RESULT_ACCEPTED;
+    case 1:
+        if (!fence.present())
+            return MAV_RESULT_FAILED;
+        fence.enable(true);
+        return MAV_RESULT_ACCEPTED;
+    case 2: fence.disableFloor(); return MAV_RESULT_ACCEPTED;
+    default: return MAV_RESULT_FAILED;
+    }
 }
 
 std::uint8_t CommandServer::requestMessage(std::uint32_t message)

@@ -48,6 +48,7 @@ private:
     std::uint8_t changeSpeed(const Command &command);
     std::uint8_t setHome(const Command &command);
     std::uint8_t setCurrent(const Command &command);
+    std::uint8_t enableFence(std::uint32_t what);
     std::uint8_t requestMessage(std::uint32_t message);
     std::uint8_t setInterval(TimePoint now, const Command &command);
     std::uint8_t getInterval(std::uint32_t message);

@@ -72,7 +72,7 @@ bool FrameRouter::routeMission(TimePoint now, const FrameSender &peer, const mav
     }
     case mavlink::MissionItem::kId: {
         const auto in = mavlink::MissionItem::decode(frame.payload());
-        const double scale = in.command < MAV_CMD_NAV_LAST ? 1e7 : 1;
+        const double scale = integerScale(in.command);
         const StoredItem item{in.frame,
                               in.command,
                               in.autocontinue != 0,
@@ -101,7 +101,11 @@ bool FrameRouter::routeMission(TimePoint now, const FrameSender &peer, const mav
     }
     case MissionClearAll::kId: missions.handleClear(peer, MissionClearAll::decode(frame.payload()).mission_type); return true;
     case MissionSetCurrent::kId: missions.handleSetCurrent(MissionSetCurrent::decode(frame.payload()).seq); return true;
-    case MissionAck::kId: missions.handleAck(peer, MissionAck::decode(frame.payload()).type); return true;
+    case MissionAck::kId: {
+        const auto in = MissionAck::decode(frame.payload());
+        missions.handleAck(peer, in.type, in.mission_type);
+        return true;
+    }
     default: return false;
     }
 }

@@ -27,6 +27,24 @@ bool hasPlace(std::uint16_t command)
 
 } // namespace
 
+bool isGlobalFrame(std::uint8_t frame)
+{
+    return absoluteFrame(frame) || relativeFrame(frame);
+}
+
+double integerScale(std::uint16_t command)
+{
+    using namespace mavlink;
+    const bool place = command < MAV_CMD_NAV_LAST
+        || (command >= MAV_CMD_NAV_FENCE_RETURN_POINT && command <= MAV_CMD_NAV_RALLY_POINT);
+    return place ? 1e7 : 1;
+}
+
+bool isOnGlobe(const StoredItem &item)
+{
+    return std::abs(static_cast<double>(item.x)) <= 90e7 && std::abs(static_cast<double>(item.y)) <= 180e7;
+}
+
 std::optional<ItemError> checkItem(const StoredItem &item)
 {
     using namespace mavlink;
@@ -49,7 +67,7 @@ std::optional<ItemError> checkItem(const StoredItem &item)
     }
     if (!hasPlace(item.command))
         return std::nullopt;
-    if (!absoluteFrame(item.frame) && !relativeFrame(item.frame))
+    if (!isGlobalFrame(item.frame))
         return ItemError::UnsupportedFrame;
     if (std::abs(static_cast<double>(item.x)) > 90e7)
         return ItemError::InvalidX;

@@ -35,6 +35,13 @@ enum class ItemError : std::uint8_t {
     InvalidZ = mavlink::MAV_MISSION_INVALID_PARAM7
 };
 
+/// Whether a frame (MAV_FRAME) measures from the globe: latitude, longitude and any kind of altitude.
+bool isGlobalFrame(std::uint8_t frame);
+/// By what x and y of a MISSION_ITEM are multiplied in a MISSION_ITEM_INT: 1e7 if the command has a place, else 1.
+double integerScale(std::uint16_t command);
+/// Whether latitude and longitude are within their ranges.
+bool isOnGlobe(const StoredItem &item);
+
 /// nullopt when the vehicle can fly it.
 std::optional<ItemError> checkItem(const StoredItem &item);
 

@@ -1,28 +1,33 @@
-// MAVLink's mission protocol, the vehicle's side (https://mavlink.io/en/services/mission.html): upload, download, clear and
-// set current, with the repetitions that a lossy link needs.
+// MAVLink's mission protocol, the vehicle's side (https://mavlink.io/en/services/mission.html): passes each message to the
+// transfer of its list (flight plan, fence, rally points), and reports the progress of the flight plan.
 #pragma once
 
-#include "core/sim/autopilot.h"
-#include "core/sim/frame_queue.h"
-#include "core/sim/frame_sender.h"
+#include "core/sim/item_lists.h"
+#include "core/sim/item_transfer.h"
+
+#include <array>
 
 namespace skyseal::sim {
 
 class MissionServer
 {
 public:
-    MissionServer(Autopilot &autopilot, FrameQueue &outbox) : m_autopilot(autopilot), m_outbox(outbox) {}
+    MissionServer(Autopilot &autopilot, FrameQueue &outbox);
+    MissionServer(const MissionServer &) = delete;
+    MissionServer &operator=(const MissionServer &) = delete;
 
+    // `type` is a MAV_MISSION_TYPE; a type that the vehicle does not have is refused.
     void handleCount(TimePoint now, const FrameSender &peer, std::uint16_t count, std::uint8_t type);
     /// MISSION_ITEM and MISSION_ITEM_INT of an upload.
     void handleItem(TimePoint now, const FrameSender &peer, std::uint16_t sequence, const StoredItem &item, std::uint8_t type);
     void handleRequestList(const FrameSender &peer, std::uint8_t type);
     /// MISSION_REQUEST, answered in floats, and MISSION_REQUEST_INT.
     void handleRequest(const FrameSender &peer, std::uint16_t sequence, std::uint8_t type, bool asInt);
+    /// Clears one list, or with MAV_MISSION_TYPE_ALL every list.
     void handleClear(const FrameSender &peer, std::uint8_t type);
     void handleSetCurrent(std::uint16_t sequence);
     /// MISSION_ACK of the station: it gave up an upload.
-    void handleAck(const FrameSender &peer, std::uint8_t result);
+    void handleAck(const FrameSender &peer, std::uint8_t result, std::uint8_t type);
     /// Answers an item that was no part of an upload but an order to fly there.
     void acknowledge(const FrameSender &peer, std::uint8_t result, std::uint8_t type = 0);
 
@@ -30,23 +35,24 @@ public:
     void reportProgress();
 
     void handleDeadline(TimePoint now);
-    TimePoint nextDeadline() const { return m_receiving ? m_askAgain : kNever; }
+    TimePoint nextDeadline() const;
+
+    static constexpr std::size_t kLists = 3;
+    using StoredLists = std::array<std::vector<StoredItem>, kLists>;
+    /// All lists as they are stored, to keep them over a reboot.
+    StoredLists stored() const;
+    void restore(StoredLists lists);
 
 private:
-    void askFor(TimePoint now);
-    void finish(std::uint8_t result);
+    /// The transfer of a type; null, and the peer was refused, if the vehicle has no such list.
+    ItemTransfer *transfer(const FrameSender &peer, std::uint8_t type);
 
     Autopilot &m_autopilot;
     FrameQueue &m_outbox;
-
-    bool m_receiving = false;
-    FrameSender m_sender;
-    std::uint16_t m_expected = 0; ///< items that are to come in all
-    Mission m_incoming;
-    TimePoint m_askAgain = kNever;
-    int m_asked = 0;          ///< times that the present item was asked for
-    FrameSender m_finishedBy; ///< whose last upload was accepted, with how many items: its last item may come twice
-    std::uint16_t m_finishedCount = 0;
+    FlightPlanList m_plan;
+    FenceList m_fence;
+    RallyList m_rally;
+    std::array<ItemTransfer, kLists> m_transfers; ///< by MAV_MISSION_TYPE
     std::uint16_t m_reportedCurrent = 0;
 };
 

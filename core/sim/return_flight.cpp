@@ -6,8 +6,9 @@ void ReturnFlight::begin(const Situation &s)
 {
     const FlightSettings &settings = s.settings;
     const double height = s.heightAboveHome();
-    const double distance = std::hypot(s.home.x - s.estimate.position.x, s.home.y - s.estimate.position.y);
-    m_height = std::max(height + settings.rtlClimbMin, settings.rtlAltitude);
+    m_goal = s.returnPoint;
+    const double distance = (m_goal - s.estimate.position).horizontal();
+    m_height = std::max({height + settings.rtlClimbMin, settings.rtlAltitude, s.home.z - m_goal.z});
     if (settings.rtlCone >= 0.5) // near home there is no need to climb high: stay below a cone over it
         m_height = std::max({std::min(m_height, std::max(distance * settings.rtlCone, 2.0)), height + settings.rtlClimbMin});
     m_waited = 0;
@@ -21,7 +22,7 @@ void ReturnFlight::enter(Phase phase, const Situation &s)
     if (phase == Phase::Climb)
         m_place = stoppingPoint(s);
     else
-        m_place = {s.home.x, s.home.y, s.settings.rtlSpeed > 0 ? s.settings.rtlSpeed : s.settings.speed};
+        m_place = {m_goal.x, m_goal.y, s.settings.rtlSpeed > 0 ? s.settings.rtlSpeed : s.settings.speed};
     if (phase == Phase::Land)
         m_landing.begin(s, m_place);
 }

@@ -1,4 +1,4 @@
-// RTL: climb to a safe height, fly home, wait a little, land. Phases and parameters as ArduCopter has them.
+// RTL: climb to a safe height, fly home or to a rally point, wait a little, land. Phases and parameters as ArduCopter has them.
 #pragma once
 
 #include "core/sim/auto_yaw.h"
@@ -24,6 +24,7 @@ private:
     Phase m_phase = Phase::Climb;
     double m_height = 0; ///< m above home, of the way back
     double m_waited = 0; ///< s
+    Vector3 m_goal;      ///< home or a rally point, as it was when the return began
     HoldPosition m_place;
     AutoYaw m_yaw;
     Landing m_landing;

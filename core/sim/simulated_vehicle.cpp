@@ -45,6 +45,7 @@ struct SimulatedVehicle::Parts
     TimePoint look;  ///< when to look next for what flying brought up
     Duration owed{}; ///< of flight, not stepped yet
     bool homeTold = false;
+    std::uint16_t breachesTold = 0;
     bool actedOnSilence = false; ///< of the station, in this flight
 };
 
@@ -129,6 +130,8 @@ void SimulatedVehicle::Parts::speak(TimePoint now)
 void SimulatedVehicle::Parts::notifyStatus()
 {
     missions.reportProgress();
+    if (const auto breaches = autopilot.fence().breachCount(); breaches != std::exchange(breachesTold, breaches))
+        telemetry.send(mavlink::FenceStatus::kId);
     if (!homeTold)
         homeTold = telemetry.send(mavlink::HomePosition::kId);
     while (const auto text = autopilot.texts().take())
@@ -167,10 +170,12 @@ void SimulatedVehicle::handleFrame(TimePoint now, const mavlink::Frame &frame)
 void SimulatedVehicle::reboot(TimePoint now)
 {
     const Parameters kept = m_parts->autopilot.parameters();
+    MissionServer::StoredLists lists = m_parts->missions.stored();
     FrameQueue unsent = std::move(m_parts->outbox);
     const auto id = static_cast<std::uint8_t>(kept.integer("SYSID_THISMAV"));
     m_parts = std::make_unique<Parts>(m_config, id, now);
     m_parts->autopilot.parameters() = kept;
+    m_parts->missions.restore(std::move(lists));
     m_parts->outbox.takeOver(unsent);
     m_config.systemId = id;
     m_parts->streams.applyParameters(now, kept);

@@ -13,7 +13,8 @@ struct Situation
     Estimate estimate;
     FlightSettings settings;
     Sticks sticks;
-    Vector3 home; ///< m, NED from the origin
+    Vector3 home;        ///< m, NED from the origin
+    Vector3 returnPoint; ///< m, NED from the origin: home, or the rally point at which RTL from here ends
     bool landed = true;
 
     double heightAboveHome() const { return home.z - estimate.position.z; }

@@ -35,7 +35,7 @@ struct Member
 };
 
 // Grouped as in ArduCopter's GCS_Mavlink.cpp.
-constexpr std::array<Member, 27> kMembers{{
+constexpr std::array<Member, 28> kMembers{{
     {Heartbeat::kId, kNoGroup}, // 1 Hz by itself
     {RawImu::kId, MAV_DATA_STREAM_RAW_SENSORS},
     {ScaledImu2::kId, MAV_DATA_STREAM_RAW_SENSORS},
@@ -47,6 +47,7 @@ constexpr std::array<Member, 27> kMembers{{
     {GpsRawInt::kId, MAV_DATA_STREAM_EXTENDED_STATUS},
     {NavControllerOutput::kId, MAV_DATA_STREAM_EXTENDED_STATUS},
     {PositionTargetGlobalInt::kId, MAV_DATA_STREAM_EXTENDED_STATUS},
+    {FenceStatus::kId, MAV_DATA_STREAM_EXTENDED_STATUS},
     {ServoOutputRaw::kId, MAV_DATA_STREAM_RC_CHANNELS},
     {RcChannels::kId, MAV_DATA_STREAM_RC_CHANNELS},
     {GlobalPositionInt::kId, MAV_DATA_STREAM_POSITION},

@@ -37,7 +37,7 @@ public:
     void skipTo(TimePoint now);
 
 private:
-    static constexpr std::size_t kMessages = 27;
+    static constexpr std::size_t kMessages = 28;
     static constexpr unsigned kNoRevision = ~0u; ///< look at the parameters again, changed or not
 
     struct Slot

@@ -46,6 +46,7 @@ bool TelemetrySender::sendSystem(std::uint32_t message)
     case mavlink::RcChannels::kId: radioChannels(); return true;
     case mavlink::HomePosition::kId: return homePosition();
     case mavlink::ExtendedSysState::kId: extendedState(); return true;
+    case mavlink::FenceStatus::kId: return fenceStatus();
     case mavlink::AutopilotVersion::kId: version(); return true;
     case mavlink::PowerStatus::kId: {
         mavlink::PowerStatus out;
@@ -180,6 +181,15 @@ void TelemetrySender::systemStatus()
     if (m_autopilot.armed() || !m_autopilot.preArm())
         out.onboard_control_sensors_health |= MAV_SYS_STATUS_PREARM_CHECK;
 
+    const Fence &fence = m_autopilot.fence();
+    if (fence.present()) {
+        out.onboard_control_sensors_present |= MAV_SYS_STATUS_GEOFENCE;
+        if (fence.enabled() && m_autopilot.parameters().flag("FENCE_ACTION"))
+            out.onboard_control_sensors_enabled |= MAV_SYS_STATUS_GEOFENCE;
+    }
+    if (fence.breaches() == 0) // also without a fence: ground stations read a cleared bit as a breach
+        out.onboard_control_sensors_health |= MAV_SYS_STATUS_GEOFENCE;
+
     const Battery &battery = m_autopilot.battery();
     out.load = scaled<std::uint16_t>(280 + m_noise.normal(12));
     out.voltage_battery = scaled<std::uint16_t>(battery.voltage() + m_noise.normal(0.006), 1000);
@@ -301,6 +311,26 @@ void TelemetrySender::extendedState()
     m_outbox.send(out);
 }
 
+bool TelemetrySender::fenceStatus()
+{
+    const Fence &fence = m_autopilot.fence();
+    if (!fence.enabled())
+        return false;
+    mavlink::FenceStatus out;
+    out.breach_status = fence.breaches() != 0;
+    out.breach_count = fence.breachCount();
+    out.breach_time = fence.breachTime();
+    out.breach_mitigation = mavlink::FENCE_MITIGATE_NONE;
+    if (fence.breaches() & mavlink::FENCE_TYPE_ALT_MIN)
+        out.breach_type = mavlink::FENCE_BREACH_MINALT;
+    if (fence.breaches() & mavlink::FENCE_TYPE_ALT_MAX)
+        out.breach_type = mavlink::FENCE_BREACH_MAXALT;
+    if (fence.breaches() & (mavlink::FENCE_TYPE_CIRCLE | mavlink::FENCE_TYPE_POLYGON))
+        out.breach_type = mavlink::FENCE_BREACH_BOUNDARY;
+    m_outbox.send(out);
+    return true;
+}
+
 void TelemetrySender::version()
 {
     using namespace mavlink;
@@ -308,7 +338,7 @@ void TelemetrySender::version()
     out.capabilities = MAV_PROTOCOL_CAPABILITY_MISSION_FLOAT | MAV_PROTOCOL_CAPABILITY_MISSION_INT
         | MAV_PROTOCOL_CAPABILITY_COMMAND_INT | MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_LOCAL_NED
         | MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_GLOBAL_INT | MAV_PROTOCOL_CAPABILITY_MAVLINK2
-        | 2; // 2: parameters as floats, under a name that changed over the years
+        | MAV_PROTOCOL_CAPABILITY_PARAM_FLOAT | MAV_PROTOCOL_CAPABILITY_MISSION_FENCE | MAV_PROTOCOL_CAPABILITY_MISSION_RALLY;
     out.flight_sw_version = 4u << 24 | 5u << 16 | 7u << 8 | FIRMWARE_VERSION_TYPE_OFFICIAL; // behaves like ArduCopter 4.5.7
     constexpr char kMark[] = "skyseal";
     std::copy_n(kMark, out.flight_custom_version.size(), out.flight_custom_version.begin());

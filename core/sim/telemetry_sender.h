@@ -33,6 +33,7 @@ private:
     void radioChannels();
     bool homePosition();
     void extendedState();
+    bool fenceStatus();
     void version();
 
     GeoPoint place(const Vector3 &ned) const { return m_autopilot.world().toGeo(ned); }
