@@ -26,7 +26,7 @@ void FrameRouter::route(TimePoint now, const mavlink::Frame &frame) const
         return;
     const FrameSender peer{frame.systemId(), frame.componentId(), frame.version()};
     routeCommand(now, peer, frame) || routeMission(now, peer, frame) || routeParameter(now, frame) || control.handle(now, frame)
-        || routeLink(now, peer, frame);
+        || routeLog(now, peer, frame) || routeLink(now, peer, frame);
 }
 
 bool FrameRouter::routeCommand(TimePoint now, const FrameSender &peer, const mavlink::Frame &frame) const
@@ -137,6 +137,25 @@ bool FrameRouter::routeParameter(TimePoint now, const mavlink::Frame &frame) con
         parameters.set(mavlink::textOf(in.param_id), in.param_value);
         return true;
     }
+    default: return false;
+    }
+}
+
+bool FrameRouter::routeLog(TimePoint now, const FrameSender &peer, const mavlink::Frame &frame) const
+{
+    switch (frame.messageId()) {
+    case mavlink::LogRequestList::kId: {
+        const auto in = mavlink::LogRequestList::decode(frame.payload());
+        logs.requestList(now, peer, in.start, in.end);
+        return true;
+    }
+    case mavlink::LogRequestData::kId: {
+        const auto in = mavlink::LogRequestData::decode(frame.payload());
+        logs.requestData(now, peer, in.id, in.ofs, in.count);
+        return true;
+    }
+    case mavlink::LogErase::kId: logs.erase(); return true;
+    case mavlink::LogRequestEnd::kId: logs.requestEnd(); return true;
     default: return false;
     }
 }

@@ -4,6 +4,7 @@
 #include "core/sim/command_server.h"
 #include "core/sim/control_server.h"
 #include "core/sim/gcs_watch.h"
+#include "core/sim/log_server.h"
 #include "core/sim/mission_server.h"
 #include "core/sim/parameter_server.h"
 
@@ -18,6 +19,7 @@ struct FrameRouter
     ControlServer &control;
     MissionServer &missions;
     ParameterServer &parameters;
+    LogServer &logs;
     GcsWatch &station;
     TimePoint boot;
     std::uint8_t systemId;
@@ -28,6 +30,7 @@ private:
     bool isForUs(const mavlink::Frame &frame) const;
     bool routeMission(TimePoint now, const FrameSender &peer, const mavlink::Frame &frame) const;
     bool routeParameter(TimePoint now, const mavlink::Frame &frame) const;
+    bool routeLog(TimePoint now, const FrameSender &peer, const mavlink::Frame &frame) const;
     bool routeCommand(TimePoint now, const FrameSender &peer, const mavlink::Frame &frame) const;
     bool routeLink(TimePoint now, const FrameSender &peer, const mavlink::Frame &frame) const;
     /// An item outside a mission, by its `current` field: 2 = fly there, 3 = change height.

@@ -3,8 +3,10 @@
 #include "core/mavlink/messages.h"
 #include "core/sim/command_server.h"
 #include "core/sim/control_server.h"
+#include "core/sim/flight_recorder.h"
 #include "core/sim/frame_router.h"
 #include "core/sim/gcs_watch.h"
+#include "core/sim/log_server.h"
 #include "core/sim/mission_server.h"
 #include "core/sim/parameter_server.h"
 
@@ -24,7 +26,8 @@ struct SimulatedVehicle::Parts
     Parts(const SimulatedVehicleConfig &config, std::uint8_t systemId, TimePoint now)
         : autopilot(config.autopilot), outbox(systemId), telemetry(autopilot, outbox, config.autopilot.seed), streams(now),
           commands(autopilot, streams, telemetry, outbox), control(autopilot), missions(autopilot, outbox),
-          parameters(autopilot.parameters(), outbox, autopilot.texts()), last(now), look(now)
+          parameters(autopilot.parameters(), outbox, autopilot.texts()), recorder(flightLogs),
+          logs(flightLogs, autopilot, outbox), last(now), look(now)
     {}
 
     void fly(Duration span);
@@ -40,6 +43,9 @@ struct SimulatedVehicle::Parts
     ControlServer control;
     MissionServer missions;
     ParameterServer parameters;
+    FlightLogs flightLogs;
+    FlightRecorder recorder;
+    LogServer logs;
     GcsWatch station;
     TimePoint last;
     TimePoint look;  ///< when to look next for what flying brought up
@@ -76,7 +82,9 @@ void SimulatedVehicle::advance(TimePoint now)
     for (TimePoint next = nextDeadline(); next <= now; next = nextDeadline()) {
         parts.fly(std::max(next, parts.last) - parts.last);
         parts.last = std::max(next, parts.last);
-        parts.telemetry.setWallTime(m_config.bootTime + std::chrono::duration_cast<WallTime::duration>(next - m_boot));
+        const WallTime wall = m_config.bootTime + std::chrono::duration_cast<WallTime::duration>(next - m_boot);
+        parts.telemetry.setWallTime(wall);
+        parts.recorder.setWallTime(wall);
         parts.speak(next);
     }
     parts.fly(now - parts.last);
@@ -91,8 +99,10 @@ void SimulatedVehicle::Parts::fly(Duration span)
     const auto rate = static_cast<double>(autopilot.parameters().value("SIM_SPEEDUP"));
     // Whole nanoseconds: the steps of a flight must not depend on how it was cut into spans.
     owed += std::min(rate == 1 ? span : std::chrono::duration_cast<Duration>(span * rate), kMostCatchUp);
-    for (; owed >= step; owed -= step)
+    for (; owed >= step; owed -= step) {
         autopilot.step();
+        recorder.step(autopilot);
+    }
 }
 
 void SimulatedVehicle::Parts::watchStation(TimePoint now)
@@ -125,6 +135,7 @@ void SimulatedVehicle::Parts::speak(TimePoint now)
         telemetry.send(*message);
     parameters.handleDeadline(now);
     missions.handleDeadline(now);
+    logs.handleDeadline(now);
 }
 
 void SimulatedVehicle::Parts::notifyStatus()
@@ -153,16 +164,16 @@ void SimulatedVehicle::sendBurst(TimePoint now, std::size_t messages, std::int64
 
 TimePoint SimulatedVehicle::nextDeadline() const
 {
-    return std::min(
-        {m_parts->streams.nextDeadline(), m_parts->parameters.nextDeadline(), m_parts->missions.nextDeadline(), m_parts->look});
+    return std::min({m_parts->streams.nextDeadline(), m_parts->parameters.nextDeadline(), m_parts->missions.nextDeadline(),
+                     m_parts->logs.nextDeadline(), m_parts->look});
 }
 
 void SimulatedVehicle::handleFrame(TimePoint now, const mavlink::Frame &frame)
 {
     advance(now);
     Parts &parts = *m_parts;
-    const FrameRouter router{parts.autopilot, parts.outbox,     parts.streams, parts.commands, parts.control,
-                             parts.missions,  parts.parameters, parts.station, m_boot,         systemId()};
+    const FrameRouter router{parts.autopilot,  parts.outbox, parts.streams, parts.commands, parts.control, parts.missions,
+                             parts.parameters, parts.logs,   parts.station, m_boot,         systemId()};
     router.route(now, frame);
     parts.notifyStatus();
 }
@@ -171,12 +182,14 @@ void SimulatedVehicle::reboot(TimePoint now)
 {
     const Parameters kept = m_parts->autopilot.parameters();
     MissionServer::StoredLists lists = m_parts->missions.stored();
+    FlightLogs flightLogs = std::move(m_parts->flightLogs);
     FrameQueue unsent = std::move(m_parts->outbox);
     const auto id = static_cast<std::uint8_t>(kept.integer("SYSID_THISMAV"));
     m_parts = std::make_unique<Parts>(m_config, id, now);
     m_parts->autopilot.parameters() = kept;
     m_parts->missions.restore(std::move(lists));
     m_parts->outbox.takeOver(unsent);
+    m_parts->flightLogs = std::move(flightLogs);
     m_config.systemId = id;
     m_parts->streams.applyParameters(now, kept);
 }
