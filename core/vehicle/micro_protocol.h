@@ -12,6 +12,7 @@
 #include "core/vehicle/vehicle_state.h"
 
 #include <deque>
+#include <optional>
 #include <vector>
 
 namespace skyseal::vehicle {
@@ -59,6 +60,8 @@ public:
     virtual void handleDeadline(TimePoint now) = 0;
     /// kNever while nothing is pending.
     virtual TimePoint nextDeadline() const = 0;
+    /// Of the transfer in progress; nullopt without one.
+    virtual std::optional<TransferProgress> progress() const { return std::nullopt; }
 
 protected:
     const Addressing &addressing() const { return m_context.addressing; }

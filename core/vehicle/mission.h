@@ -1,4 +1,5 @@
-// Missions: the item as MISSION_ITEM_INT carries it, the requests of the mission protocol and their result.
+// Missions, fences and rally points: the item as MISSION_ITEM_INT carries it, the requests of the mission protocol and their
+// result.
 // https://mavlink.io/en/services/mission.html
 #pragma once
 
@@ -6,6 +7,7 @@
 #include "core/vehicle/request_id.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -24,14 +26,26 @@ struct MissionItem
     bool operator==(const MissionItem &) const = default;
 };
 
+/// Kinds of plans; each is a list of items of its own on the vehicle.
+enum class MissionType : std::uint8_t {
+    Mission = mavlink::MAV_MISSION_TYPE_MISSION,
+    Fence = mavlink::MAV_MISSION_TYPE_FENCE,
+    Rally = mavlink::MAV_MISSION_TYPE_RALLY
+};
+
 struct ReadMission
-{};
+{
+    MissionType type = MissionType::Mission;
+};
 struct WriteMission
 {
     std::vector<MissionItem> items; ///< renumbered from 0 in this order
+    MissionType type = MissionType::Mission;
 };
 struct ClearMission
-{};
+{
+    MissionType type = MissionType::Mission;
+};
 
 enum class MissionTransfer : std::uint8_t { Upload, Download, Clear };
 
@@ -40,9 +54,12 @@ struct MissionResult
     RequestId id{};
     std::uint8_t systemId = 0;
     MissionTransfer transfer{};
+    MissionType type = MissionType::Mission;
     bool ok = false;
     std::string reason = {};       ///< why it failed, for people
     bool changeUnanswered = false; ///< an upload or clear that got no answer at all
+    /// What the vehicle now has; null unless ok.
+    std::shared_ptr<const std::vector<MissionItem>> items = {};
 };
 
 } // namespace skyseal::vehicle

@@ -2,6 +2,7 @@
 
 #include "core/vehicle/result_text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
@@ -33,14 +34,14 @@ MissionItem toItem(const mavlink::MissionItem &m)
 bool MissionClient::perform(TimePoint now, RequestId id, const Request &request)
 {
     if (const auto *write = std::get_if<WriteMission>(&request)) {
-        if (begin(id, MissionTransfer::Upload))
+        if (begin(id, MissionTransfer::Upload, write->type))
             upload(now, write->items);
-    } else if (std::holds_alternative<ReadMission>(request)) {
-        if (begin(id, MissionTransfer::Download))
-            download(now);
-    } else if (std::holds_alternative<ClearMission>(request)) {
-        if (begin(id, MissionTransfer::Clear))
-            clear(now);
+    } else if (const auto *read = std::get_if<ReadMission>(&request)) {
+        if (begin(id, MissionTransfer::Download, read->type))
+            enter(now, Phase::RequestingCount);
+    } else if (const auto *clear = std::get_if<ClearMission>(&request)) {
+        if (begin(id, MissionTransfer::Clear, clear->type))
+            enter(now, Phase::Clearing);
     } else {
         return false;
     }
@@ -49,10 +50,10 @@ bool MissionClient::perform(TimePoint now, RequestId id, const Request &request)
 
 bool MissionClient::handleFrame(TimePoint now, const mavlink::Frame &frame)
 {
-    // Messages for other stations and other mission types (fence, rally points) are consumed without effect.
+    // Messages for other stations, and of other types of plans than that of this transfer, are consumed without effect.
     const auto take = [&]<typename Message>(std::type_identity<Message>, auto handle) {
         const auto m = unpack<Message>(frame);
-        if (addressing().isForUs(m.target_system, m.target_component) && m.mission_type == mavlink::MAV_MISSION_TYPE_MISSION)
+        if (addressing().isForUs(m.target_system, m.target_component) && m.mission_type == static_cast<std::uint8_t>(m_type))
             handle(m);
         return true;
     };
@@ -74,6 +75,45 @@ bool MissionClient::handleFrame(TimePoint now, const mavlink::Frame &frame)
     }
 }
 
+void MissionClient::handleDeadline(TimePoint now)
+{
+    switch (m_phase) {
+    case Phase::Idle: return;
+    case Phase::Downloading: return now >= m_deadline ? giveUp() : requestItems(now);
+    case Phase::Uploading:
+        if (now >= m_deadline)
+            return restart(now, "the vehicle stopped asking for items");
+        break;
+    case Phase::Announcing:
+    case Phase::RequestingCount:
+    case Phase::Clearing:
+        if (now >= m_repeat && now >= m_deadline && m_attempts >= kAttempts)
+            return giveUp();
+        break;
+    }
+    if (now >= m_repeat)
+        transmit(now);
+}
+
+TimePoint MissionClient::nextDeadline() const
+{
+    switch (m_phase) {
+    case Phase::Idle: return kNever;
+    case Phase::Downloading: return std::min(m_window.nextDeadline(), m_deadline);
+    case Phase::Uploading: return std::min(m_repeat, m_deadline);
+    default: return m_repeat;
+    }
+}
+
+std::optional<TransferProgress> MissionClient::progress() const
+{
+    switch (m_phase) {
+    case Phase::Uploading: return TransferProgress{m_request, m_offered, m_items.size()};
+    case Phase::Downloading: return TransferProgress{m_request, m_window.received(), m_window.count()};
+    default: return std::nullopt;
+    }
+}
+
 void MissionClient::upload(TimePoint now, std::vector<MissionItem> items)
 {
     if (items.size() > kMaxItems)
@@ -84,37 +124,55 @@ void MissionClient::upload(TimePoint now, std::vector<MissionItem> items)
             return finish(false, "item " + std::to_string(i) + " is not on the globe");
         m_items[i].sequence = static_cast<std::uint16_t>(i);
     }
-    m_phase = Phase::Announcing;
-    announce(now);
-}
-
-void MissionClient::download(TimePoint now)
-{
-    m_items.clear();
-    m_phase = Phase::RequestingCount;
-    requestCount(now);
-}
-
-void MissionClient::clear(TimePoint now)
-{
-    m_phase = Phase::Clearing;
-    sendClear(now);
+    enter(now, Phase::Announcing);
 }
 
 void MissionClient::handleCount(TimePoint now, std::uint16_t count)
 {
     if (m_phase != Phase::RequestingCount)
         return;
-    m_expected = count;
-    m_items.clear();
-    m_attempts = 0;
-    if (count == 0) {
-        sendAck();
-        finish(true);
-        return;
-    }
+    measure(now);
+    m_items.assign(count, {});
+    if (count == 0)
+        return finish(true);
     m_phase = Phase::Downloading;
-    requestItem(now);
+    m_sent = now;
+    m_deadline = now + kGiveUp;
+    m_window.setMost(kind().isArduPilot() ? RequestWindow::kMost : 1);
+    m_window.begin();
+    m_window.setCount(count);
+    m_window.openUpTo(count);
+    requestItems(now);
+}
+
+void MissionClient::handleItem(TimePoint now, const MissionItem &item)
+{
+    if (m_phase != Phase::Downloading || !m_window.arrived(now, item.sequence))
+        return; // a repeated answer to an earlier request
+    m_items[item.sequence] = item;
+    m_deadline = now + kGiveUp;
+    if (m_window.isComplete())
+        return finish(true);
+    requestItems(now);
+}
+
+void MissionClient::requestItems(TimePoint now)
+{
+    const bool knowsIntegers = (state().capabilities & mavlink::MAV_PROTOCOL_CAPABILITY_MISSION_INT) != 0;
+    if (!knowsIntegers && m_window.received() == 0 && now >= m_sent + kFloatsAfter) {
+        m_requestFloats = !m_requestFloats;
+        m_sent = now;
+    }
+    while (const auto index = m_window.poll(now)) {
+        const auto request = [&](auto message) {
+            message.seq = static_cast<std::uint16_t>(*index);
+            sendTyped(message);
+        };
+        if (m_requestFloats)
+            request(mavlink::MissionRequest{});
+        else
+            request(mavlink::MissionRequestInt{});
+    }
 }
 
 void MissionClient::handleItemRequest(TimePoint now, std::uint16_t sequence, bool asInteger)
@@ -123,119 +181,148 @@ void MissionClient::handleItemRequest(TimePoint now, std::uint16_t sequence, boo
         return;
     if (sequence >= m_items.size())
         return; // the vehicle ends the transfer or runs into its own time-out
+    const bool asksAgain = m_phase == Phase::Uploading && sequence == m_offered;
+    if (asksAgain && now < m_sent + m_window.roundTrip().shortest())
+        return; // asked before the item arrived that is on its way
+    if (!asksAgain)
+        measure(now);
     m_phase = Phase::Uploading;
-    m_attempts = 0;
+    m_offerIntegers = asInteger || (state().capabilities & mavlink::MAV_PROTOCOL_CAPABILITY_MISSION_INT) != 0;
+    m_inferred = 0;
+    m_attempts = asksAgain ? m_attempts : 0;
     m_deadline = now + (sequence + 1u == m_items.size() ? kUploadedTimeout : kRequestTimeout);
-    sendItem(m_items[sequence], asInteger || (state().capabilities & mavlink::MAV_PROTOCOL_CAPABILITY_MISSION_INT) != 0);
-}
-
-void MissionClient::handleItem(TimePoint now, const MissionItem &item)
-{
-    if (m_phase != Phase::Downloading || item.sequence != m_items.size())
-        return; // a repeated answer to an earlier request
-    m_items.push_back(item);
-    m_attempts = 0;
-    if (m_items.size() < m_expected)
-        return requestItem(now);
-    sendAck();
-    finish(true);
+    offer(now, sequence);
 }
 
 void MissionClient::handleAck(TimePoint now, std::uint8_t result)
 {
+    const bool accepted = result == mavlink::MAV_MISSION_ACCEPTED;
+    // Caused by a repeated item, perhaps of the transfer before.
+    const bool otherExpected = result == mavlink::MAV_MISSION_INVALID_SEQUENCE;
     switch (m_phase) {
     case Phase::Idle: return;
     case Phase::Announcing:
         // Acceptance of an earlier upload, unless this one is empty.
-        if (result == mavlink::MAV_MISSION_ACCEPTED && !m_items.empty())
+        if (otherExpected || (accepted && !m_items.empty()))
             return;
         break;
-    case Phase::Uploading:
-        // Caused by a duplicated item; the vehicle continues to request the item that it needs.
-        if (result == mavlink::MAV_MISSION_INVALID_SEQUENCE) {
-            m_deadline = now + kRequestTimeout;
-            return;
-        }
-        break;
+    case Phase::Uploading: return handleUploadAck(now, result);
     case Phase::RequestingCount:
-    case Phase::Downloading:
-        if (result == mavlink::MAV_MISSION_ACCEPTED)
+        if (otherExpected || accepted)
             return;
         break;
-    case Phase::Clearing: break;
-    }
-    finish(result == mavlink::MAV_MISSION_ACCEPTED,
-           result == mavlink::MAV_MISSION_ACCEPTED ? std::string() : missionResultText(result));
-}
-
-void MissionClient::handleDeadline(TimePoint now)
-{
-    if (now < m_deadline || giveUp())
-        return;
-    switch (m_phase) {
-    case Phase::Idle: break;
-    case Phase::Announcing: announce(now); break;
-    case Phase::Uploading:
-        if (++m_rounds >= kUploadRounds)
-            return finish(false, "the vehicle stopped asking for items");
-        m_phase = Phase::Announcing;
-        announce(now);
-        break;
-    case Phase::RequestingCount: requestCount(now); break;
     case Phase::Downloading:
-        m_requestFloats = m_items.empty() && m_attempts >= 3 ? !m_requestFloats : m_requestFloats;
-        requestItem(now);
+        if (accepted)
+            return;
+        // A request out of order ends the download on the vehicle (PX4).
+        if (otherExpected || result == mavlink::MAV_MISSION_ERROR)
+            return restart(now, missionResultText(result));
         break;
-    case Phase::Clearing: sendClear(now); break;
+    case Phase::Clearing:
+        if (otherExpected)
+            return;
+        break;
     }
+    finish(accepted, accepted ? std::string() : missionResultText(result));
 }
 
-bool MissionClient::begin(RequestId id, MissionTransfer transfer)
+void MissionClient::handleUploadAck(TimePoint now, std::uint8_t result)
+{
+    const bool repeated = m_attempts > 1;
+    const bool last = m_offered + 1 == m_items.size();
+    switch (result) {
+    case mavlink::MAV_MISSION_ACCEPTED: return finish(true);
+    case mavlink::MAV_MISSION_INVALID_SEQUENCE:
+        if (repeated && !last && m_inferred < kInferred) {
+            ++m_inferred;
+            m_attempts = 0;
+            offer(now, m_offered + 1);
+        }
+        return;
+    case mavlink::MAV_MISSION_ERROR:
+        // ArduPilot no longer expects an item. The lost answer was its acceptance of the last one, or a refusal.
+        if (repeated && last)
+            return restart(now, missionResultText(result));
+        break;
+    default: break;
+    }
+    finish(false, missionResultText(result));
+}
+
+bool MissionClient::begin(RequestId id, MissionTransfer transfer, MissionType type)
 {
     if (m_phase != Phase::Idle) {
-        report(MissionResult{id, addressing().system, transfer, false, "another mission transfer is under way"});
+        report(MissionResult{id, addressing().system, transfer, type, false, "another mission transfer is under way"});
         return false;
     }
     m_request = id;
     m_transfer = transfer;
-    m_attempts = 0;
+    m_type = type;
+    m_items.clear();
     m_rounds = 0;
     m_requestFloats = false;
     return true;
 }
 
-void MissionClient::announce(TimePoint now)
+/// Starts a step whose message is repeated until it is answered.
+void MissionClient::enter(TimePoint now, Phase phase)
 {
-    mavlink::MissionCount message;
-    message.count = static_cast<std::uint16_t>(m_items.size());
-    send(message);
-    ++m_attempts;
-    m_deadline = now + kAnswerTimeout;
+    m_phase = phase;
+    m_attempts = 0;
+    m_deadline = now + kGiveUp;
+    transmit(now);
 }
 
-void MissionClient::requestCount(TimePoint now)
+void MissionClient::transmit(TimePoint now)
 {
-    mavlink::MissionRequestList message;
-    send(message);
-    ++m_attempts;
-    m_deadline = now + kAnswerTimeout;
+    switch (m_phase) {
+    case Phase::Announcing: {
+        mavlink::MissionCount message;
+        message.count = static_cast<std::uint16_t>(m_items.size());
+        sendTyped(message);
+        break;
+    }
+    case Phase::RequestingCount: sendTyped(mavlink::MissionRequestList{}); break;
+    case Phase::Clearing: sendTyped(mavlink::MissionClearAll{}); break;
+    case Phase::Uploading: sendItem(m_items[m_offered]); break;
+    case Phase::Idle:
+    case Phase::Downloading: return;
+    }
+    if (m_attempts++ == 0)
+        m_sent = now;
+    m_repeat = now + patience();
 }
 
-void MissionClient::requestItem(TimePoint now)
+void MissionClient::offer(TimePoint now, std::size_t sequence)
 {
-    const auto request = [&](auto message) {
-        message.seq = static_cast<std::uint16_t>(m_items.size());
-        send(message);
-    };
-    if (m_requestFloats)
-        request(mavlink::MissionRequest{});
-    else
-        request(mavlink::MissionRequestInt{});
-    ++m_attempts;
-    m_deadline = now + kItemTimeout;
+    m_offered = sequence;
+    transmit(now);
 }
 
-void MissionClient::sendItem(const MissionItem &item, bool asInteger)
+void MissionClient::restart(TimePoint now, std::string reason)
+{
+    if (++m_rounds >= kRounds)
+        return finish(false, std::move(reason));
+    enter(now, m_transfer == MissionTransfer::Upload ? Phase::Announcing : Phase::RequestingCount);
+}
+
+/// Of the message sent last: the same for the first attempts, then doubled again and again.
+Duration MissionClient::patience() const
+{
+    Duration out = m_window.roundTrip().timeout();
+    for (int i = kQuickAttempts; i < m_attempts && out < RoundTrip::kMostTimeout; ++i)
+        out *= 2;
+    return std::min(out, RoundTrip::kMostTimeout);
+}
+
+/// The message sent last was answered.
+void MissionClient::measure(TimePoint now)
+{
+    if (m_attempts == 1)
+        m_window.roundTrip().measure(now - m_sent);
+}
+
+void MissionClient::sendItem(const MissionItem &item)
 {
     const auto fill = [&](auto message) {
         message.seq = item.sequence;
@@ -250,56 +337,42 @@ void MissionClient::sendItem(const MissionItem &item, bool asInteger)
         message.z = item.altitude;
         return message;
     };
-    if (asInteger) {
+    if (m_offerIntegers) {
         auto message = fill(mavlink::MissionItemInt{});
         message.x = static_cast<std::int32_t>(std::llround(item.latitude * 1e7));
         message.y = static_cast<std::int32_t>(std::llround(item.longitude * 1e7));
-        send(message);
+        sendTyped(message);
     } else {
         auto message = fill(mavlink::MissionItem{});
         message.x = static_cast<float>(item.latitude);
         message.y = static_cast<float>(item.longitude);
-        send(message);
+        sendTyped(message);
     }
-}
-
-void MissionClient::sendClear(TimePoint now)
-{
-    mavlink::MissionClearAll message;
-    send(message);
-    ++m_attempts;
-    m_deadline = now + kAnswerTimeout;
-}
-
-void MissionClient::sendAck()
-{
-    mavlink::MissionAck message;
-    message.type = mavlink::MAV_MISSION_ACCEPTED;
-    send(message);
 }
 
 void MissionClient::finish(bool ok, std::string reason, bool changeUnanswered)
 {
+    MissionResult result{m_request, addressing().system, m_transfer, m_type, ok, std::move(reason), changeUnanswered};
     if (ok) {
-        if (m_transfer == MissionTransfer::Clear)
+        if (m_transfer == MissionTransfer::Download)
+            sendTyped(mavlink::MissionAck{.type = mavlink::MAV_MISSION_ACCEPTED});
+        else if (m_transfer == MissionTransfer::Clear)
             m_items.clear();
-        m_mission = std::make_shared<const std::vector<MissionItem>>(std::move(m_items));
+        result.items = std::make_shared<const std::vector<MissionItem>>(std::move(m_items));
+        if (m_type == MissionType::Mission)
+            m_mission = result.items;
     }
     m_items.clear();
     m_phase = Phase::Idle;
-    m_deadline = kNever;
-    report(MissionResult{m_request, addressing().system, m_transfer, ok, std::move(reason), changeUnanswered});
+    m_deadline = m_repeat = kNever;
+    report(std::move(result));
 }
 
-bool MissionClient::giveUp()
+void MissionClient::giveUp()
 {
-    if (m_phase == Phase::Idle || m_attempts < kAttempts)
-        return false;
-    std::string reason = "no answer to " + std::to_string(kAttempts) + " attempts";
     if (m_phase == Phase::Downloading)
-        reason += " for item " + std::to_string(m_items.size());
-    finish(false, std::move(reason), m_transfer != MissionTransfer::Download);
-    return true;
+        return finish(false, "the vehicle does not send item " + std::to_string(m_window.firstMissing()));
+    finish(false, "no answer to " + std::to_string(m_attempts) + " attempts", m_transfer != MissionTransfer::Download);
 }
 
 } // namespace skyseal::vehicle

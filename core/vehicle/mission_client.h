@@ -1,15 +1,23 @@
-// Client of the mission protocol: upload, download and clear of the flight plan, one transfer at a time; each step is repeated
-// until it is answered. https://mavlink.io/en/services/mission.html
+// Client of the mission protocol: upload, download and clear of the flight plan, the fence and the rally points, one transfer
+// at a time. https://mavlink.io/en/services/mission.html
 //
 //     Upload:   MISSION_COUNT → (MISSION_REQUEST_INT n → MISSION_ITEM_INT n)* → MISSION_ACK
 //     Download: MISSION_REQUEST_LIST → MISSION_COUNT → (MISSION_REQUEST_INT n → MISSION_ITEM_INT n)* → our MISSION_ACK
 //     Clear:    MISSION_CLEAR_ALL → MISSION_ACK
 //
+// Every message of this end is repeated when it or its answer was lost, judging by the measured round trip. ArduPilot answers
+// requests for items in any order, so that a window of them is under way; other autopilots expect them one by one, in order.
+//
+// During an upload the vehicle asks, and repeats its requests only after a second (ArduPilot). So the item sent last is
+// repeated: the vehicle then takes it, or asks for the next one again (PX4), or says that it expects another one
+// (MAV_MISSION_INVALID_SEQUENCE, ArduPilot), in which case the lost request was for the next one.
+//
 // Older firmware requests items by MISSION_REQUEST; it gets float items unless its capabilities name integer items.
-// On ArduPilot item 0 is the home position: downloads contain it, and an upload must begin with it.
+// On ArduPilot item 0 of a mission is the home position: downloads contain it, and an upload must begin with it.
 #pragma once
 
 #include "core/vehicle/micro_protocol.h"
+#include "core/vehicle/request_window.h"
 
 #include <cstdint>
 #include <memory>
@@ -21,14 +29,20 @@ namespace skyseal::vehicle {
 class MissionClient : public MicroProtocol
 {
 public:
-    static constexpr Duration kAnswerTimeout = std::chrono::milliseconds(1500);
-    static constexpr Duration kItemTimeout = std::chrono::milliseconds(500);
-    static constexpr int kAttempts = 8; ///< of each step
-    /// For the next request of the vehicle, which repeats its requests itself.
+    /// A message is repeated at the same pace so often, then at half the pace again and again.
+    static constexpr int kQuickAttempts = 3;
+    /// A step fails after so many attempts without an answer, and not before kGiveUp.
+    static constexpr int kAttempts = 8;
+    static constexpr Duration kGiveUp = std::chrono::seconds(12);
+    /// Firmware that sends no item for so long, and does not claim to know integer items, is asked for float items.
+    static constexpr Duration kFloatsAfter = std::chrono::seconds(2);
+    /// For the next request of the vehicle; then the upload starts again.
     static constexpr Duration kRequestTimeout = std::chrono::seconds(8);
-    /// For the acknowledgement after the last item. If it is lost, the vehicle sends nothing more.
+    /// For the acknowledgement after the last item. If it is lost, the vehicle may send nothing more.
     static constexpr Duration kUploadedTimeout = std::chrono::seconds(3);
-    static constexpr int kUploadRounds = 5; ///< how often an upload starts again after a time-out
+    static constexpr int kRounds = 5; ///< how often a transfer begins
+    /// So many requests of the vehicle in a row may be replaced by what its refusals of repeated items say.
+    static constexpr int kInferred = 4;
     static constexpr std::size_t kMaxItems = 65535;
 
     using MicroProtocol::MicroProtocol;
@@ -37,42 +51,56 @@ public:
     bool perform(TimePoint now, RequestId id, const Request &request) override;
     bool handleFrame(TimePoint now, const mavlink::Frame &frame) override;
     void handleDeadline(TimePoint now) override;
-    TimePoint nextDeadline() const override { return m_deadline; }
+    TimePoint nextDeadline() const override;
+    std::optional<TransferProgress> progress() const override;
 
-    /// As last read, or as the vehicle accepted it; null before.
+    /// The flight plan as last read, or as the vehicle accepted it; null before.
     std::shared_ptr<const std::vector<MissionItem>> mission() const { return m_mission; }
 
 private:
     enum class Phase : std::uint8_t { Idle, Announcing, Uploading, RequestingCount, Downloading, Clearing };
 
     void upload(TimePoint now, std::vector<MissionItem> items);
-    void download(TimePoint now);
-    void clear(TimePoint now);
 
     void handleCount(TimePoint now, std::uint16_t count);
     void handleItemRequest(TimePoint now, std::uint16_t sequence, bool asInteger);
     void handleItem(TimePoint now, const MissionItem &item);
     void handleAck(TimePoint now, std::uint8_t result);
+    void handleUploadAck(TimePoint now, std::uint8_t result);
 
-    bool begin(RequestId id, MissionTransfer transfer);
-    void announce(TimePoint now);
-    void requestCount(TimePoint now);
-    void requestItem(TimePoint now);
-    void sendItem(const MissionItem &item, bool asInteger);
-    void sendClear(TimePoint now);
-    void sendAck();
+    bool begin(RequestId id, MissionTransfer transfer, MissionType type);
+    void enter(TimePoint now, Phase phase);
+    void transmit(TimePoint now);
+    void restart(TimePoint now, std::string reason);
+    void requestItems(TimePoint now);
+    void offer(TimePoint now, std::size_t sequence);
+    void sendItem(const MissionItem &item);
     void finish(bool ok, std::string reason = {}, bool changeUnanswered = false);
-    bool giveUp();
+    void giveUp();
+    void measure(TimePoint now);
+    Duration patience() const;
+    /// The message with the type of this transfer.
+    template<typename Message> void sendTyped(Message message)
+    {
+        message.mission_type = static_cast<std::uint8_t>(m_type);
+        send(message);
+    }
 
     RequestId m_request{};
     Phase m_phase = Phase::Idle;
     MissionTransfer m_transfer{};
+    MissionType m_type{};
     std::vector<MissionItem> m_items;
-    std::size_t m_expected = 0;
-    bool m_requestFloats = false; ///< the vehicle does not answer MISSION_REQUEST_INT
-    int m_attempts = 0;
-    int m_rounds = 0;
-    TimePoint m_deadline = kNever;
+    RequestWindow m_window;        ///< of a download; its round trip serves all transfers
+    bool m_requestFloats = false;  ///< the vehicle does not answer MISSION_REQUEST_INT
+    bool m_offerIntegers = true;   ///< the vehicle asks for integer items
+    std::size_t m_offered = 0;     ///< the item sent last
+    int m_inferred = 0;            ///< items sent since the vehicle asked for one
+    int m_attempts = 0;            ///< of the message sent last
+    int m_rounds = 0;              ///< the transfer has begun again so often
+    TimePoint m_sent{};            ///< the message was first sent
+    TimePoint m_repeat = kNever;   ///< the message is due again
+    TimePoint m_deadline = kNever; ///< the transfer fails, or begins again
     std::shared_ptr<const std::vector<MissionItem>> m_mission;
 };
 

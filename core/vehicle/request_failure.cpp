@@ -20,13 +20,13 @@ struct Failure
     {
         return ParameterResult{.id = id, .systemId = systemId, .parameter = {.name = request.name}, .reason = reason};
     }
-    Event operator()(const ReadMission &) const { return mission(MissionTransfer::Download); }
-    Event operator()(const WriteMission &) const { return mission(MissionTransfer::Upload); }
-    Event operator()(const ClearMission &) const { return mission(MissionTransfer::Clear); }
+    Event operator()(const ReadMission &request) const { return mission(MissionTransfer::Download, request.type); }
+    Event operator()(const WriteMission &request) const { return mission(MissionTransfer::Upload, request.type); }
+    Event operator()(const ClearMission &request) const { return mission(MissionTransfer::Clear, request.type); }
 
-    Event mission(MissionTransfer transfer) const
+    Event mission(MissionTransfer transfer, MissionType type) const
     {
-        return MissionResult{.id = id, .systemId = systemId, .transfer = transfer, .reason = reason};
+        return MissionResult{.id = id, .systemId = systemId, .transfer = transfer, .type = type, .reason = reason};
     }
 };
 

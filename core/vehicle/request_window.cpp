@@ -10,9 +10,15 @@ void RequestWindow::begin()
     m_requests.clear();
     m_again.reset();
     m_received = m_end = m_firstMissing = 0;
-    m_window = kFirst;
+    m_window = std::min(kFirst, m_most);
     m_progress.reset();
     m_backoff = 1;
+}
+
+void RequestWindow::setMost(std::size_t most)
+{
+    m_most = most;
+    m_window = std::min(m_window, most);
 }
 
 void RequestWindow::setCount(std::size_t count)
@@ -62,7 +68,7 @@ std::optional<std::size_t> RequestWindow::poll(TimePoint now)
         m_progress = now;
     m_requests.push_back({*index, now});
     ++m_items[*index].attempts;
-    if (missing() <= kAskedTwice && m_end >= m_items.size())
+    if (m_most > 1 && missing() <= kAskedTwice && m_end >= m_items.size())
         m_again = index;
     return index;
 }
@@ -77,7 +83,7 @@ TimePoint RequestWindow::nextDeadline() const
 /// How long to wait for an answer.
 Duration RequestWindow::patience() const
 {
-    return std::min(m_timeout * m_backoff, kMostTimeout);
+    return std::min(m_trip.timeout() * m_backoff, RoundTrip::kMostTimeout);
 }
 
 /// Requests whose answer is overdue may be made again: more and more slowly while nothing arrives at all, so that a link that
@@ -94,21 +100,11 @@ void RequestWindow::expire(TimePoint now)
 
 void RequestWindow::measure(Duration roundTrip)
 {
-    if (m_roundTrip == Duration::zero()) {
-        m_roundTrip = roundTrip;
-        m_variation = roundTrip / 2;
-    } else {
-        const Duration difference = roundTrip > m_roundTrip ? roundTrip - m_roundTrip : m_roundTrip - roundTrip;
-        m_variation = (m_variation * 3 + difference) / 4;
-        m_roundTrip = (m_roundTrip * 7 + roundTrip) / 8;
-    }
-    m_shortest = std::min(m_shortest, roundTrip);
-    m_timeout = std::clamp(m_roundTrip + std::max(m_variation * 4, m_roundTrip / 4), kLeastTimeout, kMostTimeout);
-    // Answers that queue up arrive later than the first ones did.
-    if (m_roundTrip > m_shortest * 2)
-        m_window = std::max(m_window - 1, kLeast);
+    m_trip.measure(roundTrip);
+    if (m_trip.isGrowing())
+        m_window = std::max(m_window - 1, std::min(kLeast, m_most));
     else
-        m_window = std::min(m_window + 1, kMost);
+        m_window = std::min(m_window + 1, m_most);
 }
 
 std::optional<std::size_t> RequestWindow::nextMissing() const
@@ -119,6 +115,13 @@ std::optional<std::size_t> RequestWindow::nextMissing() const
             return index;
     }
     return std::nullopt;
+}
+
+std::size_t RequestWindow::firstMissing() const
+{
+    const auto from = m_items.begin() + static_cast<std::ptrdiff_t>(m_firstMissing);
+    return static_cast<std::size_t>(std::find_if(from, m_items.end(), [](const Item &item) { return !item.here; })
+                                    - m_items.begin());
 }
 
 bool RequestWindow::isAsked(std::size_t index) const

@@ -3,7 +3,7 @@
 // again. Growing delay shrinks the window, loss does not: radios lose without being overloaded. No I/O and no clock.
 #pragma once
 
-#include "core/base/clock.h"
+#include "core/vehicle/round_trip.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -16,15 +16,16 @@ class RequestWindow
 {
 public:
     static constexpr std::size_t kFirst = 8, kLeast = 2, kMost = 48; ///< requests without an answer yet
-    static constexpr Duration kFirstTimeout = std::chrono::milliseconds(500), kLeastTimeout = std::chrono::milliseconds(20),
-                              kMostTimeout = std::chrono::seconds(3);
     /// After so many timeouts without any item, requests are made half as often, again and again.
     static constexpr int kSilentTimeouts = 3, kMostBackoff = 64;
-    /// With so few items missing each is asked for twice at a time: the last ones decide when the list is complete.
+    /// With so few items missing each is asked for twice at a time, unless only one may be asked for: the last ones decide
+    /// when the list is complete.
     static constexpr std::size_t kAskedTwice = 16;
 
     /// Begins a list of which nothing has arrived. What is known of the round trip is kept.
     void begin();
+    /// At most so many requests without an answer; 1 for a vehicle that answers in order alone.
+    void setMost(std::size_t most);
     /// The list has so many items; those that have arrived stay.
     void setCount(std::size_t count);
     /// Items before this one may be asked for; the others still come by themselves.
@@ -40,6 +41,11 @@ public:
     std::size_t count() const { return m_items.size(); }
     std::size_t received() const { return m_received; }
     bool isComplete() const { return !m_items.empty() && m_received == m_items.size(); }
+    /// The first item that has not arrived; count() if none is missing.
+    std::size_t firstMissing() const;
+    /// Of the link: answers to other requests may be measured as well.
+    RoundTrip &roundTrip() { return m_trip; }
+    const RoundTrip &roundTrip() const { return m_trip; }
 
 private:
     struct Item
@@ -68,9 +74,8 @@ private:
     std::optional<std::size_t> m_again;
     std::optional<TimePoint> m_progress; ///< the latest item, or the start; also set when the timeout was doubled
     int m_backoff = 1;                   ///< the timeout is so much longer while nothing arrives
-    std::size_t m_window = kFirst;
-    Duration m_timeout = kFirstTimeout;
-    Duration m_roundTrip{}, m_variation{}, m_shortest = Duration::max(); ///< zero until one was measured
+    std::size_t m_window = kFirst, m_most = kMost;
+    RoundTrip m_trip;
 };
 
 } // namespace skyseal::vehicle

@@ -4,6 +4,7 @@
 
 #include "core/base/clock.h"
 #include "core/mavlink/enums.h"
+#include "core/vehicle/request_id.h"
 
 #include <cmath>
 #include <cstdint>
@@ -40,6 +41,14 @@ struct SequenceCounters
     std::uint64_t lost = 0;
     std::uint64_t late = 0;
     std::uint64_t duplicate = 0;
+};
+
+/// How far a transfer of a request has come: items, bytes or records, as its protocol counts them.
+struct TransferProgress
+{
+    RequestId id{};
+    std::uint64_t done = 0;
+    std::uint64_t total = 0; ///< 0 while it is not known
 };
 
 struct VehicleState
@@ -92,6 +101,7 @@ struct VehicleState
     bool lost = false;              ///< no message for 3.5 s
     SequenceCounters sequence;      ///< all components
     std::vector<StatusText> texts;  ///< the last 200
+    std::vector<TransferProgress> transfers;
 };
 
 } // namespace skyseal::vehicle

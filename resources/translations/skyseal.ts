@@ -331,27 +331,39 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Mission sent</source>
+        <source>Fence</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Mission read</source>
+        <source>Rally points</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Mission cleared</source>
+        <source>Mission</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Mission not sent: %1</source>
+        <source>%1 sent</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Mission not read: %1</source>
+        <source>%1 read</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Mission not cleared: %1</source>
+        <source>%1 cleared</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 not sent: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 not read: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 not cleared: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

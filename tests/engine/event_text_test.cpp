@@ -137,6 +137,10 @@ void EventTextTest::eachMissionTransferHasItsOwnTexts()
     QCOMPARE(sentence(MissionTransfer::Upload, false), QStringLiteral("Mission not sent: denied"));
     QCOMPARE(sentence(MissionTransfer::Download, false), QStringLiteral("Mission not read: denied"));
     QCOMPARE(sentence(MissionTransfer::Clear, false), QStringLiteral("Mission not cleared: denied"));
+    QCOMPARE(eventText(vehicle::MissionResult{.type = vehicle::MissionType::Fence, .ok = true}, {}).sentence,
+             QStringLiteral("Fence sent"));
+    QCOMPARE(eventText(vehicle::MissionResult{.type = vehicle::MissionType::Rally, .reason = "denied"}, {}).sentence,
+             QStringLiteral("Rally points not sent: denied"));
 }
 
 void EventTextTest::failedReadOfParametersHasNoName()

@@ -108,8 +108,8 @@ public:
     }
     EventText operator()(const vehicle::MissionResult &e) const
     {
-        return e.ok ? EventText{missionDone(e.transfer), kInfo, e.systemId}
-                    : EventText{missionFailed(e.transfer).arg(qt(e.reason)), kError, e.systemId};
+        return e.ok ? EventText{missionDone(e.transfer).arg(planName(e.type)), kInfo, e.systemId}
+                    : EventText{missionFailed(e.transfer).arg(planName(e.type), qt(e.reason)), kError, e.systemId};
     }
     EventText operator()(const vehicle::ParameterResult &e) const
     {
@@ -136,23 +136,32 @@ public:
     }
 
 private:
+    static QString planName(vehicle::MissionType type)
+    {
+        switch (type) {
+        case vehicle::MissionType::Fence: return tr("Fence");
+        case vehicle::MissionType::Rally: return tr("Rally points");
+        case vehicle::MissionType::Mission: break;
+        }
+        return tr("Mission");
+    }
     static QString missionDone(vehicle::MissionTransfer transfer)
     {
         switch (transfer) {
-        case vehicle::MissionTransfer::Upload: return tr("Mission sent");
-        case vehicle::MissionTransfer::Download: return tr("Mission read");
+        case vehicle::MissionTransfer::Upload: return tr("%1 sent");
+        case vehicle::MissionTransfer::Download: return tr("%1 read");
         case vehicle::MissionTransfer::Clear: break;
         }
-        return tr("Mission cleared");
+        return tr("%1 cleared");
     }
     static QString missionFailed(vehicle::MissionTransfer transfer)
     {
         switch (transfer) {
-        case vehicle::MissionTransfer::Upload: return tr("Mission not sent: %1");
-        case vehicle::MissionTransfer::Download: return tr("Mission not read: %1");
+        case vehicle::MissionTransfer::Upload: return tr("%1 not sent: %2");
+        case vehicle::MissionTransfer::Download: return tr("%1 not read: %2");
         case vehicle::MissionTransfer::Clear: break;
         }
-        return tr("Mission not cleared: %1");
+        return tr("%1 not cleared: %2");
     }
 
     const PeerNames &m_names;
