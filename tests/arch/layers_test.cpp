@@ -31,7 +31,8 @@ const QHash<QString, QStringList> &allowed()
         {QStringLiteral("sim"), {QStringLiteral("base"), QStringLiteral("mavlink")}},
         {QStringLiteral("impair"), {QStringLiteral("base")}},
         {QStringLiteral("link"), kProtocol},
-        {QStringLiteral("engine"), kProtocol + QStringList{QStringLiteral("link")}},
+        {QStringLiteral("mqtt"), {QStringLiteral("base"), QStringLiteral("keys"), QStringLiteral("link")}},
+        {QStringLiteral("engine"), kProtocol + QStringList{QStringLiteral("link"), QStringLiteral("mqtt")}},
         {QStringLiteral("experiment"), kProtocol + QStringList{QStringLiteral("link"), QStringLiteral("engine")}},
     };
     return kAllowed;
