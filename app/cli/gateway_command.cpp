@@ -1,6 +1,7 @@
 // skyseal-cli gateway: other ground stations and programs use the vehicles through the sealed links of this station.
 #include "app/cli/commands.h"
 #include "app/cli/control/control_url.h"
+#include "app/cli/mqtt_options.h"
 #include "app/cli/station_options.h"
 #include "app/cli/station_run.h"
 #include "app/common/options.h"
@@ -25,6 +26,7 @@ void declare(Options &options)
         "itself sends none.");
     declareControl(options, "Local socket on which skyseal-cli status, switch and revoke act on this gateway.");
     options.addValue("metrics", "HOST:PORT", "Serve the counters to Prometheus at http://HOST:PORT/metrics (OpenMetrics).");
+    declareMqtt(options);
     declareRecording(options);
     options.addValue("duration", "S", "Exit after this many seconds.");
     options.addConfig();
@@ -83,12 +85,15 @@ int runGateway(const QStringList &arguments)
         run.control = readControl(options);
     if (options.has("metrics"))
         run.metrics = options.required("metrics");
+    run.broker = readMqtt(options);
     if (options.has("duration"))
         run.plan.duration = std::chrono::duration_cast<Duration>(
             std::chrono::duration<double>(options.number("duration", 0, kLongestRun)));
     if (const auto status = options.finish())
         return *status;
     warnOfOpenLinks(name, run.plan.serve);
+    if (run.broker)
+        warnOfOpenBroker(name, run.broker->config);
     return runStation(std::move(run));
 }
 

@@ -1,5 +1,6 @@
 #include "app/cli/station_run.h"
 
+#include "app/cli/broker_report.h"
 #include "app/cli/control/control_server.h"
 #include "app/cli/json_report.h"
 #include "app/cli/metrics_server.h"
@@ -10,7 +11,10 @@
 #include "app/common/process.h"
 #include "app/common/service_manager.h"
 #include "core/crypto/mavsec_cipher.h"
+#include "core/engine/headless/fleet_feed.h"
 #include "core/engine/station/snapshot.h"
+#include "core/link/steady_now.h"
+#include "core/mqtt/publisher.h"
 
 #include <QtCore/QCoreApplication>
 
@@ -59,10 +63,40 @@ private:
     bool m_alive = false; ///< a snapshot came since the watchdog was told
 };
 
+Result<std::shared_ptr<engine::FleetFeed>, InputError> makeFeed(const BrokerPlan &plan)
+{
+    auto publisher = mqtt::Publisher::create(plan.config);
+    if (!publisher)
+        return tl::unexpected(publisher.error());
+    return std::make_shared<engine::FleetFeed>(std::move(*publisher), plan.raw);
+}
+
+void feedFrom(engine::Station &station, const std::shared_ptr<engine::FleetFeed> &feed, BrokerReport &report)
+{
+    station.setFeed(feed);
+    QObject::connect(&station, &engine::Station::snapshotReady, &station,
+                     [feed, &report](const std::shared_ptr<const engine::Snapshot> &snapshot) {
+                         feed->take(*snapshot, wallNow());
+                         report.take(*snapshot);
+                     });
+    QObject::connect(&station, &engine::Station::eventOccurred, &station,
+                     [feed](const engine::Event &event) { feed->hear(event); });
+}
+
 } // namespace
 
 int runStation(StationRun run)
 {
+    std::shared_ptr<engine::FleetFeed> feed; // outlives the station: its end waits for the broker
+    if (run.broker) {
+        auto made = makeFeed(*run.broker);
+        if (!made) {
+            complain(run.program, made.error().text());
+            return kCannotOpen;
+        }
+        feed = std::move(*made);
+    }
+    BrokerReport brokerReport(run.broker ? run.broker->config.broker.toText() : std::string(), run.json);
     auto station = engine::Station::create(run.config);
     if (!station) {
         complain(run.program, station.error().text());
@@ -85,6 +119,8 @@ int runStation(StationRun run)
             complain(run.program,
                      run.metrics + ": not of this machine alone: anyone who reaches this address can read the counters");
     }
+    if (feed)
+        feedFrom(**station, feed, brokerReport);
     const std::unique_ptr<engine::RunListener> report = makeReport(run);
     const std::size_t links = run.links.size() + run.plan.serve.size();
     engine::HeadlessRun headless(**station, *report, std::move(run.plan), run.links);

@@ -1,10 +1,12 @@
 // Runs a station on the command line from its start to its end: report on stdout, list of peers, signals.
 #pragma once
 
+#include "app/cli/mqtt_options.h"
 #include "core/engine/headless/headless_run.h"
 
 #include <QtCore/QString>
 
+#include <optional>
 #include <vector>
 
 namespace skyseal::app {
@@ -18,6 +20,7 @@ struct StationRun
     bool json = false;
     QString control = {};     ///< path of the control socket; none if empty
     std::string metrics = {}; ///< HOST:PORT of the metrics; none if empty
+    std::optional<BrokerPlan> broker = {};
 };
 
 /// Returns the exit status.

@@ -82,6 +82,7 @@ Result<void, InputError> Publisher::Connection::setUp()
             return tl::unexpected(tls.error());
         m_tls = std::move(*tls);
         mosquitto_void_option(client, MOSQ_OPT_SSL_CTX, m_tls.get());
+        mosquitto_int_option(client, MOSQ_OPT_SSL_CTX_WITH_DEFAULTS, 0); // the settings are complete
     }
     if (!m_config.loginFile.empty()) {
         if (auto set = setLogin(); !set)
@@ -310,7 +311,7 @@ void Publisher::Connection::setProblem(std::string problem)
     m_status.problem = std::move(problem);
 }
 
-PublisherStatus::Count &Publisher::Connection::countOf(Kind kind)
+PublishCount &Publisher::Connection::countOf(Kind kind)
 {
     return kind == Kind::State ? m_status.state : kind == Kind::Event ? m_status.event : m_status.raw;
 }

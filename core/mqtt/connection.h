@@ -60,7 +60,7 @@ private:
     void noteSent(int id);
     void setProblem(std::string problem);
     std::string problemOf(int error) const;
-    PublisherStatus::Count &countOf(Kind kind);
+    PublishCount &countOf(Kind kind);
     /// Returns early when the publisher ends.
     void pause(Duration time);
     std::string topic(const std::string &relative) const { return m_config.broker.prefix + '/' + relative; }

@@ -1,7 +1,9 @@
-// Where messages for a broker go. Topics are relative to the prefix of the broker's URL; topics.h makes them.
+// Where messages for a broker go. Thread-safe, and no call blocks on the network. Topics are relative to the prefix of the
+// broker's URL; topics.h makes them.
 #pragma once
 
 #include "core/base/bytes.h"
+#include "core/mqtt/publisher_status.h"
 
 #include <string>
 
@@ -18,6 +20,8 @@ public:
     virtual void putEvent(std::string topic, std::string payload) = 0;
     /// A whole MAVLink frame of a vehicle. QoS 0; frames of one vehicle are coalesced into messages.
     virtual void putRaw(std::uint8_t systemId, ByteView frame) = 0;
+
+    virtual PublisherStatus status() const = 0;
 };
 
 } // namespace skyseal::mqtt

@@ -10,7 +10,6 @@
 #include "core/base/result.h"
 #include "core/mqtt/outlet.h"
 #include "core/mqtt/publisher_config.h"
-#include "core/mqtt/publisher_status.h"
 
 #include <memory>
 
@@ -30,11 +29,10 @@ public:
     /// Publishes what waits and the state "offline", for a second at most, and disconnects.
     ~Publisher() override;
 
-    // Thread-safe; none blocks on the network.
     void putState(std::string topic, std::string payload) override;
     void putEvent(std::string topic, std::string payload) override;
     void putRaw(std::uint8_t systemId, ByteView frame) override;
-    PublisherStatus status() const;
+    PublisherStatus status() const override;
 
 private:
     class Connection;

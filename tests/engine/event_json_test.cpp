@@ -29,6 +29,7 @@ private Q_SLOTS:
     void droppedEventsAreReported();
     void agentThatDoesNotAnswerIsNamed();
     void unknownAgeOfCommandsIsNull();
+    void brokerIsInTheStatistics();
 };
 
 void EventJsonTest::droppedEventsAreReported()
@@ -52,6 +53,21 @@ void EventJsonTest::agentThatDoesNotAnswerIsNamed()
     QCOMPARE(event.value(QStringLiteral("state")).toString(), QStringLiteral("begun"));
     QCOMPARE(event.value(QStringLiteral("peer")).toString(), QStringLiteral("air-1"));
     QCOMPARE(event.value(QStringLiteral("own_fingerprint")).toString(), QStringLiteral("abc"));
+}
+
+void EventJsonTest::brokerIsInTheStatistics()
+{
+    Snapshot snapshot;
+    QVERIFY(!parsed(statusEvent(snapshot)).contains(QStringLiteral("mqtt")));
+    snapshot.broker = mqtt::PublisherStatus{.problem = "Connection refused", .event = {5, 2}};
+    const QJsonObject status = parsed(statusEvent(snapshot)).value(QStringLiteral("mqtt")).toObject();
+    QCOMPARE(status.value(QStringLiteral("connected")).toBool(true), false);
+    QCOMPARE(status.value(QStringLiteral("problem")).toString(), QStringLiteral("Connection refused"));
+    QCOMPARE(status.value(QStringLiteral("event"))[QStringLiteral("sent")].toInt(), 5);
+    QCOMPARE(status.value(QStringLiteral("event"))[QStringLiteral("dropped")].toInt(), 2);
+    const QJsonObject event = parsed(brokerEvent("mqtts://broker:8883/skyseal", *snapshot.broker));
+    QCOMPARE(event.value(QStringLiteral("event")).toString(), QStringLiteral("mqtt"));
+    QCOMPARE(event.value(QStringLiteral("state")).toString(), QStringLiteral("waiting"));
 }
 
 void EventJsonTest::unknownAgeOfCommandsIsNull()

@@ -24,6 +24,7 @@ Snapshot flight()
     vehicle.state.altitudeRelative = 12.5; // all other values are unknown
     out.vehicles.push_back(vehicle);
     out.clients.push_back({"planner", "127.0.0.1:5000", "none", {5, 2, 1, 0}});
+    out.broker = mqtt::PublisherStatus{.connected = true, .connections = 2, .state = {100, 7}, .event = {3, 0}, .raw = {0, 1}};
     return out;
 }
 
@@ -78,7 +79,10 @@ void OpenMetricsTest::valuesAreThoseOfTheSnapshot()
     for (const char *line : {"skyseal_mavlink_frames_total 1200", "skyseal_records_total{outcome=\"forged\"} 3",
                              "skyseal_vehicle_alt_rel{sysid=\"7\"} 12.5",
                              "skyseal_session_epoch{peer=\"air \\\"1\\\" \\\\ \\n\",suite=\"none\"} 0",
-                             "skyseal_client_frames_total{client=\"planner\",address=\"127.0.0.1:5000\",outcome=\"denied\"} 2"})
+                             "skyseal_client_frames_total{client=\"planner\",address=\"127.0.0.1:5000\",outcome=\"denied\"} 2",
+                             "skyseal_mqtt_connected 1", "skyseal_mqtt_connections_total 2",
+                             "skyseal_mqtt_messages_total{kind=\"state\",outcome=\"dropped\"} 7",
+                             "skyseal_mqtt_messages_total{kind=\"event\",outcome=\"sent\"} 3"})
         QVERIFY2(all.contains(QLatin1String(line)), qPrintable(QLatin1String(line) + all.join(QLatin1Char('\n'))));
 }
 
@@ -92,6 +96,7 @@ void OpenMetricsTest::unknownValuesAreLeftOut()
 void OpenMetricsTest::nothingIsKnownAtTheStart()
 {
     QVERIFY(lines({}).contains(QStringLiteral("skyseal_mavlink_frames_total 0")));
+    QVERIFY(lines({}).filter(QStringLiteral("mqtt")).isEmpty()); // without a broker
 }
 
 SKYSEAL_TEST_APPLESS(OpenMetricsTest)

@@ -13,8 +13,8 @@ namespace skyseal::test {
 class GatewayFlight
 {
 public:
-    /// Starts the gateway. `serve`: values of --serve.
-    explicit GatewayFlight(const QStringList &serve)
+    /// Starts the gateway. `serve`: values of --serve; `more`: further lines of its configuration.
+    explicit GatewayFlight(const QStringList &serve, const QByteArrayList &more = {})
     {
         QFile config(configFile());
         if (!flight.ready() || !config.open(QIODevice::WriteOnly))
@@ -31,6 +31,8 @@ public:
         line("metrics", QStringLiteral("127.0.0.1:%1").arg(metricsPort));
         line("no-record", QStringLiteral("yes"));
         line("json", QStringLiteral("yes"));
+        for (const QByteArray &one : more)
+            config.write(one + '\n');
         config.close();
         config.setPermissions(QFile::ReadOwner | QFile::WriteOwner);
         startGateway();

@@ -44,6 +44,16 @@ std::string clientLine(const engine::ClientSnapshot &client)
         + " denied";
 }
 
+std::string brokerLine(const mqtt::PublisherStatus &broker)
+{
+    const auto count = [](const char *kind, const mqtt::PublishCount &of) {
+        return std::to_string(of.sent) + ' ' + kind + " (" + std::to_string(of.dropped) + " dropped)";
+    };
+    return std::string("broker ") + (broker.connected ? "connected" : "not connected")
+        + (broker.problem.empty() ? "" : ", " + broker.problem) + ": " + count("states", broker.state) + ", "
+        + count("events", broker.event) + ", " + count("messages of frames", broker.raw) + " published";
+}
+
 } // namespace
 
 ControlServer::ControlServer(engine::Station &station, std::string peersFile)
@@ -128,6 +138,8 @@ void ControlServer::sendStatus(QLocalSocket *asker)
     QJsonArray text{qt(statusLine(*m_snapshot))};
     for (const engine::ClientSnapshot &client : m_snapshot->clients)
         text.append(qt(clientLine(client)));
+    if (m_snapshot->broker)
+        text.append(qt(brokerLine(*m_snapshot->broker)));
     const std::string status = engine::statusEvent(*m_snapshot);
     answerOk(asker,
              {{QStringLiteral("status"), QJsonDocument::fromJson(QByteArray::fromStdString(status)).object()},

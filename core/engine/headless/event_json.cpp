@@ -1,7 +1,11 @@
 #include "core/engine/headless/event_json.h"
 
+#include "core/base/overloaded.h"
+#include "core/engine/headless/channel_event_json.h"
 #include "core/engine/station/snapshot.h"
 #include "core/vehicle/state_fields.h"
+
+#include <algorithm>
 
 namespace skyseal::engine {
 
@@ -111,6 +115,40 @@ std::string clientDeniedEvent(const ClientDenied &denied)
     return endEvent(json);
 }
 
+std::string brokerEvent(const std::string &url, const mqtt::PublisherStatus &broker)
+{
+    JsonWriter json = beginEvent("mqtt");
+    json.field("state", broker.connected ? "connected" : "waiting").field("url", url).field("problem", broker.problem);
+    return endEvent(json);
+}
+
+std::string eventJson(const Event &event, const PeerNames &names)
+{
+    return std::visit(Overloaded{
+                          [](const LinkChanged &e) { return linkEvent(e.link); },
+                          [](const VehicleFound &e) { return vehicleEvent(e); },
+                          [](const VehicleLost &e) { return vehicleLostEvent(e.systemId, true); },
+                          [](const VehicleBack &e) { return vehicleLostEvent(e.systemId, false); },
+                          [](const vehicle::TextReceived &e) { return statusTextEvent(e); },
+                          [](const PlaintextRefused &e) { return plaintextEvent(e); },
+                          [](const SystemRefused &e) { return systemRefusedEvent(e); },
+                          [](const AgentUnanswering &e) { return unansweringEvent(e); },
+                          [](const RecordingProblem &e) { return recordingEvent(e); },
+                          [](const EventsDropped &e) { return eventsDroppedEvent(e); },
+                          [](const CounterStorage &e) { return counterStorageEvent(e); },
+                          [](const ServedLinkChanged &e) { return servedLinkEvent(e); },
+                          [](const ClientConnected &e) { return clientEvent(e); },
+                          [](const ClientGone &e) { return clientEvent(e); },
+                          [](const ClientDenied &e) { return clientDeniedEvent(e); },
+                          [](const vehicle::MissionResult &) { return std::string(); },
+                          [](const vehicle::ParameterResult &) { return std::string(); },
+                          [](const vehicle::CommandResult &) { return std::string(); }, // the script reports its steps
+                          // Events of the channel; no others convert to channel::Event.
+                          [&names](const auto &e) { return channelEvent(e, names); },
+                      },
+                      event);
+}
+
 namespace {
 
 void writeClients(JsonWriter &json, const std::vector<ClientSnapshot> &clients)
@@ -126,6 +164,21 @@ void writeClients(JsonWriter &json, const std::vector<ClientSnapshot> &clients)
     json.endArray();
 }
 
+void writeCount(JsonWriter &json, std::string_view kind, const mqtt::PublishCount &count)
+{
+    json.key(kind).beginObject().field("sent", count.sent).field("dropped", count.dropped).endObject();
+}
+
+void writeBroker(JsonWriter &json, const mqtt::PublisherStatus &broker)
+{
+    json.key("mqtt").beginObject().field("connected", broker.connected).field("problem", broker.problem);
+    json.field("connections", broker.connections);
+    writeCount(json, "state", broker.state);
+    writeCount(json, "event", broker.event);
+    writeCount(json, "raw", broker.raw);
+    json.endObject();
+}
+
 void writeStatistics(JsonWriter &json, const Snapshot &snapshot, double time)
 {
     json.field("t", time);
@@ -137,6 +190,8 @@ void writeStatistics(JsonWriter &json, const Snapshot &snapshot, double time)
         json.field("storage_problem", snapshot.storageProblem);
     if (!snapshot.served.empty())
         writeClients(json, snapshot.clients);
+    if (snapshot.broker)
+        writeBroker(json, *snapshot.broker);
     json.key("vehicles").beginArray();
     for (const VehicleSnapshot &vehicle : snapshot.vehicles) {
         json.beginObject();
@@ -152,6 +207,22 @@ std::string statsEvent(std::string_view event, const Snapshot &snapshot, double 
 {
     JsonWriter json = beginEvent(event);
     writeStatistics(json, snapshot, time);
+    return endEvent(json);
+}
+
+std::string vehicleStateEvent(const Snapshot &snapshot, const VehicleSnapshot &vehicle, WallTime now)
+{
+    JsonWriter json = beginEvent("state");
+    json.field("time", std::chrono::duration<double>(now.time_since_epoch()).count());
+    const auto session = std::ranges::find_if(
+        snapshot.sessions, [&vehicle](const SessionSnapshot &one) { return vehicle.session == one.info.session; });
+    json.field("sealed", session != snapshot.sessions.end());
+    if (session != snapshot.sessions.end()) {
+        json.field("peer", session->info.peerName).field("suite", crypto::suiteInfo(session->info.suite).name);
+        json.field("under_attack", isAttacked(*session));
+    }
+    json.field("loss_percent", vehicle.lossPercent);
+    vehicle::writeStateFields(json, vehicle.state);
     return endEvent(json);
 }
 

@@ -2,8 +2,10 @@
 // statistics of every second. Names and shapes are part of the programs' interface.
 #pragma once
 
+#include "core/engine/common/peer_names.h"
 #include "core/engine/headless/common_json.h"
 #include "core/engine/station/event.h"
+#include "core/mqtt/publisher_status.h"
 #include "core/vehicle/flight_script_runner.h"
 
 #include <string>
@@ -11,6 +13,10 @@
 namespace skyseal::engine {
 
 struct Snapshot;
+struct VehicleSnapshot;
+
+/// The line of any event; empty for those that scripts do not see. `names` must have noted the event.
+std::string eventJson(const Event &event, const PeerNames &names);
 
 std::string vehicleEvent(const VehicleFound &found);
 std::string vehicleLostEvent(std::uint8_t systemId, bool lost);
@@ -28,6 +34,11 @@ std::string clientEvent(const ClientConnected &client);
 std::string clientEvent(const ClientGone &client);
 std::string clientDeniedEvent(const ClientDenied &denied);
 
+/// The connection to the MQTT broker was made or lost.
+std::string brokerEvent(const std::string &url, const mqtt::PublisherStatus &broker);
+
+/// The state of one vehicle of the snapshot, and how it is connected. `now`: the time of the snapshot.
+std::string vehicleStateEvent(const Snapshot &snapshot, const VehicleSnapshot &vehicle, WallTime now);
 /// The state at this moment: the statistics, and the sessions.
 std::string statusEvent(const Snapshot &snapshot);
 /// `event` is "stats" or "summary"; `time` is seconds since the start.

@@ -142,6 +142,21 @@ void writeClients(Exposition &out, const Snapshot &snapshot)
     }
 }
 
+void writeBroker(Exposition &out, const mqtt::PublisherStatus &broker)
+{
+    out.gauge("mqtt_connected", "1 while the MQTT broker accepts messages.");
+    out.sample({}, std::uint64_t(broker.connected));
+    out.counter("mqtt_connections", "Connections that the MQTT broker accepted.");
+    out.sample({}, broker.connections);
+    out.counter("mqtt_messages", "Messages for the MQTT broker, by what became of them. State: dropped for a newer one.");
+    const std::pair<const char *, const mqtt::PublishCount &> kinds[] = {
+        {"state", broker.state}, {"event", broker.event}, {"raw", broker.raw}};
+    for (const auto &[kind, count] : kinds) {
+        out.sample({{"kind", kind}, {"outcome", "sent"}}, count.sent);
+        out.sample({{"kind", kind}, {"outcome", "dropped"}}, count.dropped);
+    }
+}
+
 } // namespace
 
 std::string openMetrics(const Snapshot &snapshot)
@@ -151,6 +166,8 @@ std::string openMetrics(const Snapshot &snapshot)
     writeSessions(out, snapshot);
     writeVehicles(out, snapshot);
     writeClients(out, snapshot);
+    if (snapshot.broker)
+        writeBroker(out, *snapshot.broker);
     out.gauge("resident_bytes", "Memory of this program.");
     out.sample({}, snapshot.residentBytes);
     return std::move(out).end();

@@ -15,9 +15,11 @@
 #include "core/engine/station/unanswering_agent.h"
 #include "core/engine/station/unknown_agent.h"
 #include "core/engine/station/vehicle_snapshot.h"
+#include "core/mqtt/publisher_status.h"
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,7 @@ struct Snapshot
     std::vector<LinkSnapshot> links;
     std::vector<LinkSnapshot> served; ///< links on which the gateway serves clients
     std::vector<ClientSnapshot> clients;
+    std::optional<mqtt::PublisherStatus> broker; ///< set if the station publishes to one
     std::vector<SessionSnapshot> sessions;
     std::vector<VehicleSnapshot> vehicles;
     std::vector<UnansweringAgent> unanswering;

@@ -212,6 +212,11 @@ void Station::serve(std::vector<ServeConfig> served)
     d->post([served = std::move(served)](StationCore &core) mutable { core.serve(std::move(served)); });
 }
 
+void Station::setFeed(std::shared_ptr<Feed> feed)
+{
+    d->post([feed = std::move(feed)](StationCore &core) { core.setFeed(feed); });
+}
+
 void Station::switchSuite(channel::SessionId session, crypto::SuiteId suite)
 {
     d->post([=](StationCore &core) { core.switchSuite(session, suite); });

@@ -8,6 +8,7 @@
 #include "core/channel/pairing.h"
 #include "core/engine/gateway/serve_config.h"
 #include "core/engine/station/event.h"
+#include "core/engine/station/feed.h"
 #include "core/engine/station/protection.h"
 #include "core/engine/station/station_config.h"
 #include "core/keys/usable_peers.h"
@@ -51,6 +52,8 @@ public:
     void removeLink(LinkId);
     /// Serves other ground stations on these links, in place of those of an earlier call; see Gateway.
     void serve(std::vector<ServeConfig> served);
+    /// Gives the accepted frames to `feed`, too, from the next one on.
+    void setFeed(std::shared_ptr<Feed> feed);
     void switchSuite(channel::SessionId, crypto::SuiteId);
     /// For measurements: new sessions begin with this suite, in place of the configured preference. nullopt ends that.
     void holdSuite(std::optional<crypto::SuiteId>);

@@ -94,6 +94,12 @@ void StationCore::serve(std::vector<ServeConfig> served)
     finishWake();
 }
 
+void StationCore::setFeed(std::shared_ptr<Feed> feed)
+{
+    m_feed = std::move(feed);
+    m_receiver.setFeed(m_feed.get());
+}
+
 void StationCore::forward(TimePoint now, std::uint8_t systemId, ByteView frame)
 {
     m_sender.forward(now, systemId, frame, m_receiver.gate().policy());
@@ -482,6 +488,8 @@ std::shared_ptr<Snapshot> StationCore::takeSnapshot(TimePoint now)
         out->served = m_gateway->links(now);
         out->clients = m_gateway->clients();
     }
+    if (m_feed)
+        out->broker = m_feed->status();
     out->storageProblem = m_storage.counters.problem();
     if (m_sinks.eventsDropped)
         out->eventsDropped = m_sinks.eventsDropped();

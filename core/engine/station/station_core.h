@@ -53,6 +53,9 @@ public:
     /// Serves clients on these links, in place of the earlier ones.
     void serve(std::vector<ServeConfig> served);
 
+    /// Gives the accepted frames to `feed`, too; null ends that.
+    void setFeed(std::shared_ptr<Feed> feed);
+
     // Security.
     void switchSuite(channel::SessionId session, crypto::SuiteId suite);
     void setAllowResearch(bool allow);
@@ -145,6 +148,7 @@ private:
     StationSender m_sender;
     StationReceiver m_receiver;
     std::unique_ptr<Gateway> m_gateway; ///< null while no clients are served
+    std::shared_ptr<Feed> m_feed;       ///< null while nothing is published
     MetricsSampler m_sampler;
     SnapshotPace m_pace;
     EventPublisher<Event, StationCauses> m_events; ///< those that strangers can cause; the others go to m_sinks

@@ -116,9 +116,9 @@ void StationReceiver::takeDelivery(const link::ReceivedBlock &block, const chann
 /// clients receive it only if its record is fresh.
 void StationReceiver::takeUnknownMessage(const channel::Delivery &delivery, ByteView frame)
 {
-    if (m_gateway && delivery.freshness == channel::Freshness::Fresh
+    if ((m_gateway || m_feed) && delivery.freshness == channel::Freshness::Fresh
         && m_gate.acceptSealed(delivery.session, mavlink::systemIdOf(frame)))
-        m_gateway->sendToClients(frame);
+        serve(frame);
 }
 
 void StationReceiver::takeClear(const link::Link &, const link::ReceivedBlock &block, const mavlink::ScanItem &item)

@@ -6,6 +6,7 @@
 #include "core/engine/common/link_pool.h"
 #include "core/engine/gateway/gateway.h"
 #include "core/engine/station/datagram_counters.h"
+#include "core/engine/station/feed.h"
 #include "core/engine/station/fleet.h"
 #include "core/engine/station/frame_gate.h"
 #include "core/engine/station/mavsec_sink.h"
@@ -51,6 +52,9 @@ public:
     void setRecorder(Recorder *recorder) { m_recorder = recorder; }
     /// Receives the accepted frames of vehicles; null when no clients are served.
     void setGateway(Gateway *gateway) { m_gateway = gateway; }
+
+    /// Receives them, too; null when nothing is published.
+    void setFeed(Feed *feed) { m_feed = feed; }
 
     FrameGate &gate() { return m_gate; }
     const FrameGate &gate() const { return m_gate; }
@@ -101,6 +105,8 @@ private:
     {
         if (m_gateway)
             m_gateway->sendToClients(frame);
+        if (m_feed)
+            m_feed->takeFrame(frame);
     }
     void noteMavlink(LinkId link)
     {
@@ -115,6 +121,7 @@ private:
     StationChannel *m_channel = nullptr;
     Recorder *m_recorder = nullptr;
     Gateway *m_gateway = nullptr;
+    Feed *m_feed = nullptr;
     FrameGate m_gate;
     RecordingSink m_recordings{*this};
     std::map<LinkId, MavsecSink> m_mavsec;
