@@ -26,7 +26,7 @@ void FrameRouter::route(TimePoint now, const mavlink::Frame &frame) const
         return;
     const FrameSender peer{frame.systemId(), frame.componentId(), frame.version()};
     routeCommand(now, peer, frame) || routeMission(now, peer, frame) || routeParameter(now, frame) || control.handle(now, frame)
-        || routeLog(now, peer, frame) || routeLink(now, peer, frame);
+        || routeFile(now, peer, frame) || routeLink(now, peer, frame);
 }
 
 bool FrameRouter::routeCommand(TimePoint now, const FrameSender &peer, const mavlink::Frame &frame) const
@@ -141,7 +141,7 @@ bool FrameRouter::routeParameter(TimePoint now, const mavlink::Frame &frame) con
     }
 }
 
-bool FrameRouter::routeLog(TimePoint now, const FrameSender &peer, const mavlink::Frame &frame) const
+bool FrameRouter::routeFile(TimePoint now, const FrameSender &peer, const mavlink::Frame &frame) const
 {
     switch (frame.messageId()) {
     case mavlink::LogRequestList::kId: {
@@ -156,6 +156,9 @@ bool FrameRouter::routeLog(TimePoint now, const FrameSender &peer, const mavlink
     }
     case mavlink::LogErase::kId: logs.erase(); return true;
     case mavlink::LogRequestEnd::kId: logs.requestEnd(); return true;
+    case mavlink::FileTransferProtocol::kId:
+        ftp.handle(now, peer, FtpMessage::decode(mavlink::FileTransferProtocol::decode(frame.payload()).payload));
+        return true;
     default: return false;
     }
 }

@@ -3,6 +3,7 @@
 
 #include "core/sim/command_server.h"
 #include "core/sim/control_server.h"
+#include "core/sim/ftp_server.h"
 #include "core/sim/gcs_watch.h"
 #include "core/sim/log_server.h"
 #include "core/sim/mission_server.h"
@@ -20,6 +21,7 @@ struct FrameRouter
     MissionServer &missions;
     ParameterServer &parameters;
     LogServer &logs;
+    FtpServer &ftp;
     GcsWatch &station;
     TimePoint boot;
     std::uint8_t systemId;
@@ -30,7 +32,7 @@ private:
     bool isForUs(const mavlink::Frame &frame) const;
     bool routeMission(TimePoint now, const FrameSender &peer, const mavlink::Frame &frame) const;
     bool routeParameter(TimePoint now, const mavlink::Frame &frame) const;
-    bool routeLog(TimePoint now, const FrameSender &peer, const mavlink::Frame &frame) const;
+    bool routeFile(TimePoint now, const FrameSender &peer, const mavlink::Frame &frame) const;
     bool routeCommand(TimePoint now, const FrameSender &peer, const mavlink::Frame &frame) const;
     bool routeLink(TimePoint now, const FrameSender &peer, const mavlink::Frame &frame) const;
     /// An item outside a mission, by its `current` field: 2 = fly there, 3 = change height.

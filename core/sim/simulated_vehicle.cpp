@@ -5,6 +5,7 @@
 #include "core/sim/control_server.h"
 #include "core/sim/flight_recorder.h"
 #include "core/sim/frame_router.h"
+#include "core/sim/ftp_server.h"
 #include "core/sim/gcs_watch.h"
 #include "core/sim/log_server.h"
 #include "core/sim/mission_server.h"
@@ -27,7 +28,7 @@ struct SimulatedVehicle::Parts
         : autopilot(config.autopilot), outbox(systemId), telemetry(autopilot, outbox, config.autopilot.seed), streams(now),
           commands(autopilot, streams, telemetry, outbox), control(autopilot), missions(autopilot, outbox),
           parameters(autopilot.parameters(), outbox, autopilot.texts()), recorder(flightLogs),
-          logs(flightLogs, autopilot, outbox), last(now), look(now)
+          logs(flightLogs, autopilot, outbox), files(card, flightLogs, autopilot), ftp(files, outbox), last(now), look(now)
     {}
 
     void fly(Duration span);
@@ -46,6 +47,9 @@ struct SimulatedVehicle::Parts
     FlightLogs flightLogs;
     FlightRecorder recorder;
     LogServer logs;
+    FileStore card;
+    VehicleFiles files;
+    FtpServer ftp;
     GcsWatch station;
     TimePoint last;
     TimePoint look;  ///< when to look next for what flying brought up
@@ -136,6 +140,7 @@ void SimulatedVehicle::Parts::speak(TimePoint now)
     parameters.handleDeadline(now);
     missions.handleDeadline(now);
     logs.handleDeadline(now);
+    ftp.handleDeadline(now);
 }
 
 void SimulatedVehicle::Parts::notifyStatus()
@@ -165,7 +170,7 @@ void SimulatedVehicle::sendBurst(TimePoint now, std::size_t messages, std::int64
 TimePoint SimulatedVehicle::nextDeadline() const
 {
     return std::min({m_parts->streams.nextDeadline(), m_parts->parameters.nextDeadline(), m_parts->missions.nextDeadline(),
-                     m_parts->logs.nextDeadline(), m_parts->look});
+                     m_parts->logs.nextDeadline(), m_parts->ftp.nextDeadline(), m_parts->look});
 }
 
 void SimulatedVehicle::handleFrame(TimePoint now, const mavlink::Frame &frame)
@@ -173,7 +178,7 @@ void SimulatedVehicle::handleFrame(TimePoint now, const mavlink::Frame &frame)
     advance(now);
     Parts &parts = *m_parts;
     const FrameRouter router{parts.autopilot,  parts.outbox, parts.streams, parts.commands, parts.control, parts.missions,
-                             parts.parameters, parts.logs,   parts.station, m_boot,         systemId()};
+                             parts.parameters, parts.logs,   parts.ftp,     parts.station,  m_boot,        systemId()};
     router.route(now, frame);
     parts.notifyStatus();
 }
@@ -183,6 +188,7 @@ void SimulatedVehicle::reboot(TimePoint now)
     const Parameters kept = m_parts->autopilot.parameters();
     MissionServer::StoredLists lists = m_parts->missions.stored();
     FlightLogs flightLogs = std::move(m_parts->flightLogs);
+    FileStore card = std::move(m_parts->card);
     FrameQueue unsent = std::move(m_parts->outbox);
     const auto id = static_cast<std::uint8_t>(kept.integer("SYSID_THISMAV"));
     m_parts = std::make_unique<Parts>(m_config, id, now);
@@ -190,6 +196,7 @@ void SimulatedVehicle::reboot(TimePoint now)
     m_parts->missions.restore(std::move(lists));
     m_parts->outbox.takeOver(unsent);
     m_parts->flightLogs = std::move(flightLogs);
+    m_parts->card = std::move(card);
     m_config.systemId = id;
     m_parts->streams.applyParameters(now, kept);
 }

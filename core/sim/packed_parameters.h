@@ -1,0 +1,29 @@
+// The packed parameter file of ArduPilot, @PARAM/param.pck (AP_Filesystem_Param there): all parameters in a tenth of the time
+// of PARAM_REQUEST_LIST. A header of three 16-bit numbers (magic, parameters in the file, parameters of the vehicle), then per
+// parameter its type and flags, how much of its name repeats the name before, the rest of the name, and the value.
+#pragma once
+
+#include "core/base/bytes.h"
+#include "core/sim/parameters.h"
+
+namespace skyseal::sim {
+
+/// What a file name asks for by "?start=N&count=N&withdefaults=1".
+struct PackedSelection
+{
+    std::uint16_t start = 0;
+    std::uint16_t count = 0; ///< 0: all
+    bool defaults = false;   ///< adds the defaults of changed parameters
+};
+
+/// Reads what follows the '?'; nullopt if a number is not one. Unknown names are ignored.
+std::optional<PackedSelection> packedSelection(std::string_view query);
+
+/// Empty if the vehicle has no parameter at `start`.
+Bytes packParameters(const Parameters &parameters, const PackedSelection &selection);
+
+/// Takes an uploaded file, whose header has the file's length as third number. Stores nothing, and returns false, if the file
+/// is damaged; parameters that the vehicle does not have, and values out of range, are skipped.
+bool unpackParameters(ByteView file, Parameters &parameters);
+
+} // namespace skyseal::sim
