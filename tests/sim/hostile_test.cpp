@@ -116,7 +116,7 @@ void SimHostileTest::randomPayloadsOfAllMessages()
                                             info.crcExtra, info.minLength, ByteView(payload).first(info.maxLength)));
         // And commands that are nearly right.
         mavlink::CommandLong command;
-        constexpr std::uint16_t kCommands[] = {22,  20,  21,  16,  115, 176, 178, 179, 192,
+        constexpr std::uint16_t kCommands[] = {22,  20,  21,  16,  115, 176, 178, 179, 192, 207,
                                                224, 246, 300, 400, 410, 511, 512, 519, 520};
         command.target_system = 1;
         command.command = kCommands[dice.next() % std::size(kCommands)];
