@@ -138,6 +138,7 @@ void Publisher::Connection::start()
         sigset_t all;
         sigfillset(&all);
         pthread_sigmask(SIG_BLOCK, &all, nullptr); // signals are for the main thread; SIGPIPE stays pending here
+        pthread_setname_np(pthread_self(), "skyseal-mqtt");
         run();
     });
 }
