@@ -385,9 +385,8 @@ void Endpoint::setCallAt(TimePoint now, std::vector<Path> paths)
 {
     if (m_state->core.config.callAt == paths)
         return;
-    m_state->core.config.callAt = std::move(paths);
     if (m_state->stationHandshakes)
-        m_state->stationHandshakes->callAtChanged();
+        m_state->stationHandshakes->setCallAt(std::move(paths));
     m_state->handleDeadline(now);
 }
 

@@ -18,4 +18,11 @@ HandshakeAttempt::Place &HandshakeAttempt::placeAt(const Path &path)
     return place;
 }
 
+void HandshakeAttempt::stopCallingAt(std::span<const Path> paths)
+{
+    std::erase_if(places, [paths](const Place &place) {
+        return !place.answerDue && std::ranges::find(paths, place.path) != paths.end();
+    });
+}
+
 } // namespace skyseal::channel

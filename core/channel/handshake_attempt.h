@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace skyseal::channel {
@@ -42,6 +43,8 @@ struct HandshakeAttempt
 
     /// Returns the place with this address. Makes one if there is none, in place of an unproven one if there are too many.
     Place &placeAt(const Path &path);
+    /// Removes these places, except where the peer announced itself and waits for an answer.
+    void stopCallingAt(std::span<const Path> paths);
 
     PublicKey peer{};
     Carrier carrier{}; ///< of all places

@@ -315,7 +315,8 @@ bool StationHandshakes::handleAnswer(TimePoint now, const Path &from, ByteView d
     m_attempts.erase(m_attempts.begin() + (found - m_attempts.data())); // The session keeps its slot.
     auto &entry = m_core.table.put(std::move(session), false, now);
     sessionLives(entry.session->peer().key); // ends the attempt on another carrier, too
-    stopCallingAt(from);
+    for (Attempt &attempt : m_attempts)
+        attempt.stopCallingAt({&from, 1}); // others would only refuse first messages
     m_core.bringUp(now, entry);
     entry.session->handleDeadline(now); // The first report proves that we are no replay.
     return true;
@@ -357,13 +358,12 @@ void StationHandshakes::callAgents(TimePoint now)
     });
 }
 
-/// The agent that listens there has a session, so that first messages to others would only be refused.
-void StationHandshakes::stopCallingAt(const Path &path)
+void StationHandshakes::setCallAt(std::vector<Path> paths)
 {
-    if (std::ranges::find(m_core.config.callAt, path) == m_core.config.callAt.end())
-        return;
     for (Attempt &attempt : m_attempts)
-        std::erase_if(attempt.places, [&](const Place &place) { return place.path == path && !place.answerDue; });
+        attempt.stopCallingAt(m_core.config.callAt);
+    m_core.config.callAt = std::move(paths);
+    m_calls.hurry();
 }
 
 void StationHandshakes::handleDeadline(TimePoint now)

@@ -33,8 +33,8 @@ public:
     /// An authentic record came from this peer, so it needs no new session.
     void sessionLives(const PublicKey &peer);
     void handleDeadline(TimePoint now);
-    /// The addresses of agents that listen have changed.
-    void callAtChanged() { m_calls.hurry(); }
+    /// Replaces the addresses of agents that listen; calls at the former ones end.
+    void setCallAt(std::vector<Path> paths);
 
 private:
     using Attempt = HandshakeAttempt;
@@ -47,7 +47,6 @@ private:
     };
 
     void callAgents(TimePoint now);
-    void stopCallingAt(const Path &path);
     const Known *announcer(TimePoint now, const Path &from, ByteView datagram);
     bool mayCheck(TimePoint now);
     Attempt *attemptWith(const PublicKey &peer, Carrier carrier);

@@ -59,6 +59,7 @@ private Q_SLOTS:
     void takesTheModemThatWorks_data();
     void takesTheModemThatWorks();
     void stationCallsAnAgentThatListens();
+    void routerIsNotCalled();
     void listeningAgentIsNoAmplifier();
 };
 
@@ -151,6 +152,39 @@ void SeveralGroundsTest::stationCallsAnAgentThatListens()
     EVENTUALLY_EQUAL(caller.ears->all<channel::SessionUp>().size(), std::size_t(2));
     const std::uint64_t frames = framesAt(caller);
     EVENTUALLY(framesAt(caller) > frames + 20);
+}
+
+/// Where MAVLink comes from, no agent listens: the station greets routers, and sends nothing else.
+void SeveralGroundsTest::routerIsNotCalled()
+{
+    QUdpSocket router;
+    QVERIFY(router.bind(QHostAddress::LocalHost, 0));
+    int greetings = 0, calls = 0;
+    bool answers = false;
+    QObject::connect(&router, &QUdpSocket::readyRead, &router, [&] {
+        while (router.hasPendingDatagrams()) {
+            const QNetworkDatagram datagram = router.receiveDatagram();
+            const bool isCall = datagram.data().size() == 127 && datagram.data().at(0) == 0x59;
+            ++(isCall ? calls : greetings);
+            if (!answers)
+                continue;
+            std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
+            mavlink::FrameWriter writer(2, 1);
+            const ByteView frame = writer.write(mavlink::Heartbeat{.type = 2, .autopilot = 3}, buffer);
+            router.writeDatagram(datagram.makeReply(
+                QByteArray(reinterpret_cast<const char *>(frame.data()), static_cast<qsizetype>(frame.size()))));
+        }
+    });
+    FlightRig rig;
+    Ground caller(rig.stationConfig(), urlOf("udpout:" + local(router.localPort())));
+    EVENTUALLY(greetings > 0 && calls > 2);
+    answers = true;
+    const int before = greetings;
+    EVENTUALLY(greetings > before);
+    EVENTUALLY(!caller.ears->all<engine::PlaintextRefused>().empty()); // the answer has arrived
+    const int called = calls, greeted = greetings;
+    EVENTUALLY(greetings > greeted + 4);
+    QVERIFY2(calls <= called + 1, qPrintable(QString::number(calls - called))); // one may have been on its way
 }
 
 /// Each datagram of a stranger causes at most as many bytes as it has, and without one nothing is sent.

@@ -61,7 +61,8 @@ void CarriersTest::tunnelToAStationThatCalls()
     MavlinkHub hub;
     Flight flight;
     fly(flight, {loopback("udpout", hub.port(0)), loopback("udpout", hub.port(1)), QStringLiteral("tunnel")}, "tunnel");
-    QCOMPARE(hub.notMavlink, 0);
+    // Before it has heard MAVLink, the station may look for an agent that listens there (several_grounds_test).
+    QVERIFY2(hub.notMavlink <= 10, qPrintable(QString::number(hub.notMavlink)));
 }
 
 void CarriersTest::tunnelOnASerialLine()

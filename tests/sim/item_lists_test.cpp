@@ -1,5 +1,5 @@
-// Transfer of the three lists of items (flight plan, fence, rally points): over a link that loses frames, at the same time, with
-// damaged items, and over a reboot.
+// Transfer of the three lists of items (flight plan, fence, rally points): over a link that loses frames, at the same
+// time, with damaged items, and over a reboot.
 #include "tests/sim/some_items.h"
 #include "tests/support/test_runner.h"
 

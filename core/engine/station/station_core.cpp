@@ -291,16 +291,13 @@ void StationCore::linkChanged(link::Link &link)
     m_sinks.event(LinkChanged{m_links.snapshot(link)});
 }
 
-void StationCore::callListeningAgents(TimePoint now)
+void StationCore::callAgents(TimePoint now)
 {
-    std::vector<Path> at;
-    m_links.forEach([&](const link::Link &link) {
-        const bool calls = link.traits().isDatagramClient() && !m_links.isListenOnly(link.id()) && link.remote() != Address{};
-        const bool greeted = link.counters().txBlocks > 0; // a router or vehicle had a second to answer
-        if (calls && greeted && !m_receiver.heardMavlink(link.id()))
-            at.push_back({link.id(), link.remote()});
-    });
-    m_channel->endpoint().setCallAt(now, std::move(at));
+    const bool mayCall = isSealing()
+        && (m_settings.mode() == SecureMode::Required || m_receiver.gate().policy().knowsAnybody());
+    m_channel->endpoint().setCallAt(now, mayCall ? m_receiver.callPlaces().paths(m_links) : std::vector<Path>());
+    if (mayCall)
+        m_sender.greetRouters();
 }
 
 void StationCore::linkReceived(link::Link &link, std::span<const link::ReceivedBlock> blocks)
@@ -309,6 +306,8 @@ void StationCore::linkReceived(link::Link &link, std::span<const link::ReceivedB
         return;
     for (const link::ReceivedBlock &block : blocks)
         m_ingress.take(link, block);
+    if (m_receiver.callPlaces().takeChanged() && m_channel)
+        callAgents(steadyNow());
     m_pace.markChanged();
     finishWake();
 }
@@ -438,13 +437,9 @@ void StationCore::everySecond(TimePoint now)
     }
     if (m_channel) {
         m_channel->driver.roll(now);
-        if (isSealing()) {
+        if (isSealing())
             publishUnanswering(now);
-            if (m_settings.mode() == SecureMode::Required || m_receiver.gate().policy().knowsAnybody()) {
-                callListeningAgents(now);
-                m_sender.greetRouters();
-            }
-        }
+        callAgents(now);
         m_channel->sampleSecond();
     }
     if (m_recorder) {

@@ -109,8 +109,8 @@ private:
     void linkPeerJoined(link::Link &link, const Path &path) override;
     void linkPeerLeft(link::Link &link, const Path &path) override;
     void linkChanged(link::Link &link);
-    /// A link to one address leads to an agent that listens, unless MAVLink comes from there.
-    void callListeningAgents(TimePoint now);
+    /// Sends to addresses that nothing came from: to agents that listen, and to routers that do not know the station yet.
+    void callAgents(TimePoint now);
     void followLinks();
     bool isVehicle(std::uint8_t systemId) const override
     {

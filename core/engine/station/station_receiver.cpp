@@ -64,7 +64,7 @@ bool StationReceiver::namesSession(ByteView message) const
 void StationReceiver::takeRecord(const link::Link &, const link::ReceivedBlock &message)
 {
     if (message.path.carrier == Carrier::Tunnel)
-        noteMavlink(message.path.link);
+        m_callPlaces.noteMavlink(message.path.link);
     if (!isSealing()) {
         m_datagrams.waitingBytes += message.bytes.size();
         ++m_datagrams.waitingCount;
@@ -124,7 +124,7 @@ void StationReceiver::takeUnknownMessage(const channel::Delivery &delivery, Byte
 void StationReceiver::takeClear(const link::Link &, const link::ReceivedBlock &block, const mavlink::ScanItem &item)
 {
     if (item.frame)
-        noteMavlink(block.path.link);
+        m_callPlaces.noteMavlink(block.path.link);
     takeClearItem(block, item, FrameOrigin::Live);
 }
 

@@ -5,6 +5,7 @@
 #include "core/engine/common/ingress.h"
 #include "core/engine/common/link_pool.h"
 #include "core/engine/gateway/gateway.h"
+#include "core/engine/station/call_places.h"
 #include "core/engine/station/datagram_counters.h"
 #include "core/engine/station/feed.h"
 #include "core/engine/station/fleet.h"
@@ -16,7 +17,6 @@
 #include "core/engine/station/station_channel.h"
 
 #include <map>
-#include <set>
 #include <optional>
 
 namespace skyseal::engine {
@@ -59,8 +59,7 @@ public:
     FrameGate &gate() { return m_gate; }
     const FrameGate &gate() const { return m_gate; }
     const DatagramCounters &datagrams() const { return m_datagrams; }
-    /// Whether a valid MAVLink frame ever came on this link in clear, TUNNEL included.
-    bool heardMavlink(LinkId link) const { return m_mavlinkHeard.contains(link); }
+    CallPlaces &callPlaces() { return m_callPlaces; }
 
     /// Call before the link opens.
     void addLink(LinkId id, const link::LinkTraits &traits);
@@ -108,11 +107,6 @@ private:
         if (m_feed)
             m_feed->takeFrame(frame);
     }
-    void noteMavlink(LinkId link)
-    {
-        if (link != m_newestMavlink)
-            m_mavlinkHeard.insert(m_newestMavlink = link);
-    }
     IngressRules rulesFor(const link::LinkTraits &traits) const;
     bool isSealing() const { return m_channel && !m_parts.settings.isPlain(); }
 
@@ -126,8 +120,7 @@ private:
     RecordingSink m_recordings{*this};
     std::map<LinkId, MavsecSink> m_mavsec;
     DatagramCounters m_datagrams;
-    std::set<LinkId> m_mavlinkHeard;
-    LinkId m_newestMavlink{};
+    CallPlaces m_callPlaces;
 };
 
 } // namespace skyseal::engine
