@@ -121,7 +121,7 @@ int runStation(StationRun run)
     }
     if (feed)
         feedFrom(**station, feed, brokerReport);
-    const std::unique_ptr<engine::RunListener> report = makeReport(run);
+    const std::unique_ptr<engine::RunListener> report = run.report ? std::move(run.report) : makeReport(run);
     const std::size_t links = run.links.size() + run.plan.serve.size();
     engine::HeadlessRun headless(**station, *report, std::move(run.plan), run.links);
     std::optional<PeersWatch> watch;

@@ -6,6 +6,7 @@
 
 #include <QtCore/QString>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct StationRun
     QString control = {};     ///< path of the control socket; none if empty
     std::string metrics = {}; ///< HOST:PORT of the metrics; none if empty
     std::optional<BrokerPlan> broker = {};
+    std::unique_ptr<engine::RunListener> report = {}; ///< in place of the monitor's
 };
 
 /// Returns the exit status.

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "core/vehicle/mission.h"
+#include "core/vehicle/onboard_log.h"
 #include "core/vehicle/parameter.h"
+#include "core/vehicle/remote_file.h"
 #include "core/vehicle/vehicle_command.h"
 #include "core/vehicle/vehicle_state.h"
 
@@ -17,6 +19,6 @@ struct TextReceived
     StatusText text;
 };
 
-using Event = std::variant<CommandResult, ParameterResult, MissionResult, TextReceived>;
+using Event = std::variant<CommandResult, ParameterResult, MissionResult, FileResult, LogResult, TextReceived>;
 
 } // namespace skyseal::vehicle

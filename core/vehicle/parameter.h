@@ -6,7 +6,9 @@
 #include "core/vehicle/request_id.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace skyseal::vehicle {
 
@@ -18,24 +20,32 @@ struct Parameter
     std::uint16_t index = 0;
 };
 
-/// Reads the whole list. The values appear in Vehicle::parameters(); only a failure ends in a ParameterResult.
+/// Reads the whole list. The values appear in Vehicle::parameters().
 struct ReadParameters
 {};
+struct ReadParameter
+{
+    std::string name;
+};
 struct WriteParameter
 {
     std::string name;
     double value = 0;
 };
 
-/// The end of a write, or the failure of a read (then the parameter has no name).
+enum class ParameterAction : std::uint8_t { Write, Read, ReadList };
+
+/// The end of a request.
 struct ParameterResult
 {
     RequestId id{};
     std::uint8_t systemId = 0;
-    Parameter parameter{}; ///< with the value that the vehicle reports, if it reported one
+    Parameter parameter{}; ///< with the value that the vehicle reports, if it reported one; without a name for a list
     bool ok = false;
     std::string reason = {};       ///< why it failed, for people
     bool changeUnanswered = false; ///< a write that got no answer at all
+    ParameterAction action = ParameterAction::Write;
+    std::shared_ptr<const std::vector<Parameter>> all = {}; ///< of ReadList, sorted by name
 };
 
 } // namespace skyseal::vehicle

@@ -32,8 +32,10 @@ bool ParameterClient::perform(TimePoint now, RequestId id, const Request &reques
 {
     if (std::holds_alternative<ReadParameters>(request))
         read(now, id);
+    else if (const auto *one = std::get_if<ReadParameter>(&request))
+        exchange(now, id, one->name, std::nullopt);
     else if (const auto *change = std::get_if<WriteParameter>(&request))
-        write(now, id, *change);
+        exchange(now, id, change->name, change->value);
     else
         return false;
     return true;
@@ -57,14 +59,15 @@ void ParameterClient::handleDeadline(TimePoint now)
         handleListDeadline(now);
     else if (isReading())
         requestGaps(now);
-    if (!m_writes.empty() && now >= m_writes.front().deadline)
-        handleWriteDeadline(now);
+    if (!m_exchanges.empty() && now >= m_exchanges.front().deadline)
+        handleExchangeDeadline(now);
 }
 
 TimePoint ParameterClient::nextDeadline() const
 {
     const TimePoint gaps = isReading() ? m_window.nextDeadline() : kNever;
-    return std::min({m_publishDue, m_listDeadline, m_giveUp, gaps, m_writes.empty() ? kNever : m_writes.front().deadline});
+    return std::min(
+        {m_publishDue, m_listDeadline, m_giveUp, gaps, m_exchanges.empty() ? kNever : m_exchanges.front().deadline});
 }
 
 std::shared_ptr<const std::vector<Parameter>> ParameterClient::parameters() const
@@ -117,19 +120,19 @@ void ParameterClient::read(TimePoint now, RequestId id)
     requestList(now);
 }
 
-void ParameterClient::write(TimePoint now, RequestId id, const WriteParameter &request)
+void ParameterClient::exchange(TimePoint now, RequestId id, const std::string &name, std::optional<double> value)
 {
-    if (request.name.empty() || request.name.size() > 16 || !std::isfinite(request.value)) {
-        report(ParameterResult{id,
-                               addressing().system,
-                               {request.name, request.value},
-                               false,
-                               "nothing was sent: a name of up to 16 characters and a number are needed"});
+    if (name.empty() || name.size() > 16 || (value && !std::isfinite(*value))) {
+        report(ParameterResult{.id = id,
+                               .systemId = addressing().system,
+                               .parameter = {name, value.value_or(0)},
+                               .reason = "nothing was sent: a name of up to 16 characters and a number are needed",
+                               .action = value ? ParameterAction::Write : ParameterAction::Read});
         return;
     }
-    m_writes.push_back({id, request});
-    if (m_writes.size() == 1)
-        sendWrite(now);
+    m_exchanges.push_back({id, name, value});
+    if (m_exchanges.size() == 1)
+        sendExchange(now);
 }
 
 void ParameterClient::handleValue(TimePoint now, const mavlink::ParamValue &value)
@@ -142,12 +145,18 @@ void ParameterClient::handleValue(TimePoint now, const mavlink::ParamValue &valu
         noteIndex(now, value.param_index, value.param_count);
     const Parameter parameter{name, decode(value.param_value, value.param_type), value.param_type, value.param_index};
     const bool changed = store(parameter);
-    const bool answersWrite = checkWrite(now, parameter);
+    const bool answersWrite = checkExchange(now, parameter);
     const bool readIsComplete = wasReading && !isReading();
     if (readIsComplete || (changed && (answersWrite || m_published == TimePoint::min() || now >= m_published + kCollectFor)))
         publish(now);
     else if (changed)
         m_publishDue = m_published + kCollectFor;
+    if (readIsComplete)
+        report(ParameterResult{.id = m_read,
+                               .systemId = addressing().system,
+                               .ok = true,
+                               .action = ParameterAction::ReadList,
+                               .all = parameters()});
 }
 
 void ParameterClient::noteIndex(TimePoint now, std::uint16_t index, std::uint16_t count)
@@ -252,64 +261,77 @@ void ParameterClient::handleListDeadline(TimePoint now)
 void ParameterClient::giveUp()
 {
     m_giveUp = m_listDeadline = kNever;
-    report(ParameterResult{m_read,
-                           addressing().system,
-                           {},
-                           false,
-                           m_window.received() == 0 ? "the vehicle does not send its parameters"
-                                                    : "only " + std::to_string(m_window.received()) + " of "
-                                   + std::to_string(m_expected) + " parameters came"});
+    std::string reason = m_window.received() == 0
+        ? "the vehicle does not send its parameters"
+        : "only " + std::to_string(m_window.received()) + " of " + std::to_string(m_expected) + " parameters came";
+    report(ParameterResult{
+        .id = m_read, .systemId = addressing().system, .reason = std::move(reason), .action = ParameterAction::ReadList});
 }
 
-void ParameterClient::handleWriteDeadline(TimePoint now)
+std::optional<TransferProgress> ParameterClient::progress() const
 {
-    const Write &front = m_writes.front();
-    if (front.attempts < kWriteAttempts)
-        return sendWrite(now);
-    ParameterResult result{front.id, addressing().system};
+    if (!isReading())
+        return std::nullopt;
+    return TransferProgress{m_read, m_window.received(), m_window.count()};
+}
+
+void ParameterClient::handleExchangeDeadline(TimePoint now)
+{
+    const Exchange &front = m_exchanges.front();
+    if (front.attempts < kExchangeAttempts)
+        return sendExchange(now);
+    ParameterResult result{.id = front.id, .systemId = addressing().system};
     if (front.reported) {
         result.parameter = *front.reported;
         result.reason = "the vehicle keeps " + shortNumber(front.reported->value, 6);
     } else {
-        result.parameter = {front.request.name, front.request.value};
-        result.reason = "no answer to " + std::to_string(kWriteAttempts) + " attempts";
-        result.changeUnanswered = true;
+        result.parameter = {front.name, front.value.value_or(0)};
+        result.reason = "no answer to " + std::to_string(kExchangeAttempts) + " attempts";
+        result.changeUnanswered = front.value.has_value();
     }
-    finishWrite(now, std::move(result));
+    finishExchange(now, std::move(result));
 }
 
-void ParameterClient::sendWrite(TimePoint now)
+void ParameterClient::sendExchange(TimePoint now)
 {
-    Write &write = m_writes.front();
-    const auto known = m_values.find(write.request.name);
-    mavlink::ParamSet message;
-    message.param_type = known == m_values.end() ? std::uint8_t(mavlink::MAV_PARAM_TYPE_REAL32) : known->second.type;
-    message.param_value = encode(write.request.value, message.param_type);
-    mavlink::setText(message.param_id, write.request.name);
-    send(message);
-    ++write.attempts;
-    write.deadline = now + kWriteTimeout;
+    Exchange &front = m_exchanges.front();
+    if (front.value) {
+        const auto known = m_values.find(front.name);
+        mavlink::ParamSet message;
+        message.param_type = known == m_values.end() ? std::uint8_t(mavlink::MAV_PARAM_TYPE_REAL32) : known->second.type;
+        message.param_value = encode(*front.value, message.param_type);
+        mavlink::setText(message.param_id, front.name);
+        send(message);
+    } else {
+        mavlink::ParamRequestRead message;
+        message.param_index = -1;
+        mavlink::setText(message.param_id, front.name);
+        send(message);
+    }
+    ++front.attempts;
+    front.deadline = now + kExchangeTimeout;
 }
 
-/// Returns true if the value answers the write in progress.
-bool ParameterClient::checkWrite(TimePoint now, const Parameter &parameter)
+/// Returns true if the value answers the exchange in progress.
+bool ParameterClient::checkExchange(TimePoint now, const Parameter &parameter)
 {
-    if (m_writes.empty() || m_writes.front().request.name != parameter.name)
+    if (m_exchanges.empty() || m_exchanges.front().name != parameter.name)
         return false;
-    Write &write = m_writes.front();
-    if (sameValue(write.request.value, parameter.value))
-        finishWrite(now, {write.id, addressing().system, parameter, true});
+    Exchange &front = m_exchanges.front();
+    if (!front.value || sameValue(*front.value, parameter.value))
+        finishExchange(now, {front.id, addressing().system, parameter, true});
     else
-        write.reported = parameter; // perhaps sent before the write took effect, so the write is repeated
+        front.reported = parameter; // perhaps sent before the write took effect, so the write is repeated
     return true;
 }
 
-void ParameterClient::finishWrite(TimePoint now, ParameterResult result)
+void ParameterClient::finishExchange(TimePoint now, ParameterResult result)
 {
+    result.action = m_exchanges.front().value ? ParameterAction::Write : ParameterAction::Read;
     report(std::move(result));
-    m_writes.pop_front();
-    if (!m_writes.empty())
-        sendWrite(now);
+    m_exchanges.pop_front();
+    if (!m_exchanges.empty())
+        sendExchange(now);
 }
 
 } // namespace skyseal::vehicle

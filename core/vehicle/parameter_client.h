@@ -27,8 +27,8 @@ public:
     static constexpr std::size_t kReordered = 8;
     /// The list has ended when nothing came for several of its intervals, and at least for so long.
     static constexpr Duration kLeastPause = std::chrono::milliseconds(50);
-    static constexpr Duration kWriteTimeout = std::chrono::seconds(1);
-    static constexpr int kWriteAttempts = 5;
+    static constexpr Duration kExchangeTimeout = std::chrono::seconds(1);
+    static constexpr int kExchangeAttempts = 5;
     /// Names kept in all, and beyond the number that the vehicle announces: a write can make further parameters visible.
     static constexpr std::size_t kMostNames = 8192;
     static constexpr std::size_t kNamesBeyondCount = 64;
@@ -37,7 +37,7 @@ public:
 
     using MicroProtocol::MicroProtocol;
 
-    /// ReadParameters and WriteParameter. Writes are carried out one after the other.
+    /// ReadParameters, ReadParameter and WriteParameter. Writes and reads of single ones are carried out one after the other.
     bool perform(TimePoint now, RequestId id, const Request &request) override;
     bool handleFrame(TimePoint now, const mavlink::Frame &frame) override;
     void handleDeadline(TimePoint now) override;
@@ -47,12 +47,15 @@ public:
     /// results of writes and complete reads.
     std::shared_ptr<const std::vector<Parameter>> parameters() const;
     std::uint32_t expected() const { return m_expected; }
+    std::optional<TransferProgress> progress() const override;
 
 private:
-    struct Write
+    /// A write, or the read of a single parameter.
+    struct Exchange
     {
         RequestId id{};
-        WriteParameter request;
+        std::string name;
+        std::optional<double> value{}; ///< to write
         int attempts = 0;
         TimePoint deadline = kNever;
         std::optional<Parameter> reported{}; ///< the vehicle's parameter, while its value differs from the request
@@ -64,7 +67,7 @@ private:
     float encode(double value, std::uint8_t type) const;
     bool isReading() const { return m_giveUp != kNever; }
     void read(TimePoint now, RequestId id);
-    void write(TimePoint now, RequestId id, const WriteParameter &request);
+    void exchange(TimePoint now, RequestId id, const std::string &name, std::optional<double> value);
     void handleValue(TimePoint now, const mavlink::ParamValue &value);
     void noteIndex(TimePoint now, std::uint16_t index, std::uint16_t count);
     bool store(Parameter parameter);
@@ -75,10 +78,10 @@ private:
     void noteInterval(TimePoint now);
     void handleListDeadline(TimePoint now);
     void giveUp();
-    void handleWriteDeadline(TimePoint now);
-    void sendWrite(TimePoint now);
-    bool checkWrite(TimePoint now, const Parameter &parameter);
-    void finishWrite(TimePoint now, ParameterResult result);
+    void handleExchangeDeadline(TimePoint now);
+    void sendExchange(TimePoint now);
+    bool checkExchange(TimePoint now, const Parameter &parameter);
+    void finishExchange(TimePoint now, ParameterResult result);
 
     std::map<std::string, Parameter, std::less<>> m_values;
     RequestId m_read{};
@@ -90,7 +93,7 @@ private:
     Duration m_variation{};
     TimePoint m_listDeadline = kNever;                              ///< the list has paused, or is not answered
     TimePoint m_giveUp = kNever;                                    ///< kNever while nothing is read
-    std::deque<Write> m_writes;                                     ///< the first one is in progress
+    std::deque<Exchange> m_exchanges;                               ///< the first one is in progress
     mutable std::shared_ptr<const std::vector<Parameter>> m_shared; ///< built on demand
     TimePoint m_published = TimePoint::min();                       ///< time of the latest change of the shared list
     TimePoint m_publishDue = kNever;                                ///< there are collected changes

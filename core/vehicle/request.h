@@ -3,7 +3,9 @@
 #pragma once
 
 #include "core/vehicle/mission.h"
+#include "core/vehicle/onboard_log.h"
 #include "core/vehicle/parameter.h"
+#include "core/vehicle/remote_file.h"
 #include "core/vehicle/request_id.h"
 #include "core/vehicle/vehicle_command.h"
 
@@ -11,6 +13,8 @@
 
 namespace skyseal::vehicle {
 
-using Request = std::variant<VehicleCommand, ReadParameters, WriteParameter, ReadMission, WriteMission, ClearMission>;
+using Request =
+    std::variant<VehicleCommand, ReadParameters, ReadParameter, WriteParameter, ReadMission, WriteMission, ClearMission,
+                 ListFolder, ReadFile, WriteFile, RemoveFile, ListLogs, ReadLog, EraseLogs, CancelTransfer>;
 
 } // namespace skyseal::vehicle

@@ -15,15 +15,34 @@ struct Failure
     {
         return CommandResult{.id = id, .systemId = systemId, .outcome = CommandOutcome::Refused, .reason = reason};
     }
-    Event operator()(const ReadParameters &) const { return ParameterResult{.id = id, .systemId = systemId, .reason = reason}; }
-    Event operator()(const WriteParameter &request) const
-    {
-        return ParameterResult{.id = id, .systemId = systemId, .parameter = {.name = request.name}, .reason = reason};
-    }
+    Event operator()(const ReadParameters &) const { return parameter({}, ParameterAction::ReadList); }
+    Event operator()(const ReadParameter &request) const { return parameter(request.name, ParameterAction::Read); }
+    Event operator()(const WriteParameter &request) const { return parameter(request.name, ParameterAction::Write); }
     Event operator()(const ReadMission &request) const { return mission(MissionTransfer::Download, request.type); }
     Event operator()(const WriteMission &request) const { return mission(MissionTransfer::Upload, request.type); }
     Event operator()(const ClearMission &request) const { return mission(MissionTransfer::Clear, request.type); }
 
+    Event operator()(const ListFolder &request) const { return file(request.path, FileAction::List); }
+    Event operator()(const ReadFile &request) const { return file(request.path, FileAction::Read); }
+    Event operator()(const WriteFile &request) const { return file(request.path, FileAction::Write); }
+    Event operator()(const RemoveFile &request) const { return file(request.path, FileAction::Remove); }
+    Event operator()(const ListLogs &) const { return log(0, LogAction::List); }
+    Event operator()(const ReadLog &request) const { return log(request.log, LogAction::Read); }
+    Event operator()(const EraseLogs &) const { return log(0, LogAction::Erase); }
+    Event operator()(const CancelTransfer &) const { return file({}, FileAction::Read); }
+
+    Event parameter(const std::string &name, ParameterAction action) const
+    {
+        return ParameterResult{.id = id, .systemId = systemId, .parameter = {.name = name}, .reason = reason, .action = action};
+    }
+    Event file(const std::string &path, FileAction action) const
+    {
+        return FileResult{.id = id, .systemId = systemId, .action = action, .path = path, .reason = reason};
+    }
+    Event log(std::uint16_t number, LogAction action) const
+    {
+        return LogResult{.id = id, .systemId = systemId, .action = action, .log = number, .reason = reason};
+    }
     Event mission(MissionTransfer transfer, MissionType type) const
     {
         return MissionResult{.id = id, .systemId = systemId, .transfer = transfer, .type = type, .reason = reason};

@@ -1,5 +1,6 @@
 #include "core/vehicle/vehicle.h"
 
+#include "core/vehicle/request_failure.h"
 #include "core/vehicle/vehicle_parts.h"
 
 #include <algorithm>
@@ -72,6 +73,7 @@ void Vehicle::perform(TimePoint now, RequestId id, const Request &request)
         if (client->perform(now, id, request))
             return;
     }
+    m_parts->context.events.push_back(failureOf(id, systemId(), request, "nothing was sent: not supported"));
 }
 
 void Vehicle::setStreams(TimePoint now, StreamProfile profile, double rate)

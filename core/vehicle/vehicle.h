@@ -43,8 +43,8 @@ public:
     void handleDeadline(TimePoint now);
     TimePoint nextDeadline() const;
 
-    /// Starts a request; its result arrives as an event with this id. A VehicleCommand and the writes and transfers of
-    /// parameters and missions end in exactly one result.
+    /// Starts a request; its result arrives as an event with this id. Every request but
+    /// CancelTransfer ends in exactly one result; a read of the list of parameters that another one replaced ends in none.
     void perform(TimePoint now, RequestId id, const Request &request);
     /// `rate` in Hz replaces the rates of the profile; 0 = the profile's.
     void setStreams(TimePoint now, StreamProfile profile, double rate = 0);

@@ -367,6 +367,74 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Parameters read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parameter %1 is %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parameter %1 not read: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>List of logs read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>List of logs not read: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Log %1 read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Log %1 not read: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Logs erased</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Logs not erased: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder %1 listed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File %1 read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File %1 written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File %1 removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder %1 not listed: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File %1 not read: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File %1 not written: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File %1 not removed: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Parameters not read: %1</source>
         <translation type="unfinished"></translation>
     </message>

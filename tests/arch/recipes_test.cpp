@@ -116,7 +116,7 @@ void addPing(ChangedTree &tree)
     for (const char *file : {"core/vehicle/ping.h", "core/vehicle/ping_client.h", "core/vehicle/ping_client.cpp"})
         tree.add(q(file));
     tree.insert(q("core/vehicle/request.h"), "#include \"core/vehicle/parameter.h\"\n", "#include \"core/vehicle/ping.h\"\n");
-    tree.insert(q("core/vehicle/request.h"), "using Request = std::variant<", "Ping, ");
+    tree.insert(q("core/vehicle/request.h"), "std::variant<VehicleCommand, ", "Ping, ");
     tree.insert(q("core/vehicle/event.h"), "#include \"core/vehicle/parameter.h\"\n", "#include \"core/vehicle/ping.h\"\n");
     tree.insert(q("core/vehicle/event.h"), "using Event = std::variant<CommandResult, ", "PingResult, ");
     tree.insert(
@@ -125,7 +125,7 @@ void addPing(ChangedTree &tree)
     tree.insert(q("core/vehicle/vehicle_parts.h"), "#include \"core/vehicle/parameter_client.h\"\n",
                 "#include \"core/vehicle/ping_client.h\"\n");
     tree.insert(q("core/vehicle/vehicle_parts.h"), "    MissionClient mission{context};\n", "    PingClient ping{context};\n");
-    tree.insert(q("core/vehicle/CMakeLists.txt"), " parameter_client.cpp request_failure.cpp", " ping_client.cpp");
+    tree.insert(q("core/vehicle/CMakeLists.txt"), " parameter_file.cpp request_failure.cpp", " ping_client.cpp");
     tree.insert(q("core/engine/headless/event_json.cpp"), "[](const vehicle::ParameterResult &) { return std::string(); },",
                 " [](const vehicle::PingResult &) { return std::string(); },");
 }

@@ -145,8 +145,11 @@ void EventTextTest::eachMissionTransferHasItsOwnTexts()
 
 void EventTextTest::failedReadOfParametersHasNoName()
 {
-    QCOMPARE(eventText(vehicle::ParameterResult{.systemId = 1, .reason = "no answer"}, {}).sentence,
-             QStringLiteral("Parameters not read: no answer"));
+    QCOMPARE(
+        eventText(vehicle::ParameterResult{.systemId = 1, .reason = "no answer", .action = vehicle::ParameterAction::ReadList},
+                  {})
+            .sentence,
+        QStringLiteral("Parameters not read: no answer"));
     QCOMPARE(eventText(vehicle::ParameterResult{.systemId = 1, .parameter = {.name = "SYSID_MYGCS"}, .reason = "no answer"}, {})
                  .sentence,
              QStringLiteral("Parameter SYSID_MYGCS not written: no answer"));

@@ -9,7 +9,6 @@
 #include "ui/messages/message_filter.h"
 #include "ui/messages/message_model.h"
 #include "ui/messages/messages_panel.h"
-#include "ui/mission/mission_file.h"
 #include "ui/mission/mission_model.h"
 #include "ui/parameters/parameter_model.h"
 
@@ -199,41 +198,6 @@ private Q_SLOTS:
         QVERIFY(cell(model, 2, MissionModel::Command).contains(QStringLiteral("now")));
         model.setMission(nullptr, -1);
         QCOMPARE(model.rowCount(), 0);
-    }
-
-    void missionFileComesBack()
-    {
-        const auto items = *plainSnapshot(0).vehicles.front().mission;
-        const auto again = parseMission(missionText(items), "m");
-        QVERIFY(again);
-        QCOMPARE(again->size(), items.size());
-        for (std::size_t i = 0; i < items.size(); ++i) {
-            QVERIFY(std::abs((*again)[i].latitude - items[i].latitude) < 1e-7);
-            QCOMPARE((*again)[i].command, items[i].command);
-        }
-    }
-
-    void badMissionFilesSayWhere_data()
-    {
-        QTest::addColumn<QByteArray>("text");
-        QTest::addColumn<int>("line");
-        QTest::newRow("empty") << QByteArray() << 1;
-        QTest::newRow("other kind") << QByteArray("hello\n") << 1;
-        QTest::newRow("no items") << QByteArray("QGC WPL 110\n") << 0;
-        QTest::newRow("columns") << QByteArray("QGC WPL 110\n0 1 0 16 0 0 0 0 47 8 100\n") << 2;
-        QTest::newRow("no number") << QByteArray("QGC WPL 110\n0 1 0 16 0 0 0 0 47 east 100 1\n") << 2;
-        QTest::newRow("latitude") << QByteArray("QGC WPL 110\n0 1 0 16 0 0 0 0 97 8 100 1\n") << 2;
-        QTest::newRow("gap") << QByteArray("QGC WPL 110\n0 1 0 16 0 0 0 0 47 8 100 1\n2 0 3 16 0 0 0 0 47 8 20 1\n") << 3;
-        QTest::newRow("nan") << QByteArray("QGC WPL 110\n0 1 0 16 0 0 0 0 nan 8 100 1\n") << 2;
-    }
-    void badMissionFilesSayWhere()
-    {
-        QFETCH(QByteArray, text);
-        QFETCH(int, line);
-        const auto parsed = parseMission(text.toStdString(), "m.waypoints");
-        QVERIFY(!parsed);
-        QCOMPARE(parsed.error().source, std::string("m.waypoints"));
-        QCOMPARE(static_cast<int>(parsed.error().line), line);
     }
 
     void clientsShowTheirRights()

@@ -16,6 +16,7 @@ private Q_SLOTS:
     void gapsAreAskedForByIndex();
     void silentVehicleIsGivenUp();
     void writeIsReadBackAndRepeated();
+    void singleParameterIsReadByName();
     void vehicleMayKeepItsOwnValue();
     void writesTakeTurns();
     void bytewiseIntegers();
@@ -153,6 +154,27 @@ void ParameterTest::writeIsReadBackAndRepeated()
     QVERIFY(!h.poll<ParameterResult>()->ok);
 }
 
+void ParameterTest::singleParameterIsReadByName()
+{
+    Harness h = Harness::copter();
+    h.vehicle.perform(h.now, RequestId{1}, ReadParameter{"RTL_ALT"});
+    h.vehicle.perform(h.now, RequestId{2}, ReadParameter{"NOBODY"});
+    const auto asked = h.sentOf<mavlink::ParamRequestRead>();
+    QCOMPARE(asked.size(), std::size_t(1)); // one after the other
+    QCOMPARE(asked[0].param_index, std::int16_t(-1));
+    QCOMPARE(mavlink::textOf(asked[0].param_id), std::string_view("RTL_ALT"));
+    h.feed(value("OTHER", 1, 4, 900));
+    QVERIFY(!h.poll<ParameterResult>());
+    h.feed(value("RTL_ALT", 1500, 5, 900));
+    const auto result = h.poll<ParameterResult>();
+    QVERIFY(result && result->ok && result->action == ParameterAction::Read);
+    QCOMPARE(result->parameter.value, 1500.);
+    h.runUntil(at(120));
+    const auto missing = h.poll<ParameterResult>();
+    QVERIFY(missing && !missing->ok && missing->id == RequestId{2} && !missing->changeUnanswered);
+    QCOMPARE(missing->reason, std::string("no answer to 5 attempts"));
+}
+
 void ParameterTest::vehicleMayKeepItsOwnValue()
 {
     Harness h = Harness::copter();
@@ -276,6 +298,9 @@ void ParameterTest::wholeListThroughABadRadio()
     for (const Parameter &parameter : *h.vehicle.parameters())
         QCOMPARE(parameter.value, parameter.index * 0.5);
     QCOMPARE(link.dropped() > 0, loss > 0);
+    const auto read = h.poll<ParameterResult>();
+    QVERIFY(read && read->ok && read->action == ParameterAction::ReadList);
+    QCOMPARE(read->all->size(), std::size_t(600));
 
     h.vehicle.perform(h.now, RequestId{1}, WriteParameter{nameOf(17), 99});
     std::optional<ParameterResult> result;
@@ -362,7 +387,7 @@ void ParameterTest::overtakenValuesAreNotAskedFor()
     QVERIFY(h.sentOf<mavlink::ParamRequestRead>().empty());
     h.runUntil(h.now + std::chrono::seconds(30));
     QVERIFY(h.sentOf<mavlink::ParamRequestRead>().empty());
-    QVERIFY(!h.poll<ParameterResult>());
+    QVERIFY(h.poll<ParameterResult>()->ok && !h.poll<ParameterResult>());
 }
 
 void ParameterTest::slowListIsNotAskedForTwice()

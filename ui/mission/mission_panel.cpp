@@ -2,8 +2,8 @@
 
 #include "core/engine/station/vehicle_snapshot.h"
 #include "core/engine/text/event_text.h"
+#include "core/vehicle/mission_file.h"
 #include "ui/text/command_permits.h"
-#include "ui/mission/mission_file.h"
 #include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
 
@@ -113,7 +113,7 @@ void MissionPanel::sendFile(const QString &file, std::uint8_t systemId)
         say(tr("%1: %2").arg(file, in.errorString()));
         return;
     }
-    const auto items = parseMission(in.readAll().toStdString(), file.toStdString());
+    const auto items = vehicle::parseMission(in.readAll().toStdString(), file.toStdString());
     if (!items) {
         say(fromStd(items.error().text()));
         return;
@@ -125,7 +125,7 @@ void MissionPanel::sendFile(const QString &file, std::uint8_t systemId)
 void MissionPanel::saveFile(const QString &file, const MissionModel::Mission &mission)
 {
     QSaveFile out(file);
-    const std::string text = missionText(*mission);
+    const std::string text = vehicle::missionText(*mission);
     const bool ok = out.open(QIODevice::WriteOnly) && out.write(text.data(), static_cast<qint64>(text.size())) >= 0
         && out.commit();
     say(ok ? tr("Saved %1").arg(file) : tr("%1: %2").arg(file, out.errorString()));

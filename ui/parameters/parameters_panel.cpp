@@ -95,7 +95,7 @@ void ParametersPanel::showViewState(const ViewState &view)
 void ParametersPanel::handleEvent(const engine::Event &event)
 {
     const auto *written = std::get_if<vehicle::ParameterResult>(&event);
-    if (written && written->systemId == m_systemId)
+    if (written && written->action == vehicle::ParameterAction::Write && written->systemId == m_systemId)
         m_model.written(written->parameter, written->ok, fromStd(written->reason));
 }
 

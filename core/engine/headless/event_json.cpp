@@ -142,6 +142,8 @@ std::string eventJson(const Event &event, const PeerNames &names)
                           [](const ClientDenied &e) { return clientDeniedEvent(e); },
                           [](const vehicle::MissionResult &) { return std::string(); },
                           [](const vehicle::ParameterResult &) { return std::string(); },
+                          [](const vehicle::FileResult &) { return std::string(); },
+                          [](const vehicle::LogResult &) { return std::string(); },
                           [](const vehicle::CommandResult &) { return std::string(); }, // the script reports its steps
                           // Events of the channel; no others convert to channel::Event.
                           [&names](const auto &e) { return channelEvent(e, names); },

@@ -91,6 +91,10 @@ void HeadlessRun::hear(const Event &event)
     else if (const auto *served = std::get_if<ServedLinkChanged>(&event))
         watchServed(served->link);
     drainScript();
+    if (m_plan.task && !m_stopping) {
+        m_plan.task->handle(event);
+        drainTask();
+    }
 }
 
 void HeadlessRun::watchLinks(const LinkSnapshot &link)
@@ -128,6 +132,10 @@ void HeadlessRun::tick()
             m_station.switchSuite(order.session, order.suite);
     }
     fly(now);
+    if (m_plan.task && m_snapshot) {
+        m_plan.task->advance(now, *m_snapshot);
+        drainTask();
+    }
     if (const int second = static_cast<int>(m_clock.elapsed() / 1000); second > m_seconds && m_snapshot) {
         m_seconds = second;
         m_listener.secondPassed(*m_snapshot, elapsed());
@@ -154,6 +162,14 @@ void HeadlessRun::drainScript()
         m_listener.stepEnded(*report);
 }
 
+void HeadlessRun::drainTask()
+{
+    while (auto next = m_plan.task->pollRequest())
+        m_plan.task->requestSent(m_station.perform(next->systemId, std::move(next->request)));
+    if (m_plan.task->isFinished())
+        stop();
+}
+
 void HeadlessRun::endIfDue()
 {
     // A switch in progress may finish: if it were cut off, it would be reported as rolled back although nothing failed.
@@ -162,7 +178,7 @@ void HeadlessRun::endIfDue()
     const bool flown = !m_plan.script.empty() && m_script.finished() && (!m_plan.duration || m_script.failed());
     const bool played = !m_played.empty() && m_played.size() == m_links.size() && !m_plan.duration
         && std::all_of(m_played.begin(), m_played.end(), [](const auto &log) { return log.second; });
-    if (timeUp || flown || played)
+    if (timeUp || flown || (played && !m_plan.task))
         stop();
 }
 
@@ -180,6 +196,11 @@ void HeadlessRun::settle(const Snapshot &last)
         return end(RunOutcome::ScriptFailed, "a step of the flight script failed");
     if (!m_script.finished())
         return end(RunOutcome::ScriptUnfinished, "the run ended before the flight script did");
+    if (m_plan.task && (!m_plan.task->isFinished() || !m_plan.task->problem().empty())) {
+        if (m_plan.sessionRequired && !m_sessionSeen)
+            return end(RunOutcome::NoSession, "no sealed session came up");
+        return end(RunOutcome::TaskFailed, m_plan.task->isFinished() ? m_plan.task->problem() : "interrupted before the end");
+    }
     if (m_plan.sessionRequired && !m_sessionSeen)
         return end(RunOutcome::NoSession, "no sealed session came up");
     if (m_plan.inlineRequired && !m_inlineSeen)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/engine/station/station.h"
+#include "core/engine/headless/run_task.h"
 #include "core/engine/headless/switch_plan.h"
 #include "core/vehicle/flight_script_runner.h"
 
@@ -27,6 +28,7 @@ struct RunPlan
     std::shared_ptr<const crypto::MavsecCipher> mavsec;
     bool inlineRequired = false;    ///< a session must agree to inline framing
     std::vector<ServeConfig> serve; ///< links for other ground stations
+    std::shared_ptr<RunTask> task;  ///< the run ends when it has finished
 };
 
 /// Called on the run's thread, in the order of the events.
@@ -47,6 +49,7 @@ enum class RunOutcome : std::uint8_t {
     ScriptFailed,     ///< a step failed
     ScriptUnfinished, ///< the run ended before the script
     SuiteNotReached,  ///< a suite of the list was refused or not confirmed, and never used
+    TaskFailed,       ///< the task failed, or the run ended before it
     InlineNotReached, ///< the other end does not allow inline framing
     CannotOpen        ///< a link cannot work: its port is taken, its host unknown, its file unreadable
 };
@@ -77,6 +80,7 @@ private:
     void tick();
     void fly(TimePoint now);
     void drainScript();
+    void drainTask();
     void endIfDue();
     double elapsed() const { return static_cast<double>(m_clock.elapsed()) / 1000; }
     void settle(const Snapshot &last);

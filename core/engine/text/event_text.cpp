@@ -114,10 +114,37 @@ public:
     EventText operator()(const vehicle::ParameterResult &e) const
     {
         const QString name = qt(e.parameter.name);
-        if (name.isEmpty())
-            return {tr("Parameters not read: %1").arg(qt(e.reason)), kError, e.systemId};
-        return e.ok ? EventText{tr("Parameter %1 is now %2").arg(name, QString::number(e.parameter.value)), kInfo, e.systemId}
-                    : EventText{tr("Parameter %1 not written: %2").arg(name, qt(e.reason)), kError, e.systemId};
+        const QString value = QString::number(e.parameter.value), reason = qt(e.reason);
+        switch (e.action) {
+        case vehicle::ParameterAction::ReadList:
+            return e.ok ? EventText{tr("Parameters read"), kInfo, e.systemId}
+                        : EventText{tr("Parameters not read: %1").arg(reason), kError, e.systemId};
+        case vehicle::ParameterAction::Read:
+            return e.ok ? EventText{tr("Parameter %1 is %2").arg(name, value), kInfo, e.systemId}
+                        : EventText{tr("Parameter %1 not read: %2").arg(name, reason), kError, e.systemId};
+        case vehicle::ParameterAction::Write: break;
+        }
+        return e.ok ? EventText{tr("Parameter %1 is now %2").arg(name, value), kInfo, e.systemId}
+                    : EventText{tr("Parameter %1 not written: %2").arg(name, reason), kError, e.systemId};
+    }
+    EventText operator()(const vehicle::FileResult &e) const
+    {
+        return e.ok ? EventText{fileDone(e.action).arg(qt(e.path)), kInfo, e.systemId}
+                    : EventText{fileFailed(e.action).arg(qt(e.path), qt(e.reason)), kError, e.systemId};
+    }
+    EventText operator()(const vehicle::LogResult &e) const
+    {
+        switch (e.action) {
+        case vehicle::LogAction::List:
+            return e.ok ? EventText{tr("List of logs read"), kInfo, e.systemId}
+                        : EventText{tr("List of logs not read: %1").arg(qt(e.reason)), kError, e.systemId};
+        case vehicle::LogAction::Read:
+            return e.ok ? EventText{tr("Log %1 read").arg(e.log), kInfo, e.systemId}
+                        : EventText{tr("Log %1 not read: %2").arg(e.log).arg(qt(e.reason)), kError, e.systemId};
+        case vehicle::LogAction::Erase: break;
+        }
+        return e.ok ? EventText{tr("Logs erased"), kNotice, e.systemId}
+                    : EventText{tr("Logs not erased: %1").arg(qt(e.reason)), kError, e.systemId};
     }
     EventText operator()(const vehicle::CommandResult &e) const
     {
@@ -136,6 +163,26 @@ public:
     }
 
 private:
+    static QString fileDone(vehicle::FileAction action)
+    {
+        switch (action) {
+        case vehicle::FileAction::List: return tr("Folder %1 listed");
+        case vehicle::FileAction::Read: return tr("File %1 read");
+        case vehicle::FileAction::Write: return tr("File %1 written");
+        case vehicle::FileAction::Remove: break;
+        }
+        return tr("File %1 removed");
+    }
+    static QString fileFailed(vehicle::FileAction action)
+    {
+        switch (action) {
+        case vehicle::FileAction::List: return tr("Folder %1 not listed: %2");
+        case vehicle::FileAction::Read: return tr("File %1 not read: %2");
+        case vehicle::FileAction::Write: return tr("File %1 not written: %2");
+        case vehicle::FileAction::Remove: break;
+        }
+        return tr("File %1 not removed: %2");
+    }
     static QString planName(vehicle::MissionType type)
     {
         switch (type) {

@@ -1,0 +1,38 @@
+// What a run without a window does besides following the vehicles: requests to a vehicle, and what to make of their results.
+// The run calls it on its thread, sends its requests, and ends when it has finished.
+#pragma once
+
+#include "core/engine/station/event.h"
+#include "core/vehicle/request.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace skyseal::engine {
+
+struct Snapshot;
+
+struct TaskRequest
+{
+    std::uint8_t systemId = 0;
+    vehicle::Request request;
+};
+
+class RunTask
+{
+public:
+    virtual ~RunTask() = default;
+    /// Called every 50 ms with the newest snapshot.
+    virtual void advance(TimePoint now, const Snapshot &snapshot) = 0;
+    virtual void handle(const Event &event) = 0;
+    /// The next request to send; requestSent() then tells its id.
+    virtual std::optional<TaskRequest> pollRequest() = 0;
+    virtual void requestSent(vehicle::RequestId id) = 0;
+
+    virtual bool isFinished() const = 0;
+    /// Why it did not reach its goal, for people; empty if it did.
+    virtual const std::string &problem() const = 0;
+};
+
+} // namespace skyseal::engine

@@ -1,0 +1,51 @@
+// Reading of the text files that ground stations share: lines, columns and numbers, independent of the locale.
+#pragma once
+
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace skyseal::vehicle {
+
+/// The next line, without its end; `rest` becomes what follows it.
+inline std::string_view takeLine(std::string_view &rest)
+{
+    const std::size_t end = rest.find('\n');
+    std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    if (line.ends_with('\r'))
+        line.remove_suffix(1);
+    return line;
+}
+
+/// The parts of a line between any of these separators; empty parts are left out.
+inline std::vector<std::string_view> fieldsOf(std::string_view line, std::string_view separators)
+{
+    std::vector<std::string_view> out;
+    for (;;) {
+        const std::size_t begin = line.find_first_not_of(separators);
+        if (begin == std::string_view::npos)
+            return out;
+        line.remove_prefix(begin);
+        const std::size_t end = line.find_first_of(separators);
+        out.push_back(line.substr(0, end));
+        line.remove_prefix(out.back().size());
+    }
+}
+
+/// A finite decimal number that fills the whole text; nullopt otherwise.
+inline std::optional<double> numberOf(std::string_view text)
+{
+    if (text.starts_with('+'))
+        text.remove_prefix(1);
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+        return std::nullopt;
+    return value;
+}
+
+} // namespace skyseal::vehicle

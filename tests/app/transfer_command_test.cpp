@@ -1,0 +1,149 @@
+// skyseal-cli param, mission, fence and rally beside the simulator, over a plain and a sealed link.
+#include "tests/support/flight.h"
+#include "tests/support/run_program.h"
+#include "tests/support/test_runner.h"
+
+#include <QtCore/QFile>
+#include <QtCore/QJsonDocument>
+#include <QtCore/QJsonObject>
+#include <QtTest/QTest>
+
+using namespace skyseal::test;
+
+class TransferCommandTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void parametersAreReadAndWritten();
+    void parametersAreSavedAndLoaded();
+    void missionIsUploadedAndDownloaded();
+    void unknownVehicleIsNotFound();
+    void wrongFilesAreRefused_data();
+    void wrongFilesAreRefused();
+
+private:
+    RunResult run(const QString &command, const QStringList &more = {})
+    {
+        const QStringList words = command.split(QLatin1Char(' '));
+        return runProgram("skyseal-cli", words.mid(0, 2) + m_link + words.mid(2) + more);
+    }
+    QString write(const char *name, const QByteArray &content)
+    {
+        QFile file(m_flight.path(QLatin1String(name)));
+        const bool ok = file.open(QIODevice::WriteOnly) && file.write(content) == content.size();
+        return ok ? file.fileName() : QString();
+    }
+
+    Flight m_flight;
+    std::unique_ptr<Program> m_sim, m_air;
+    QStringList m_link;
+};
+
+void TransferCommandTest::initTestCase()
+{
+    QVERIFY(m_flight.ready());
+    m_sim = std::make_unique<Program>(QStringLiteral("skyseal-sim"), m_flight.simArguments());
+    m_air = std::make_unique<Program>(QStringLiteral("skyseal-air"), m_flight.airArguments());
+    m_link = {QStringLiteral("--link"),     QStringLiteral("udpin:127.0.0.1:%1").arg(m_flight.groundPort),
+              QStringLiteral("--identity"), m_flight.path(QStringLiteral("ground.key")),
+              QStringLiteral("--peers"),    m_flight.path(QStringLiteral("ground.peers")),
+              QStringLiteral("--sysid"),    QStringLiteral("1")};
+}
+
+void TransferCommandTest::parametersAreReadAndWritten()
+{
+    const RunResult set = run(QStringLiteral("param set WPNAV_SPEED=625 RTL_ALT=1700"));
+    QVERIFY2(set.status == 0, set.err.constData());
+    QCOMPARE(set.out, QByteArray("WPNAV_SPEED 625\nRTL_ALT 1700\n"));
+    const RunResult get = run(QStringLiteral("param get WPNAV_SPEED --json"));
+    QCOMPARE(get.status, 0);
+    QJsonObject parameter;
+    for (const QByteArray &line : get.out.split('\n')) {
+        const QJsonObject event = QJsonDocument::fromJson(line).object();
+        if (event[QLatin1String("event")].toString() == QLatin1String("parameter"))
+            parameter = event;
+    }
+    QCOMPARE(parameter[QLatin1String("name")].toString(), QStringLiteral("WPNAV_SPEED"));
+    QCOMPARE(parameter[QLatin1String("value")].toDouble(), 625.);
+    const RunResult missing = run(QStringLiteral("param get NO_SUCH_THING"));
+    QCOMPARE(missing.status, 1);
+    QVERIFY2(missing.err.contains("NO_SUCH_THING: no answer"), missing.err.constData());
+    const RunResult list = run(QStringLiteral("param list"));
+    QCOMPARE(list.status, 0);
+    QVERIFY(list.out.contains("\nWPNAV_SPEED 625\n"));
+    QVERIFY(list.out.count('\n') >= 100);
+}
+
+void TransferCommandTest::parametersAreSavedAndLoaded()
+{
+    const QString file = m_flight.path(QStringLiteral("all.param"));
+    QCOMPARE(run(QStringLiteral("param set RTL_ALT=1800")).status, 0);
+    const RunResult saved = run(QStringLiteral("param save ") + file, {QStringLiteral("--format"), QStringLiteral("qgc")});
+    QVERIFY2(saved.status == 0, saved.err.constData());
+    QCOMPARE(run(QStringLiteral("param set RTL_ALT=1600")).status, 0);
+    const RunResult difference = run(QStringLiteral("param diff ") + file);
+    QCOMPARE(difference.status, 0);
+    QCOMPARE(difference.out, QByteArray("RTL_ALT 1600 (file: 1800)\n"));
+    const RunResult loaded = run(QStringLiteral("param load ") + file);
+    QVERIFY2(loaded.status == 0, loaded.err.constData());
+    QCOMPARE(loaded.out, QByteArray("RTL_ALT 1800\n")); // and no other
+    const RunResult foreign = run(QStringLiteral("param load ") + write("foreign.param", "RTL_ALT,1800\nNO_SUCH,1\n"));
+    QCOMPARE(foreign.status, 1);
+    QVERIFY2(foreign.err.contains("NO_SUCH: the vehicle has no such parameter"), foreign.err.constData());
+}
+
+void TransferCommandTest::missionIsUploadedAndDownloaded()
+{
+    const QByteArray content("QGC WPL 110\n"
+                             "0\t1\t0\t16\t0\t0\t0\t0\t47.39774000\t8.54559000\t488.000\t1\n"
+                             "1\t0\t3\t22\t0\t0\t0\t0\t0.00000000\t0.00000000\t15.000\t1\n"
+                             "2\t0\t3\t16\t0\t0\t0\t0\t47.39804000\t8.54559000\t15.000\t1\n");
+    const RunResult sent = run(QStringLiteral("mission upload ") + write("in.waypoints", content));
+    QVERIFY2(sent.status == 0, sent.err.constData());
+    const QString back = m_flight.path(QStringLiteral("out.waypoints"));
+    QVERIFY(run(QStringLiteral("mission download ") + back).status == 0);
+    QFile file(back);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray read = file.readAll();
+    QCOMPARE(read.count('\n'), content.count('\n'));
+    QVERIFY2(read.contains("\t47.39804000\t8.54559000\t15.000\t1"), read.constData());
+    const RunResult list = run(QStringLiteral("mission list --json"));
+    QCOMPARE(list.out.count("\"event\":\"item\""), qsizetype(3));
+    QCOMPARE(run(QStringLiteral("mission clear")).status, 0);
+    const RunResult empty = run(QStringLiteral("mission list --json"));
+    QCOMPARE(empty.status, 0);
+    QVERIFY(empty.out.count("\"event\":\"item\"") <= 1); // at most the home position
+}
+
+void TransferCommandTest::unknownVehicleIsNotFound()
+{
+    const RunResult result = run(QStringLiteral("param list --sysid 9 --find-within 2"));
+    QCOMPARE(result.status, 1);
+    QVERIFY2(result.err.contains("vehicle 9 was not heard"), result.err.constData());
+}
+
+void TransferCommandTest::wrongFilesAreRefused_data()
+{
+    QTest::addColumn<QString>("command");
+    QTest::addColumn<QByteArray>("content");
+    QTest::addColumn<QByteArray>("problem");
+    QTest::newRow("parameters") << QStringLiteral("param load") << QByteArray("A,1\nB\n") << QByteArray(":2: ");
+    QTest::newRow("mission") << QStringLiteral("mission upload") << QByteArray("hello") << QByteArray(":1: no mission file");
+    QTest::newRow("fence") << QStringLiteral("fence upload") << QByteArray("QGC WPL 110\n") << QByteArray("no items");
+}
+
+void TransferCommandTest::wrongFilesAreRefused()
+{
+    QFETCH(QString, command);
+    QFETCH(QByteArray, content);
+    QFETCH(QByteArray, problem);
+    const RunResult result = run(command + QLatin1Char(' ') + write("wrong", content));
+    QCOMPARE(result.status, 3);
+    QVERIFY2(result.err.contains(problem), result.err.constData());
+    QCOMPARE(run(command + QLatin1Char(' ') + m_flight.path(QStringLiteral("missing"))).status, 3);
+}
+
+SKYSEAL_TEST(TransferCommandTest)
+#include "transfer_command_test.moc"
