@@ -182,7 +182,7 @@ void MissionClient::handleItemRequest(TimePoint now, std::uint16_t sequence, boo
     if (sequence >= m_items.size())
         return; // the vehicle ends the transfer or runs into its own time-out
     const bool asksAgain = m_phase == Phase::Uploading && sequence == m_offered;
-    if (asksAgain && now < m_sent + m_window.roundTrip().shortest())
+    if (asksAgain && now < m_sent + m_window.rtt().shortest())
         return; // asked before the item arrived that is on its way
     if (!asksAgain)
         measure(now);
@@ -309,17 +309,17 @@ void MissionClient::restart(TimePoint now, std::string reason)
 /// Of the message sent last: the same for the first attempts, then doubled again and again.
 Duration MissionClient::patience() const
 {
-    Duration out = m_window.roundTrip().timeout();
-    for (int i = kQuickAttempts; i < m_attempts && out < RoundTrip::kMostTimeout; ++i)
+    Duration out = m_window.rtt().timeout();
+    for (int i = kQuickAttempts; i < m_attempts && out < RttEstimator::kMostTimeout; ++i)
         out *= 2;
-    return std::min(out, RoundTrip::kMostTimeout);
+    return std::min(out, RttEstimator::kMostTimeout);
 }
 
 /// The message sent last was answered.
 void MissionClient::measure(TimePoint now)
 {
     if (m_attempts == 1)
-        m_window.roundTrip().measure(now - m_sent);
+        m_window.rtt().measure(now - m_sent);
 }
 
 void MissionClient::sendItem(const MissionItem &item)

@@ -83,7 +83,7 @@ TimePoint RequestWindow::nextDeadline() const
 /// How long to wait for an answer.
 Duration RequestWindow::patience() const
 {
-    return std::min(m_trip.timeout() * m_backoff, RoundTrip::kMostTimeout);
+    return std::min(m_rtt.timeout() * m_backoff, RttEstimator::kMostTimeout);
 }
 
 /// Requests whose answer is overdue may be made again: more and more slowly while nothing arrives at all, so that a link that
@@ -100,8 +100,8 @@ void RequestWindow::expire(TimePoint now)
 
 void RequestWindow::measure(Duration roundTrip)
 {
-    m_trip.measure(roundTrip);
-    if (m_trip.isGrowing())
+    m_rtt.measure(roundTrip);
+    if (m_rtt.isGrowing())
         m_window = std::max(m_window - 1, std::min(kLeast, m_most));
     else
         m_window = std::min(m_window + 1, m_most);

@@ -3,7 +3,7 @@
 // again. Growing delay shrinks the window, loss does not: radios lose without being overloaded. No I/O and no clock.
 #pragma once
 
-#include "core/vehicle/round_trip.h"
+#include "core/vehicle/rtt_estimator.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -44,8 +44,8 @@ public:
     /// The first item that has not arrived; count() if none is missing.
     std::size_t firstMissing() const;
     /// Of the link: answers to other requests may be measured as well.
-    RoundTrip &roundTrip() { return m_trip; }
-    const RoundTrip &roundTrip() const { return m_trip; }
+    RttEstimator &rtt() { return m_rtt; }
+    const RttEstimator &rtt() const { return m_rtt; }
 
 private:
     struct Item
@@ -75,7 +75,7 @@ private:
     std::optional<TimePoint> m_progress; ///< the latest item, or the start; also set when the timeout was doubled
     int m_backoff = 1;                   ///< the timeout is so much longer while nothing arrives
     std::size_t m_window = kFirst, m_most = kMost;
-    RoundTrip m_trip;
+    RttEstimator m_rtt;
 };
 
 } // namespace skyseal::vehicle

@@ -8,7 +8,7 @@
 
 namespace skyseal::vehicle {
 
-class RoundTrip
+class RttEstimator
 {
 public:
     static constexpr Duration kFirstTimeout = std::chrono::milliseconds(500), kLeastTimeout = std::chrono::milliseconds(20),
