@@ -5,6 +5,7 @@
 #include "core/vehicle/commander.h"
 #include "core/vehicle/firmware_info.h"
 #include "core/vehicle/flight_timer.h"
+#include "core/vehicle/ftp_client.h"
 #include "core/vehicle/heartbeat_monitor.h"
 #include "core/vehicle/home_tracker.h"
 #include "core/vehicle/mission_client.h"
@@ -42,6 +43,7 @@ struct Vehicle::Parts
     Commander commander{context};
     ParameterClient parameters{context};
     MissionClient mission{context};
+    FtpClient files{context};
 
 private:
     bool offerToClients(TimePoint now, const mavlink::Frame &frame);

@@ -1,0 +1,435 @@
+#include "core/vehicle/ftp_client.h"
+
+#include <algorithm>
+
+namespace skyseal::vehicle {
+
+bool FtpClient::perform(TimePoint now, RequestId id, const Request &request)
+{
+    if (const auto *list = std::get_if<ListFolder>(&request)) {
+        if (begin(now, id, FileAction::List, list->path))
+            stepWithPath(now, Phase::Listing, FtpOpcode::ListDirectory);
+    } else if (const auto *read = std::get_if<vehicle::ReadFile>(&request)) {
+        if (begin(now, id, FileAction::Read, read->path))
+            stepWithPath(now, Phase::Opening, FtpOpcode::OpenFileRO);
+    } else if (const auto *write = std::get_if<vehicle::WriteFile>(&request)) {
+        if (!begin(now, id, FileAction::Write, write->path))
+            return true;
+        if (!write->content || write->content->size() > kMostBytes) {
+            finish(false, "nothing was sent: a file has at most " + std::to_string(kMostBytes) + " bytes");
+            return true;
+        }
+        m_source = write->content;
+        m_size = m_source->size();
+        stepWithPath(now, Phase::Creating, FtpOpcode::CreateFile);
+    } else if (const auto *remove = std::get_if<vehicle::RemoveFile>(&request)) {
+        if (begin(now, id, FileAction::Remove, remove->path))
+            stepWithPath(now, Phase::Removing, FtpOpcode::RemoveFile);
+    } else if (const auto *cancel = std::get_if<CancelTransfer>(&request)) {
+        if (m_phase == Phase::Idle || cancel->transfer != m_request)
+            return false;
+        FtpMessage message;
+        message.opcode = FtpOpcode::TerminateSession;
+        message.session = m_session;
+        transmit(now, message);
+        finish(false, "cancelled");
+    } else {
+        return false;
+    }
+    return true;
+}
+
+bool FtpClient::handleFrame(TimePoint now, const mavlink::Frame &frame)
+{
+    if (frame.messageId() != mavlink::FileTransferProtocol::kId)
+        return false;
+    const auto m = unpack<mavlink::FileTransferProtocol>(frame);
+    if (m_phase == Phase::Idle || !addressing().isForUs(m.target_system, m.target_component))
+        return true;
+    const FtpMessage answer = FtpMessage::decode(m.payload);
+    if (answer.opcode != FtpOpcode::Ack && answer.opcode != FtpOpcode::Nak)
+        return true;
+    if (m_phase == Phase::Bursting)
+        handleBurst(now, answer);
+    else if (isTransferring())
+        handleChunkAnswer(now, answer);
+    else if (answer.requested == m_message.opcode && answer.sequence == static_cast<std::uint16_t>(m_message.sequence + 1))
+        handleStepAnswer(now, answer);
+    return true;
+}
+
+void FtpClient::handleDeadline(TimePoint now)
+{
+    if (m_phase == Phase::Idle)
+        return;
+    if (isTransferring())
+        return now >= m_deadline ? giveUp() : requestChunks(now);
+    if (now < m_repeat)
+        return;
+    if (now >= m_deadline && m_attempts >= kAttempts)
+        return giveUp();
+    if (m_phase == Phase::Bursting && m_attempts == 0)
+        return burst(now); // it has paused: its end was lost
+    transmit(now, m_message);
+}
+
+TimePoint FtpClient::nextDeadline() const
+{
+    if (m_phase == Phase::Idle)
+        return kNever;
+    return isTransferring() ? std::min(m_window.nextDeadline(), m_deadline) : m_repeat;
+}
+
+std::optional<TransferProgress> FtpClient::progress() const
+{
+    switch (m_phase) {
+    case Phase::Idle: return std::nullopt;
+    case Phase::Listing: return TransferProgress{m_request, m_listed, 0};
+    default: return TransferProgress{m_request, std::min(m_window.received() * kChunk, m_size), m_size};
+    }
+}
+
+bool FtpClient::begin(TimePoint now, RequestId id, FileAction action, const std::string &path)
+{
+    const auto refuse = [&](std::string reason) {
+        report(
+            FileResult{.id = id, .systemId = addressing().system, .action = action, .path = path, .reason = std::move(reason)});
+        return false;
+    };
+    if (m_phase != Phase::Idle)
+        return refuse("another file transfer is under way");
+    if (path.empty() || path.size() > kMostPath || path.find('\0') != std::string::npos)
+        return refuse("nothing was sent: a path of up to " + std::to_string(kMostPath) + " bytes is needed");
+    m_request = id;
+    m_action = action;
+    m_path = path;
+    m_wasReset = m_verified = false;
+    m_entries.clear();
+    m_content.clear();
+    m_source.reset();
+    m_size = m_listed = 0;
+    m_reached = 0;
+    m_session = 0;
+    m_pace = {};
+    m_window.setMost(action == FileAction::Write ? kWritesUnderWay : RequestWindow::kMost);
+    m_window.begin();
+    m_deadline = now + kGiveUp;
+    return true;
+}
+
+/// Starts a step: a request that is repeated until it is answered.
+void FtpClient::step(TimePoint now, Phase phase, FtpMessage message)
+{
+    m_phase = phase;
+    m_attempts = 0;
+    m_deadline = now + kGiveUp;
+    message.sequence = ++m_sequence;
+    m_message = message;
+    transmit(now, message);
+}
+
+void FtpClient::stepWithPath(TimePoint now, Phase phase, FtpOpcode opcode, std::uint32_t offset)
+{
+    FtpMessage message;
+    message.opcode = opcode;
+    message.offset = offset;
+    message.setData(asBytes(m_path));
+    step(now, phase, message);
+}
+
+void FtpClient::transmit(TimePoint now, FtpMessage message)
+{
+    mavlink::FileTransferProtocol out;
+    out.payload = message.encode();
+    send(out);
+    if (m_attempts++ == 0)
+        m_sent = now;
+    m_repeat = now + patience();
+}
+
+void FtpClient::handleStepAnswer(TimePoint now, const FtpMessage &answer)
+{
+    if (m_attempts == 1)
+        m_window.roundTrip().measure(now - m_sent);
+    if (answer.opcode == FtpOpcode::Nak)
+        return handleStepRefusal(now, answer);
+    switch (m_phase) {
+    case Phase::Listing: return handleListing(now, answer);
+    case Phase::Opening:
+        if (answer.requested == FtpOpcode::ResetSessions)
+            return stepWithPath(now, Phase::Opening, FtpOpcode::OpenFileRO);
+        return handleOpened(now, answer);
+    case Phase::Creating:
+        if (answer.requested == FtpOpcode::ResetSessions)
+            return stepWithPath(now, Phase::Creating, FtpOpcode::CreateFile);
+        m_session = answer.session;
+        if (m_size == 0)
+            return close(now);
+        m_phase = Phase::Writing;
+        m_window.setCount(chunksOf(m_size));
+        m_window.openUpTo(m_window.count());
+        return requestChunks(now);
+    case Phase::Closing: return check(now);
+    case Phase::Checking: {
+        const Bytes &content = m_action == FileAction::Write ? *m_source : m_content;
+        const std::uint32_t theirs = answer.data[0] | answer.data[1] << 8 | answer.data[2] << 16
+            | static_cast<std::uint32_t>(answer.data[3]) << 24;
+        m_verified = answer.size >= 4 && theirs == ftpChecksum(content);
+        return m_verified || answer.size < 4 ? finish(true) : finish(false, "the checksums of both ends differ");
+    }
+    case Phase::Removing: return finish(true);
+    default: return;
+    }
+}
+
+void FtpClient::handleStepRefusal(TimePoint now, const FtpMessage &nak)
+{
+    const FtpError error = *nak.error();
+    switch (m_phase) {
+    case Phase::Listing:
+        if (error == FtpError::EndOfFile)
+            return finish(true);
+        break;
+    case Phase::Opening:
+    case Phase::Creating:
+        if (error == FtpError::NoSessionsAvailable && !m_wasReset) {
+            m_wasReset = true;
+            FtpMessage reset;
+            reset.opcode = FtpOpcode::ResetSessions;
+            return step(now, m_phase, reset);
+        }
+        break;
+    case Phase::Closing: return check(now); // it is closed
+    case Phase::Checking: return finish(true);
+    case Phase::Removing:
+        if (error == FtpError::FileNotFound && m_attempts > 1)
+            return finish(true); // the lost answer said that it was removed
+        break;
+    default: break;
+    }
+    finish(false, ftpErrorText(nak));
+}
+
+void FtpClient::handleListing(TimePoint now, const FtpMessage &answer)
+{
+    FtpListing part = parseListing(answer.view());
+    if (part.count == 0)
+        return finish(true);
+    m_listed += part.count;
+    if (m_listed > kMostEntries)
+        return finish(false, "the folder has more than " + std::to_string(kMostEntries) + " entries");
+    std::ranges::move(part.entries, std::back_inserter(m_entries));
+    stepWithPath(now, Phase::Listing, FtpOpcode::ListDirectory, m_listed);
+}
+
+void FtpClient::handleOpened(TimePoint now, const FtpMessage &answer)
+{
+    m_session = answer.session;
+    m_size = answer.data[0] | answer.data[1] << 8 | answer.data[2] << 16 | static_cast<std::size_t>(answer.data[3]) << 24;
+    if (answer.size < 4)
+        return finish(false, "the vehicle does not tell the size of the file");
+    if (m_size > kMostBytes)
+        return finish(false, "the file is larger than " + std::to_string(kMostBytes) + " bytes");
+    if (m_size == 0)
+        return close(now);
+    m_window.setCount(chunksOf(m_size));
+    burst(now);
+}
+
+/// Requests the rest of the file; then what was lost.
+void FtpClient::burst(TimePoint now)
+{
+    if (m_reached >= m_window.count())
+        return fillGaps(now);
+    FtpMessage message;
+    message.opcode = FtpOpcode::BurstReadFile;
+    message.session = m_session;
+    message.offset = static_cast<std::uint32_t>(m_reached * kChunk);
+    message.size = kChunk;
+    m_latest = {};
+    step(now, Phase::Bursting, message);
+}
+
+void FtpClient::handleBurst(TimePoint now, const FtpMessage &answer)
+{
+    if (answer.requested != FtpOpcode::BurstReadFile)
+        return;
+    if (const auto error = answer.error()) {
+        // Of this burst: an earlier one may have been answered twice.
+        if (answer.session != m_session)
+            return;
+        if (*error == FtpError::EndOfFile || *error == FtpError::UnknownCommand)
+            return fillGaps(now);
+        return finish(false, ftpErrorText(answer));
+    }
+    const std::size_t index = answer.offset / kChunk;
+    if (answer.session != m_session || index > m_reached + kMostJump)
+        return;
+    if (m_attempts == 1 && index == m_message.offset / kChunk)
+        m_window.roundTrip().measure(now - m_sent);
+    if (m_latest != TimePoint{})
+        m_pace.measure(now - m_latest);
+    m_latest = now;
+    if (!takeChunk(now, answer.offset, answer.view()))
+        return;
+    m_reached = std::max(m_reached, index + 1);
+    m_attempts = 0;
+    m_repeat = now + std::max({m_pace.timeout() * 2, m_window.roundTrip().timeout(), kLeastPause});
+    if (answer.burstComplete || m_window.isComplete())
+        burst(now);
+}
+
+/// The bursts are over.
+void FtpClient::fillGaps(TimePoint now)
+{
+    if (m_window.isComplete())
+        return close(now);
+    m_phase = Phase::Reading;
+    m_deadline = now + kGiveUp;
+    m_window.openUpTo(m_window.count());
+    requestChunks(now);
+}
+
+void FtpClient::requestChunks(TimePoint now)
+{
+    while (const auto index = m_window.poll(now)) {
+        FtpMessage message;
+        message.sequence = ++m_sequence;
+        message.session = m_session;
+        message.offset = static_cast<std::uint32_t>(*index * kChunk);
+        if (m_phase == Phase::Writing) {
+            message.opcode = FtpOpcode::WriteFile;
+            message.setData(ByteView(*m_source).subspan(message.offset, std::min(kChunk, m_size - message.offset)));
+        } else {
+            message.opcode = FtpOpcode::ReadFile;
+            message.size = kChunk;
+        }
+        m_chunks[message.sequence & 0xFF] = static_cast<std::uint32_t>(*index);
+        m_sequences[message.sequence & 0xFF] = message.sequence;
+        mavlink::FileTransferProtocol out;
+        out.payload = message.encode();
+        send(out);
+    }
+}
+
+/// The chunk whose request has this answer; nullopt if it is none of the latest ones.
+std::optional<std::size_t> FtpClient::chunkOf(std::uint16_t sequence) const
+{
+    const auto request = static_cast<std::uint16_t>(sequence - 1);
+    if (m_sequences[request & 0xFF] != request)
+        return std::nullopt;
+    return m_chunks[request & 0xFF];
+}
+
+void FtpClient::handleChunkAnswer(TimePoint now, const FtpMessage &answer)
+{
+    const bool isWrite = m_phase == Phase::Writing;
+    const auto index = chunkOf(answer.sequence);
+    if (answer.requested != (isWrite ? FtpOpcode::WriteFile : FtpOpcode::ReadFile) || !index || answer.session != m_session
+        || *index >= m_window.count())
+        return;
+    if (answer.error() == FtpError::EndOfFile && !isWrite) {
+        if (!endAt(*index * kChunk))
+            return;
+    } else if (answer.error()) {
+        return finish(false, ftpErrorText(answer));
+    } else if (isWrite) {
+        if (m_window.arrived(now, *index))
+            m_deadline = now + kGiveUp;
+    } else if (!takeChunk(now, static_cast<std::uint32_t>(*index * kChunk), answer.view())) {
+        return;
+    }
+    if (m_window.isComplete() || m_window.count() == 0)
+        return close(now);
+    requestChunks(now);
+}
+
+bool FtpClient::takeChunk(TimePoint now, std::uint32_t offset, ByteView data)
+{
+    const std::size_t index = offset / kChunk;
+    if (offset % kChunk != 0 || index >= m_window.count() || data.empty())
+        return true; // not a whole chunk: it is requested again
+    const std::size_t end = offset + data.size();
+    if (data.size() < kChunk && end != m_size && !endAt(end))
+        return false;
+    if (index >= m_window.count() || !m_window.arrived(now, index))
+        return true;
+    m_content.resize(std::max(m_content.size(), end));
+    std::ranges::copy(data, m_content.begin() + offset);
+    m_deadline = now + kGiveUp;
+    return true;
+}
+
+/// The file ends sooner than it was announced. Returns false, and ends the transfer, if it was longer before.
+bool FtpClient::endAt(std::size_t bytes)
+{
+    if (m_content.size() > bytes) {
+        finish(false, "the file changed while it was read");
+        return false;
+    }
+    m_size = std::min(m_size, bytes);
+    m_window.setCount(chunksOf(m_size));
+    m_window.openUpTo(m_window.count());
+    return true;
+}
+
+void FtpClient::close(TimePoint now)
+{
+    FtpMessage message;
+    message.opcode = FtpOpcode::TerminateSession;
+    message.session = m_session;
+    step(now, Phase::Closing, message);
+}
+
+/// Files that the vehicle makes up while they are read have no checksum.
+void FtpClient::check(TimePoint now)
+{
+    if (m_path.starts_with('@'))
+        return finish(true);
+    stepWithPath(now, Phase::Checking, FtpOpcode::CalcFileCRC32);
+}
+
+void FtpClient::finish(bool ok, std::string reason, bool changeUnanswered)
+{
+    FileResult result{.id = m_request, .systemId = addressing().system, .action = m_action, .path = m_path, .ok = ok};
+    result.reason = std::move(reason);
+    result.changeUnanswered = changeUnanswered;
+    result.verified = m_verified;
+    if (ok && m_action == FileAction::List)
+        result.entries = std::make_shared<const std::vector<RemoteFile>>(std::move(m_entries));
+    if (ok && m_action == FileAction::Read)
+        result.content = std::make_shared<const Bytes>(std::move(m_content));
+    m_entries.clear();
+    m_content = {};
+    m_source.reset();
+    m_phase = Phase::Idle;
+    m_deadline = m_repeat = kNever;
+    report(std::move(result));
+}
+
+void FtpClient::giveUp()
+{
+    switch (m_phase) {
+    case Phase::Closing: return check(m_repeat); // what was to be transferred is there
+    case Phase::Checking: return finish(true);
+    case Phase::Reading:
+    case Phase::Bursting:
+        return finish(false, "the vehicle does not send byte " + std::to_string(m_window.firstMissing() * kChunk));
+    case Phase::Writing:
+        return finish(false, "the vehicle does not take byte " + std::to_string(m_window.firstMissing() * kChunk));
+    default: break;
+    }
+    const bool isChange = m_action == FileAction::Write || m_action == FileAction::Remove;
+    finish(false, "no answer to " + std::to_string(m_attempts) + " attempts", isChange);
+}
+
+/// Of the message sent last: the same for the first attempts, then doubled again and again.
+Duration FtpClient::patience() const
+{
+    Duration out = m_window.roundTrip().timeout();
+    for (int i = kQuickAttempts; i < m_attempts && out < RoundTrip::kMostTimeout; ++i)
+        out *= 2;
+    return std::min(out, RoundTrip::kMostTimeout);
+}
+
+} // namespace skyseal::vehicle

@@ -1,0 +1,115 @@
+// Client of MAVLink FTP: one transfer at a time. https://mavlink.io/en/services/ftp.html
+//
+//     List:   ListDirectory 0, n, … until the end
+//     Read:   OpenFileRO → (BurstReadFile → chunks)* → ReadFile of what was lost, in a window → TerminateSession →
+//             CalcFileCRC32
+//     Write:  CreateFile → WriteFile of every chunk, in a window → TerminateSession → CalcFileCRC32
+//     Remove: RemoveFile
+//
+// A file is a row of chunks of 239 bytes. The size that the vehicle announces is an upper limit, since files that it makes up
+// while they are read (ArduPilot's @PARAM and @SYS) are announced too large: a short chunk or the answer "end of file" ends it.
+// Requests are repeated with their sequence number, by which the vehicle recognises them, when the measured round trip has
+// passed without an answer. Sizes, folders and jumps in a file are bounded, whatever the vehicle sends.
+#pragma once
+
+#include "core/vehicle/ftp_message.h"
+#include "core/vehicle/micro_protocol.h"
+#include "core/vehicle/request_window.h"
+
+#include <array>
+#include <memory>
+#include <string>
+
+namespace skyseal::vehicle {
+
+class FtpClient : public MicroProtocol
+{
+public:
+    static constexpr std::size_t kChunk = FtpMessage::kMostData;
+    static constexpr int kQuickAttempts = 3; ///< at the same pace, then at half the pace again and again
+    static constexpr int kAttempts = 8;
+    static constexpr Duration kGiveUp = std::chrono::seconds(12); ///< without progress
+    static constexpr std::size_t kMostBytes = 256u << 20;         ///< of a file
+    static constexpr std::size_t kMostEntries = 10'000;           ///< of a folder
+    static constexpr std::size_t kMostPath = kChunk - 1;
+    /// A chunk of a burst may be so many chunks ahead of the ones before.
+    static constexpr std::size_t kMostJump = 4096;
+    static constexpr std::size_t kWritesUnderWay = 8;
+    /// A burst has ended when nothing came for several of its intervals, and at least for so long.
+    static constexpr Duration kLeastPause = std::chrono::milliseconds(100);
+
+    using MicroProtocol::MicroProtocol;
+
+    /// ListFolder, ReadFile, WriteFile, RemoveFile and CancelTransfer. Fails at once while another transfer is in progress.
+    bool perform(TimePoint now, RequestId id, const Request &request) override;
+    bool handleFrame(TimePoint now, const mavlink::Frame &frame) override;
+    void handleDeadline(TimePoint now) override;
+    TimePoint nextDeadline() const override;
+    std::optional<TransferProgress> progress() const override;
+
+private:
+    enum class Phase : std::uint8_t {
+        Idle,
+        Listing,
+        Opening,
+        Bursting,
+        Reading,
+        Creating,
+        Writing,
+        Closing,
+        Checking,
+        Removing
+    };
+
+    bool begin(TimePoint now, RequestId id, FileAction action, const std::string &path);
+    void step(TimePoint now, Phase phase, FtpMessage message);
+    void stepWithPath(TimePoint now, Phase phase, FtpOpcode opcode, std::uint32_t offset = 0);
+    void transmit(TimePoint now, FtpMessage message);
+    void handleStepAnswer(TimePoint now, const FtpMessage &answer);
+    void handleStepRefusal(TimePoint now, const FtpMessage &nak);
+    void handleListing(TimePoint now, const FtpMessage &answer);
+    void handleOpened(TimePoint now, const FtpMessage &answer);
+    void burst(TimePoint now);
+    void handleBurst(TimePoint now, const FtpMessage &answer);
+    void fillGaps(TimePoint now);
+    void requestChunks(TimePoint now);
+    void handleChunkAnswer(TimePoint now, const FtpMessage &answer);
+    /// Returns false if the transfer has ended.
+    bool takeChunk(TimePoint now, std::uint32_t offset, ByteView data);
+    bool endAt(std::size_t bytes);
+    std::optional<std::size_t> chunkOf(std::uint16_t sequence) const;
+    void close(TimePoint now);
+    void check(TimePoint now);
+    void finish(bool ok, std::string reason = {}, bool changeUnanswered = false);
+    void giveUp();
+    Duration patience() const;
+    std::size_t chunksOf(std::size_t bytes) const { return (bytes + kChunk - 1) / kChunk; }
+    bool isTransferring() const { return m_phase == Phase::Reading || m_phase == Phase::Writing; }
+
+    RequestId m_request{};
+    Phase m_phase = Phase::Idle;
+    FileAction m_action{};
+    std::string m_path;
+    std::uint8_t m_session = 0;
+    bool m_wasReset = false; ///< the sessions of the vehicle were closed to make room
+    std::vector<RemoteFile> m_entries;
+    Bytes m_content;                              ///< read so far
+    std::shared_ptr<const Bytes> m_source;        ///< to be written
+    std::size_t m_size = 0;                       ///< of the file, as far as it is known
+    std::uint32_t m_listed = 0;                   ///< entries of the folder, those that were skipped included
+    RequestWindow m_window;                       ///< of chunks; its round trip serves all requests
+    std::array<std::uint32_t, 256> m_chunks{};    ///< by the lower half of the sequence number of their request
+    std::array<std::uint16_t, 256> m_sequences{}; ///< the whole of it
+    std::size_t m_reached = 0;                    ///< chunks up to here were sent in bursts
+    RoundTrip m_pace;                             ///< intervals between chunks of a burst
+    TimePoint m_latest{};                         ///< arrival of the latest one
+    FtpMessage m_message;                         ///< sent last, except those of the window
+    std::uint16_t m_sequence = 0;                 ///< of the request sent last
+    int m_attempts = 0;
+    TimePoint m_sent{};
+    TimePoint m_repeat = kNever;
+    TimePoint m_deadline = kNever; ///< without progress, the transfer fails
+    bool m_verified = false;
+};
+
+} // namespace skyseal::vehicle

@@ -1,0 +1,165 @@
+// A small FTP server, written from the specification, that answers through a ScriptedPeer's link. It recognises a repeated
+// request by its sequence number, and sends bursts at a steady pace.
+#pragma once
+
+#include "core/vehicle/ftp_message.h"
+#include "lossy_link.h"
+
+#include <map>
+#include <string>
+
+namespace skyseal::vehicle {
+
+class FtpPeer : public ScriptedPeer
+{
+public:
+    std::map<std::string, Bytes> files;
+    std::uint32_t announcedMore = 0; ///< files are announced so much larger than they are
+    bool knowsBursts = true;
+    bool knowsChecksums = true;
+    bool spoilsChecksums = false;
+    std::size_t burstLength = 100; ///< chunks of a burst
+    std::size_t entriesInPart = 3;
+    int busy = 0; ///< so many opens find no free session
+    int resets = 0;
+    int sessions = 0; ///< that are open
+
+    void handle(TimePoint now, const OutMessage &message, std::vector<ToStation> &out) override
+    {
+        const auto m = as<mavlink::FileTransferProtocol>(message);
+        if (!m)
+            return;
+        const FtpMessage request = FtpMessage::decode(m->payload);
+        if (m_last && m_last->sequence == static_cast<std::uint16_t>(request.sequence + 1)
+            && m_last->requested == request.opcode)
+            return reply(*m_last, out);
+        FtpMessage answer;
+        answer.sequence = static_cast<std::uint16_t>(request.sequence + 1);
+        answer.session = request.session;
+        answer.requested = request.opcode;
+        answer.opcode = FtpOpcode::Ack;
+        answer.offset = request.offset;
+        if (request.opcode == FtpOpcode::BurstReadFile && knowsBursts) {
+            m_burst = answer;
+            m_sentInBurst = 0;
+            m_due = now;
+            return;
+        }
+        if (const auto error = serve(request, answer)) {
+            answer.opcode = FtpOpcode::Nak;
+            answer.data[0] = static_cast<std::uint8_t>(*error);
+            answer.size = 1;
+        }
+        m_last = answer;
+        reply(answer, out);
+    }
+
+    void handleDeadline(TimePoint now, std::vector<ToStation> &out) override
+    {
+        const Bytes &content = files[m_open];
+        if (m_burst.offset >= content.size()) {
+            FtpMessage end = m_burst;
+            end.opcode = FtpOpcode::Nak;
+            end.data[0] = static_cast<std::uint8_t>(FtpError::EndOfFile);
+            end.size = 1;
+            reply(end, out);
+            m_due = kNever;
+            return;
+        }
+        m_burst.setData(chunkAt(content, m_burst.offset));
+        m_burst.burstComplete = ++m_sentInBurst == burstLength;
+        reply(m_burst, out);
+        m_burst.offset += m_burst.size;
+        ++m_burst.sequence;
+        m_due = m_burst.burstComplete ? kNever : now + std::chrono::microseconds(500);
+    }
+    TimePoint nextDeadline() const override { return m_due; }
+
+private:
+    static ByteView chunkAt(const Bytes &content, std::size_t offset)
+    {
+        return ByteView(content).subspan(offset, std::min(FtpMessage::kMostData, content.size() - offset));
+    }
+
+    static void putNumber(FtpMessage &answer, std::uint32_t number)
+    {
+        for (std::size_t i = 0; i < 4; ++i)
+            answer.data[i] = static_cast<std::uint8_t>(number >> (8 * i));
+        answer.size = 4;
+    }
+
+    std::optional<FtpError> serve(const FtpMessage &request, FtpMessage &answer)
+    {
+        const std::string path(asText(request.view()));
+        switch (request.opcode) {
+        case FtpOpcode::ListDirectory: return list(request.offset, answer);
+        case FtpOpcode::OpenFileRO:
+            if (busy > 0 && busy--)
+                return FtpError::NoSessionsAvailable;
+            if (!files.contains(path))
+                return FtpError::FileNotFound;
+            m_open = path;
+            ++sessions;
+            answer.session = 7;
+            putNumber(answer, static_cast<std::uint32_t>(files[path].size()) + announcedMore);
+            return std::nullopt;
+        case FtpOpcode::CreateFile:
+            m_open = path;
+            files[path].clear();
+            ++sessions;
+            answer.session = 7;
+            return std::nullopt;
+        case FtpOpcode::ReadFile:
+            if (request.offset >= files[m_open].size())
+                return FtpError::EndOfFile;
+            answer.setData(chunkAt(files[m_open], request.offset));
+            return std::nullopt;
+        case FtpOpcode::WriteFile: {
+            Bytes &content = files[m_open];
+            content.resize(std::max<std::size_t>(content.size(), request.offset + request.size));
+            std::ranges::copy(request.view(), content.begin() + request.offset);
+            return std::nullopt;
+        }
+        case FtpOpcode::RemoveFile: return files.erase(path) ? std::nullopt : std::optional(FtpError::FileNotFound);
+        case FtpOpcode::CalcFileCRC32:
+            if (!knowsChecksums)
+                return FtpError::UnknownCommand;
+            putNumber(answer, ftpChecksum(files[path]) + spoilsChecksums);
+            return std::nullopt;
+        case FtpOpcode::TerminateSession: --sessions; return std::nullopt;
+        case FtpOpcode::ResetSessions: ++resets; return std::nullopt;
+        default: return FtpError::UnknownCommand;
+        }
+    }
+
+    std::optional<FtpError> list(std::uint32_t offset, FtpMessage &answer)
+    {
+        std::string text;
+        std::size_t index = 0;
+        for (const auto &[path, content] : files) {
+            if (index++ >= offset && index <= offset + entriesInPart)
+                text += "F" + path + "\t" + std::to_string(content.size()) + '\0';
+        }
+        if (text.empty())
+            return FtpError::EndOfFile;
+        answer.setData(asBytes(text));
+        return std::nullopt;
+    }
+
+    static void reply(const FtpMessage &answer, std::vector<ToStation> &out)
+    {
+        mavlink::FileTransferProtocol message;
+        message.target_system = 255;
+        message.target_component = 190;
+        message.payload = answer.encode();
+        out.push_back(send(message));
+    }
+
+    std::string m_open;
+    std::optional<FtpMessage> m_last;
+    FtpMessage m_burst;
+    std::size_t m_sentInBurst = 0;
+    TimePoint m_due = kNever;
+};
+
+} // namespace skyseal::vehicle
