@@ -6,11 +6,19 @@ namespace skyseal::sim {
 
 namespace {
 
-constexpr std::uint64_t kBatteryWatch = 100'000; // µs
-constexpr std::uint64_t kFenceWatch = 40'000;    // µs
+constexpr std::uint64_t kWatch = 100'000;     // µs
+constexpr std::uint64_t kFenceWatch = 40'000; // µs
+constexpr double kCrash = 3;                  // m/s: a landing is softer
 // FENCE_ACTION; the others return. This vehicle has no SMART_RTL.
 constexpr int kReportOnly = 0, kAlwaysLand = 2, kBrakeOrLand = 4, kSmartReturnOrLand = 5;
-constexpr int kAllChecks = 1, kBatteryCheck = 256, kRcCheck = 64;
+// ARMING_CHECK
+constexpr int kAllChecks = 1, kBarometerCheck = 2, kCompassCheck = 4, kRcCheck = 64, kBatteryCheck = 256;
+// FS_THR_ENABLE; the others return.
+constexpr int kRadioIgnored = 0, kRadioLand = 3, kRadioSmartReturnOrLand = 5, kRadioBrakeOrLand = 7;
+// FS_OPTIONS
+constexpr int kContinueInAuto = 1, kContinueInGuided = 4;
+// FS_EKF_ACTION
+constexpr int kHoldAltitude = 2, kLandAlways = 3;
 
 std::string format(const char *pattern, double a, double b = 0)
 {
@@ -47,7 +55,8 @@ void Autopilot::step()
     constexpr double dt = kStep * 1e-6;
     m_time += kStep;
     if (m_settingsRevision != m_parameters.revision()) {
-        m_settings = flightSettings(m_parameters);
+        m_settings = flightSettings(m_parameters, m_world);
+        m_pilot.setFault(m_settings.faults.radio);
         m_settingsRevision = m_parameters.revision();
     }
     m_rotors.update(dt, m_armed, m_armed ? m_modes.update(dt, situation()) : FlightDemand{}, estimate(), m_settings);
@@ -63,13 +72,15 @@ void Autopilot::watch()
         m_aligned = true;
         m_texts.say(Severity::Info, "EKF3 IMU0 tilt alignment complete");
     }
-    if (const double impact = m_physics.takeImpact(); impact > 1)
-        m_texts.say(Severity::Critical, format("SIM Hit ground at %.1f m/s", impact));
+    watchGround();
     m_flown = m_armed && (m_flown || !landed());
     watchPosition();
 
-    if (m_time % kBatteryWatch == 0)
+    if (m_time % kWatch == 0) {
         watchBattery();
+        watchRadio();
+        watchEstimator();
+    }
     if (m_time % kFenceWatch == 0)
         watchFence();
     const double patience = m_settings.disarmDelay;
@@ -79,7 +90,7 @@ void Autopilot::watch()
 
 void Autopilot::watchBattery()
 {
-    switch (m_batteryWatch.step(kBatteryWatch * 1e-6, battery(), m_parameters)) {
+    switch (m_batteryWatch.step(kWatch * 1e-6, battery(), m_parameters)) {
     case BatteryLevel::Good: break;
     case BatteryLevel::Low:
     case BatteryLevel::Critical: {
@@ -93,6 +104,63 @@ void Autopilot::watchBattery()
         break;
     }
     }
+}
+
+void Autopilot::watchGround()
+{
+    const double impact = m_physics.takeImpact();
+    if (impact > 1)
+        m_texts.say(Severity::Critical, format("SIM Hit ground at %.1f m/s", impact));
+    if (impact > kCrash && m_armed && m_parameters.flag("FS_CRASH_CHECK")) {
+        m_texts.say(Severity::Emergency, "Crash: Disarming");
+        disarmNow();
+    }
+}
+
+void Autopilot::watchRadio()
+{
+    const int action = m_parameters.integer("FS_THR_ENABLE");
+    const bool low = action != kRadioIgnored && m_pilot.channels()[2] < m_parameters.integer("FS_THR_VALUE");
+    switch (m_radioWatch.step(kWatch * 1e-6, m_pilot.hasSignal(), low)) {
+    case RadioWatch::Event::None: return;
+    case RadioWatch::Event::Back: return clearFailsafe("Radio");
+    case RadioWatch::Event::Lost: break;
+    }
+    const int options = m_parameters.integer("FS_OPTIONS");
+    const FlightMode mode = m_modes.current();
+    const bool goesOn = (mode == FlightMode::Auto && (options & kContinueInAuto))
+        || (mode == FlightMode::Guided && (options & kContinueInGuided));
+    if (!m_armed || action == kRadioIgnored)
+        return;
+    if (goesOn)
+        return m_texts.say(Severity::Critical, "Radio Failsafe - Continuing");
+    failsafe("Radio",
+             action == kRadioLand || action == kRadioSmartReturnOrLand ? FlightMode::Land
+                 : action == kRadioBrakeOrLand                         ? FlightMode::Brake
+                                                                       : FlightMode::Rtl);
+}
+
+void Autopilot::watchEstimator()
+{
+    if (const bool glitching = estimator().glitching(); glitching != std::exchange(m_glitching, glitching))
+        m_texts.say(Severity::Critical, glitching ? "GPS Glitch or Compass error" : "Glitch cleared");
+    switch (m_estimatorWatch.step(kWatch * 1e-6, m_armed, estimator().variances(),
+                                  static_cast<double>(m_parameters.value("FS_EKF_THRESH")))) {
+    case EstimatorWatch::Event::None: return;
+    case EstimatorWatch::Event::Good: return clearFailsafe("EKF");
+    case EstimatorWatch::Event::Failed: break;
+    }
+    m_texts.say(Severity::Critical, "EKF variance");
+    const int action = m_parameters.integer("FS_EKF_ACTION");
+    if (needsPosition(m_modes.current()) || action == kLandAlways)
+        failsafe("EKF", action == kHoldAltitude ? FlightMode::AltHold : FlightMode::Land);
+}
+
+void Autopilot::clearFailsafe(std::string_view cause)
+{
+    if (m_inFailsafe)
+        m_texts.say(Severity::Notice, std::string(cause) + " Failsafe Cleared");
+    m_inFailsafe = false;
 }
 
 void Autopilot::watchPosition()
@@ -185,6 +253,12 @@ Autopilot::Refusal Autopilot::preArm() const
     }
     if (const char *reason = m_fence.preArm(estimate().positionOk))
         return reason;
+    if (checked(kBarometerCheck) && faults().pressureFailed)
+        return "Barometer not healthy";
+    if (checked(kCompassCheck) && faults().compassFailed)
+        return "Compass not healthy";
+    if (checked(kRcCheck) && m_radioWatch.lost())
+        return "Radio failsafe on";
     if (checked(kBatteryCheck)) {
         if (m_batteryWatch.level() != BatteryLevel::Good)
             return "Battery 1 low voltage failsafe";

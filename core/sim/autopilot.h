@@ -3,11 +3,13 @@
 #pragma once
 
 #include "core/sim/battery_watch.h"
+#include "core/sim/estimator_watch.h"
 #include "core/sim/fence.h"
 #include "core/sim/flight_modes.h"
 #include "core/sim/flight_physics.h"
 #include "core/sim/land_detector.h"
 #include "core/sim/parameters.h"
+#include "core/sim/radio_watch.h"
 #include "core/sim/rally_points.h"
 #include "core/sim/rotor_control.h"
 #include "core/sim/status_texts.h"
@@ -68,6 +70,8 @@ public:
     const AttitudeController &attitudeController() const { return m_rotors.attitude(); }
     const Battery &battery() const { return m_physics.battery(); }
     const BatteryWatch &batteryWatch() const { return m_batteryWatch; }
+    const RadioWatch &radioWatch() const { return m_radioWatch; }
+    const Faults &faults() const { return m_settings.faults; }
     const GpsReport &gps() const { return m_physics.gps(); }
     const GeoFrame &world() const { return m_world; }
     const Wind &wind() const { return m_physics.wind(); }
@@ -91,6 +95,10 @@ private:
     void watchBattery();
     void watchPosition();
     void watchFence();
+    void watchRadio();
+    void watchEstimator();
+    void watchGround();
+    void clearFailsafe(std::string_view cause);
     Vector3 returnPoint() const;
     void disarmNow();
     bool landsHere() const;
@@ -105,6 +113,8 @@ private:
     RotorControl m_rotors;
     LandDetector m_landDetector;
     BatteryWatch m_batteryWatch;
+    RadioWatch m_radioWatch;
+    EstimatorWatch m_estimatorWatch;
     Fence m_fence{m_parameters};
     RallyPoints m_rallyPoints;
     StatusTexts m_texts;
@@ -115,6 +125,7 @@ private:
     bool m_inFailsafe = false;
     bool m_aligned = false;
     bool m_hadPosition = false;
+    bool m_glitching = false;
     bool m_homeLocked = false;
     std::optional<Vector3> m_home;
 };

@@ -39,6 +39,14 @@ void Battery::replace(double capacity, double charge)
     m_voltage = restVoltage();
 }
 
+void Battery::setRestVoltage(double voltage)
+{
+    const auto above = std::find_if(kRest.begin() + 1, kRest.end() - 1, [&](const Point &p) { return p.voltage >= voltage; });
+    const Point &low = *(above - 1);
+    const double share = std::clamp((voltage - low.voltage) / (above->voltage - low.voltage), 0.0, 1.0);
+    m_consumed = m_capacity * (1 - (low.charge + (above->charge - low.charge) * share));
+}
+
 void Battery::step(double dt, double thrust, bool armed)
 {
     m_current = kAvionics + (armed ? kIdleRotors : 0) + kFullThrust * std::pow(std::clamp(thrust, 0.0, 1.0), 1.5);

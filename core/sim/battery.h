@@ -12,6 +12,9 @@ public:
     /// A new or recharged battery; `charge` in [0, 1].
     void replace(double capacity, double charge);
 
+    /// Charges or drains the battery so that it has this voltage (V) at rest, as far as its charge goes.
+    void setRestVoltage(double voltage);
+
     /// Draws current for `dt` seconds at a mean rotor thrust in [0, 1]; `armed` rotors idle even at no thrust.
     void step(double dt, double thrust, bool armed);
 

@@ -23,15 +23,19 @@ public:
     explicit Estimator(std::uint64_t seed) : m_noise(seed, 3) {}
 
     /// Moves on by `dt` seconds.
-    void step(double dt, const BodyState &truth, const GpsReport &gps);
+    void step(double dt, const BodyState &truth, const GpsReport &gps, bool compassFailed);
 
     const Estimate &estimate() const { return m_estimate; }
     const FilterVariances &variances() const { return m_variances; }
+    /// Whether the GPS jumped away and is not followed.
+    bool glitching() const { return m_glitchingFor > 0; }
     /// EKF_STATUS_FLAGS as EKF_STATUS_REPORT carries them.
     std::uint16_t flags() const;
 
 private:
     void followGps(double dt, bool fixed);
+    /// A position that jumps away is refused at first, and followed when it stays there.
+    void followGlitch(double dt, const Vector3 &glitch);
 
     Noise m_noise;
     Drift m_north{0.12, 25}, m_east{0.12, 25}, m_down{0.10, 40};
@@ -40,6 +44,9 @@ private:
     double m_age = 0;     ///< s since power-on
     double m_withFix = 0; ///< s of uninterrupted fixes
     double m_withoutFix = 0;
+    Vector3 m_glitch;            ///< m, NED: error of the GPS that the estimate has taken over
+    double m_glitchDistance = 0; ///< m from there to where the GPS is now
+    double m_glitchingFor = 0;   ///< s
     Estimate m_estimate;
     FilterVariances m_variances;
 };

@@ -20,11 +20,19 @@ FlightPhysics::FlightPhysics(std::uint64_t seed, double heading, double firstFix
 void FlightPhysics::step(double dt, std::uint64_t time, const FlightSettings &settings, const Rotors &commands, bool armed)
 {
     m_wind.step(dt, settings.windSpeed, settings.windFrom);
-    m_airframe.step(dt, commands, m_battery.supply(), m_wind.velocity(), m_wind.torque());
+    const Faults &faults = settings.faults;
+    if (faults.restVoltage != m_restVoltage)
+        m_battery.setRestVoltage(m_restVoltage = faults.restVoltage);
+    Rotors turning = commands;
+    for (std::size_t i = 0; i < turning.size(); ++i) {
+        if (faults.weakRotors >> i & 1)
+            turning[i] *= faults.rotorShare;
+    }
+    m_airframe.step(dt, turning, m_battery.supply(), m_wind.velocity(), m_wind.torque());
     const Rotors &rotors = truth().rotors;
     m_battery.step(dt, (rotors[0] + rotors[1] + rotors[2] + rotors[3]) / 4, armed);
-    m_gps.step(dt, time, truth(), settings.gpsDisabled);
-    m_estimator.step(dt, truth(), gps());
+    m_gps.step(dt, time, truth(), faults);
+    m_estimator.step(dt, truth(), gps(), faults.compassFailed);
 }
 
 } // namespace skyseal::sim

@@ -33,6 +33,7 @@ private:
     Wind m_wind;
     Airframe m_airframe;
     Battery m_battery;
+    double m_restVoltage = Faults{}.restVoltage;
     Gps m_gps;
     Estimator m_estimator;
 };

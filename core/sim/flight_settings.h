@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/sim/attitude.h"
+#include "core/sim/faults.h"
 
 namespace skyseal::sim {
 
@@ -49,9 +50,9 @@ struct FlightSettings
     double disarmDelay = 10; ///< s; 0: never
     double windSpeed = 0;
     double windFrom = 0; ///< rad
-    bool gpsDisabled = false;
+    Faults faults;
 };
 
-FlightSettings flightSettings(const Parameters &parameters);
+FlightSettings flightSettings(const Parameters &parameters, const GeoFrame &world);
 
 } // namespace skyseal::sim

@@ -11,18 +11,18 @@ constexpr int kFullSky = 14;
 
 } // namespace
 
-void Gps::step(double dt, std::uint64_t time, const BodyState &truth, bool disabled)
+void Gps::step(double dt, std::uint64_t time, const BodyState &truth, const Faults &faults)
 {
-    m_searching = disabled ? 0 : m_searching + dt;
+    m_searching = faults.gpsDisabled ? 0 : m_searching + dt;
     m_untilReport -= dt;
     if (m_untilReport > 0)
         return;
     m_untilReport += kPeriod;
     m_report = std::exchange(m_next, {});
-    takeReport(time, truth);
+    takeReport(time, truth, faults.gpsGlitch);
 }
 
-void Gps::takeReport(std::uint64_t time, const BodyState &truth)
+void Gps::takeReport(std::uint64_t time, const BodyState &truth, const Vector3 &glitch)
 {
     const double north = m_north.step(m_noise, kPeriod);
     const double east = m_east.step(m_noise, kPeriod);
@@ -41,7 +41,8 @@ void Gps::takeReport(std::uint64_t time, const BodyState &truth)
     m_next.satellites = std::min(6 + static_cast<int>(since * 0.8), outlook);
     m_next.hdop = 0.5 + 4.0 / m_next.satellites;
     m_next.vdop = m_next.hdop * 1.4;
-    m_next.position = truth.position + Vector3{north, east, down};
+    m_next.position = truth.position + Vector3{north, east, down} + glitch;
+    m_next.glitch = glitch;
     m_next.velocity = truth.velocity + Vector3{m_noise.normal(0.03), m_noise.normal(0.03), m_noise.normal(0.05)};
 }
 

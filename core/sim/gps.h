@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/sim/airframe.h"
+#include "core/sim/faults.h"
 #include "core/sim/noise.h"
 
 namespace skyseal::sim {
@@ -15,6 +16,7 @@ struct GpsReport
     double vdop = 99.99;
     Vector3 position;          ///< m, NED from the origin
     Vector3 velocity;          ///< m/s, NED
+    Vector3 glitch;            ///< m, NED: part of `position`, the error that a fault adds
     std::uint64_t takenAt = 0; ///< µs of flight time
 };
 
@@ -24,13 +26,13 @@ public:
     /// `firstFix` in seconds after power-on.
     Gps(std::uint64_t seed, double firstFix) : m_noise(seed, 2), m_firstFix(firstFix) {}
 
-    /// Moves on by `dt` seconds; `time` is the flight time in µs. A `disabled` receiver loses its fix and starts again.
-    void step(double dt, std::uint64_t time, const BodyState &truth, bool disabled);
+    /// Moves on by `dt` seconds; `time` is the flight time in µs. A disabled receiver loses its fix and starts again.
+    void step(double dt, std::uint64_t time, const BodyState &truth, const Faults &faults);
 
     const GpsReport &report() const { return m_report; }
 
 private:
-    void takeReport(std::uint64_t time, const BodyState &truth);
+    void takeReport(std::uint64_t time, const BodyState &truth, const Vector3 &glitch);
 
     Noise m_noise;
     double m_firstFix;

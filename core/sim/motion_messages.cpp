@@ -110,7 +110,7 @@ MotionMessages::Inertial MotionMessages::inertial()
         return v + Vector3{m_noise.normal(deviation), m_noise.normal(deviation), m_noise.normal(deviation)};
     };
     return {noisy(truth.specificForce, shake), noisy(truth.rates, 0.001 + 0.01 * lift),
-            noisy(truth.attitude.toBody(kEarthField), 1.5)};
+            m_autopilot.faults().compassFailed ? Vector3{} : noisy(truth.attitude.toBody(kEarthField), 1.5)};
 }
 
 template<typename Message> void MotionMessages::writeInertial(const Inertial &read, Message &out)

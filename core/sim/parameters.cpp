@@ -51,7 +51,7 @@ Parameters::SetResult Parameters::set(std::string_view name, float value)
     return index ? set(*index, value) : SetResult::Unknown;
 }
 
-FlightSettings flightSettings(const Parameters &p)
+FlightSettings flightSettings(const Parameters &p, const GeoFrame &world)
 {
     const auto hundredth = [&](std::string_view name) { return static_cast<double>(p.value(name)) / 100; };
     const auto plain = [&](std::string_view name) { return static_cast<double>(p.value(name)); };
@@ -93,7 +93,7 @@ FlightSettings flightSettings(const Parameters &p)
     s.disarmDelay = plain("DISARM_DELAY");
     s.windSpeed = plain("SIM_WIND_SPD");
     s.windFrom = radians(plain("SIM_WIND_DIR"));
-    s.gpsDisabled = p.flag("SIM_GPS_DISABLE");
+    s.faults = faults(p, world);
     return s;
 }
 

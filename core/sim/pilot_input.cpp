@@ -8,6 +8,7 @@ namespace skyseal::sim {
 namespace {
 
 constexpr std::uint16_t kLow = 1000, kMiddle = 1500, kUntouched = 65535;
+constexpr std::uint16_t kFailsafeThrottle = 950; // of a receiver that hears nothing
 constexpr double kDeadZone = 0.04;
 
 std::uint16_t pulse(double share) // of the way from 1000 to 2000 µs
@@ -62,6 +63,8 @@ bool PilotInput::overridden() const
 PilotInput::Channels PilotInput::channels() const
 {
     Channels out{kMiddle, kMiddle, m_flying ? kMiddle : kLow, kMiddle, 1800, kLow, kLow, 1800};
+    if (m_fault == RadioFault::LowThrottle)
+        out[2] = kFailsafeThrottle;
     for (std::size_t i = 0; i < kChannels; ++i) {
         if (m_overrides[i] != 0)
             out[i] = m_overrides[i];

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/clock.h"
+#include "core/sim/faults.h"
 
 #include <array>
 
@@ -32,6 +33,11 @@ public:
     void expire(TimePoint now, Duration timeout);
     void releaseAll();
 
+    /// What is wrong with the transmitter; overrides are not affected.
+    void setFault(RadioFault fault) { m_fault = fault; }
+    /// Whether anybody holds the sticks: a transmitter or a station.
+    bool hasSignal() const { return m_fault != RadioFault::NoSignal || overridden(); }
+
     /// Where the untouched throttle rests: see above.
     void setFlying(bool flying) { m_flying = flying; }
 
@@ -43,6 +49,7 @@ private:
     Channels m_overrides{}; ///< 0 = not overridden
     TimePoint m_overriddenAt{};
     bool m_flying = false;
+    RadioFault m_fault = RadioFault::None;
 };
 
 } // namespace skyseal::sim

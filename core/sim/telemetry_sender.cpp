@@ -170,6 +170,13 @@ void TelemetrySender::systemStatus()
     if (!m_autopilot.armed())
         out.onboard_control_sensors_enabled &= ~static_cast<std::uint32_t>(MAV_SYS_STATUS_SENSOR_MOTOR_OUTPUTS);
     out.onboard_control_sensors_health = always | height | MAV_SYS_STATUS_SENSOR_MOTOR_OUTPUTS;
+    const auto failed = [&](bool fault, std::uint32_t sensor) {
+        if (fault)
+            out.onboard_control_sensors_health &= ~sensor;
+    };
+    failed(m_autopilot.faults().compassFailed, MAV_SYS_STATUS_SENSOR_3D_MAG);
+    failed(m_autopilot.faults().pressureFailed, MAV_SYS_STATUS_SENSOR_ABSOLUTE_PRESSURE);
+    failed(m_autopilot.radioWatch().lost(), MAV_SYS_STATUS_SENSOR_RC_RECEIVER);
     if (m_autopilot.gps().fixed)
         out.onboard_control_sensors_health |= MAV_SYS_STATUS_SENSOR_GPS;
     if (estimate.positionOk)

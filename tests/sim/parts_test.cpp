@@ -133,8 +133,9 @@ void SimPartsTest::settingsFollowTheParameters()
     Parameters parameters;
     parameters.set("WPNAV_SPEED", 800);
     parameters.set("RTL_LOIT_TIME", 2500);
-    QCOMPARE(flightSettings(parameters).speed, 8.0);
-    QCOMPARE(flightSettings(parameters).rtlLoiter, 2.5);
+    const GeoFrame world(GeoPoint{});
+    QCOMPARE(flightSettings(parameters, world).speed, 8.0);
+    QCOMPARE(flightSettings(parameters, world).rtlLoiter, 2.5);
 }
 
 void SimPartsTest::overridesExpire()
