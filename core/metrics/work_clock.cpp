@@ -6,8 +6,13 @@ namespace skyseal::metrics {
 
 void WorkClock::look()
 {
-    m_cpu = threadCpuTime();
-    m_cycles = CycleClock::now();
+    // A preemption between the two readings would count as work, or as time without; the next attempt is hardly hit as well.
+    for (int attempt = 0; attempt < 4; ++attempt) {
+        m_cycles = CycleClock::now();
+        m_cpu = threadCpuTime();
+        if (m_clock.between(m_cycles, CycleClock::now()) < kSuspicious)
+            return;
+    }
 }
 
 std::uint64_t WorkClock::begin()
@@ -22,10 +27,12 @@ std::uint64_t WorkClock::between(std::uint64_t begin, std::uint64_t end)
     const std::uint64_t passed = m_clock.between(begin, end);
     if (passed < kSuspicious)
         return passed;
-    const auto worked = static_cast<std::uint64_t>((threadCpuTime() - m_cpu).count());
-    const std::uint64_t since = m_clock.between(m_cycles, CycleClock::now());
-    const std::uint64_t taken = since > worked ? since - worked : 0;
+    const std::uint64_t cyclesBefore = m_cycles;
+    const Duration cpuBefore = m_cpu;
     look();
+    const auto worked = static_cast<std::uint64_t>((m_cpu - cpuBefore).count());
+    const std::uint64_t since = m_clock.between(cyclesBefore, m_cycles);
+    const std::uint64_t taken = since > worked ? since - worked : 0;
     return passed > taken ? passed - taken : 0;
 }
 

@@ -259,7 +259,16 @@ void PlainStationTest::requestToAnUnknownVehicleFails()
     Ground ground(rig.stationConfig(engine::SecureMode::Preferred));
     const std::vector<vehicle::Request> requests{vehicle::VehicleCommand(vehicle::Land{}),
                                                  vehicle::ReadParameters{},
+                                                 vehicle::ReadParameter{"RTL_ALT"},
                                                  vehicle::WriteParameter{"RTL_ALT", 30},
+                                                 vehicle::ListFolder{},
+                                                 vehicle::ReadFile{},
+                                                 vehicle::WriteFile{},
+                                                 vehicle::RemoveFile{},
+                                                 vehicle::ListLogs{},
+                                                 vehicle::ReadLog{},
+                                                 vehicle::EraseLogs{},
+                                                 vehicle::CancelTransfer{},
                                                  vehicle::ReadMission{},
                                                  vehicle::WriteMission{},
                                                  vehicle::ClearMission{}};
@@ -274,13 +283,22 @@ void PlainStationTest::requestToAnUnknownVehicleFails()
     QVERIFY(commands[0].id == ids[0] && commands[0].outcome == vehicle::CommandOutcome::Refused);
     QCOMPARE(commands[0].reason, reason);
     const auto parameters = ground.ears->all<vehicle::ParameterResult>();
-    QCOMPARE(parameters.size(), std::size_t(2));
+    QCOMPARE(parameters.size(), std::size_t(3));
     for (std::size_t i = 0; i < parameters.size(); ++i)
         QVERIFY(parameters[i].id == ids[1 + i] && !parameters[i].ok && parameters[i].reason == reason);
     QCOMPARE(parameters[1].parameter.name, std::string("RTL_ALT"));
+    QCOMPARE(parameters[2].parameter.name, std::string("RTL_ALT"));
+    const auto files = ground.ears->all<vehicle::FileResult>();
+    QCOMPARE(files.size(), std::size_t(5)); // the cancellation among them
+    for (std::size_t i = 0; i < files.size(); ++i)
+        QVERIFY(files[i].id == ids[i < 4 ? 4 + i : 11] && !files[i].ok && files[i].reason == reason);
+    const auto logs = ground.ears->all<vehicle::LogResult>();
+    QCOMPARE(logs.size(), std::size_t(3));
+    for (std::size_t i = 0; i < logs.size(); ++i)
+        QVERIFY(logs[i].id == ids[8 + i] && !logs[i].ok && logs[i].reason == reason);
     const auto missions = ground.ears->all<vehicle::MissionResult>();
     for (std::size_t i = 0; i < missions.size(); ++i)
-        QVERIFY(missions[i].id == ids[3 + i] && !missions[i].ok && missions[i].reason == reason);
+        QVERIFY(missions[i].id == ids[12 + i] && !missions[i].ok && missions[i].reason == reason);
     QCOMPARE(int(missions[2].transfer), int(vehicle::MissionTransfer::Clear));
 }
 
