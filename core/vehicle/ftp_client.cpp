@@ -150,7 +150,7 @@ void FtpClient::transmit(TimePoint now, FtpMessage message)
 void FtpClient::handleStepAnswer(TimePoint now, const FtpMessage &answer)
 {
     if (m_attempts == 1)
-        m_window.roundTrip().measure(now - m_sent);
+        m_window.rtt().measure(now - m_sent);
     if (answer.opcode == FtpOpcode::Nak)
         return handleStepRefusal(now, answer);
     switch (m_phase) {
@@ -266,7 +266,7 @@ void FtpClient::handleBurst(TimePoint now, const FtpMessage &answer)
     if (answer.session != m_session || index > m_reached + kMostJump)
         return;
     if (m_attempts == 1 && index == m_message.offset / kChunk)
-        m_window.roundTrip().measure(now - m_sent);
+        m_window.rtt().measure(now - m_sent);
     if (m_latest != TimePoint{})
         m_pace.measure(now - m_latest);
     m_latest = now;
@@ -274,7 +274,7 @@ void FtpClient::handleBurst(TimePoint now, const FtpMessage &answer)
         return;
     m_reached = std::max(m_reached, index + 1);
     m_attempts = 0;
-    m_repeat = now + std::max({m_pace.timeout() * 2, m_window.roundTrip().timeout(), kLeastPause});
+    m_repeat = now + std::max({m_pace.timeout() * 2, m_window.rtt().timeout(), kLeastPause});
     if (answer.burstComplete || m_window.isComplete())
         burst(now);
 }
@@ -426,10 +426,10 @@ void FtpClient::giveUp()
 /// Of the message sent last: the same for the first attempts, then doubled again and again.
 Duration FtpClient::patience() const
 {
-    Duration out = m_window.roundTrip().timeout();
-    for (int i = kQuickAttempts; i < m_attempts && out < RoundTrip::kMostTimeout; ++i)
+    Duration out = m_window.rtt().timeout();
+    for (int i = kQuickAttempts; i < m_attempts && out < RttEstimator::kMostTimeout; ++i)
         out *= 2;
-    return std::min(out, RoundTrip::kMostTimeout);
+    return std::min(out, RttEstimator::kMostTimeout);
 }
 
 } // namespace skyseal::vehicle

@@ -8,6 +8,7 @@
 #include "core/vehicle/ftp_client.h"
 #include "core/vehicle/heartbeat_monitor.h"
 #include "core/vehicle/home_tracker.h"
+#include "core/vehicle/log_client.h"
 #include "core/vehicle/mission_client.h"
 #include "core/vehicle/parameter_client.h"
 #include "core/vehicle/status_text_joiner.h"
@@ -44,6 +45,7 @@ struct Vehicle::Parts
     ParameterClient parameters{context};
     MissionClient mission{context};
     FtpClient files{context};
+    LogClient logs{context};
 
 private:
     bool offerToClients(TimePoint now, const mavlink::Frame &frame);

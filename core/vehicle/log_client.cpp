@@ -1,0 +1,257 @@
+#include "core/vehicle/log_client.h"
+
+#include <algorithm>
+
+namespace skyseal::vehicle {
+
+bool LogClient::perform(TimePoint now, RequestId id, const Request &request)
+{
+    if (std::holds_alternative<ListLogs>(request)) {
+        if (begin(now, id, LogAction::List, 0))
+            requestList(now);
+    } else if (const auto *read = std::get_if<ReadLog>(&request)) {
+        if (begin(now, id, LogAction::Read, read->log))
+            requestList(now); // for its size
+    } else if (std::holds_alternative<EraseLogs>(request)) {
+        if (!begin(now, id, LogAction::Erase, 0))
+            return true;
+        send(mavlink::LogErase{});
+        m_deadline = now + kEraseTimeout;
+        requestList(now);
+    } else if (const auto *cancel = std::get_if<CancelTransfer>(&request)) {
+        if (m_phase == Phase::Idle || cancel->transfer != m_request)
+            return false;
+        finish(false, "cancelled");
+    } else {
+        return false;
+    }
+    return true;
+}
+
+bool LogClient::handleFrame(TimePoint now, const mavlink::Frame &frame)
+{
+    switch (frame.messageId()) {
+    case mavlink::LogEntry::kId:
+        if (m_phase == Phase::Listing)
+            handleEntry(now, unpack<mavlink::LogEntry>(frame));
+        return true;
+    case mavlink::LogData::kId:
+        if (m_phase == Phase::Reading)
+            handleData(now, unpack<mavlink::LogData>(frame));
+        return true;
+    default: return false;
+    }
+}
+
+void LogClient::handleDeadline(TimePoint now)
+{
+    if (m_phase == Phase::Idle)
+        return;
+    if (now >= m_deadline) {
+        if (m_action == LogAction::Erase)
+            return finish(false, "the vehicle still has logs, or does not answer", true);
+        if (m_phase == Phase::Listing)
+            return finish(false, "the vehicle does not list its logs");
+        return finish(false, "the vehicle does not send byte " + std::to_string(m_begin * kChunk) + " and following");
+    }
+    if (now < m_repeat)
+        return;
+    ++m_silent;
+    if (m_phase == Phase::Listing)
+        requestList(now);
+    else
+        requestPiece(now);
+}
+
+TimePoint LogClient::nextDeadline() const
+{
+    return m_phase == Phase::Idle ? kNever : std::min(m_repeat, m_deadline);
+}
+
+std::optional<TransferProgress> LogClient::progress() const
+{
+    switch (m_phase) {
+    case Phase::Idle: return std::nullopt;
+    case Phase::Listing: return TransferProgress{m_request, m_entries.size(), m_announced.value_or(0)};
+    case Phase::Reading: break;
+    }
+    return TransferProgress{m_request, std::min((m_begin + m_pieceReceived) * kChunk, m_size), m_size};
+}
+
+bool LogClient::begin(TimePoint now, RequestId id, LogAction action, std::uint16_t log)
+{
+    if (m_phase != Phase::Idle) {
+        report(LogResult{.id = id,
+                         .systemId = addressing().system,
+                         .action = action,
+                         .log = log,
+                         .reason = "another request for logs is under way"});
+        return false;
+    }
+    m_request = id;
+    m_action = action;
+    m_log = log;
+    m_phase = Phase::Listing;
+    m_entries.clear();
+    m_announced.reset();
+    m_content.clear();
+    m_pace = {};
+    m_silent = 0;
+    m_deadline = now + kGiveUp;
+    return true;
+}
+
+void LogClient::requestList(TimePoint now)
+{
+    mavlink::LogRequestList request;
+    // Of a log to be read only its own entry is needed.
+    request.start = m_action == LogAction::Read ? m_log : 0;
+    request.end = m_action == LogAction::Read ? m_log : 0xFFFF;
+    send(request);
+    m_latest = {};
+    rest(now);
+}
+
+/// Waits for the answer to a request, longer after each one that got none.
+void LogClient::rest(TimePoint now)
+{
+    const Duration first = std::max(RttEstimator::kFirstTimeout, m_pace.timeout());
+    m_repeat = now + std::min(first * (1 << std::min(m_silent, 3)), RttEstimator::kMostTimeout);
+}
+
+void LogClient::handleEntry(TimePoint now, const mavlink::LogEntry &entry)
+{
+    if (m_latest != TimePoint{})
+        m_pace.measure(now - m_latest);
+    m_latest = now;
+    m_silent = 0;
+    if (entry.num_logs == 0) {
+        m_entries.clear();
+        m_announced = 0;
+        return handleListed(now);
+    }
+    m_announced = entry.num_logs;
+    if (m_entries.size() < kMostLogs && m_entries.emplace(entry.id, OnboardLog{entry.id, entry.size, entry.time_utc}).second
+        && m_action != LogAction::Erase)
+        m_deadline = now + kGiveUp;
+    m_repeat = now + std::max(m_pace.timeout() * 2, RttEstimator::kFirstTimeout);
+    if (m_action == LogAction::Read ? entry.id == m_log : m_entries.size() >= std::min<std::size_t>(entry.num_logs, kMostLogs))
+        handleListed(now);
+}
+
+void LogClient::handleListed(TimePoint now)
+{
+    switch (m_action) {
+    case LogAction::List: return finish(true);
+    case LogAction::Erase:
+        if (*m_announced == 0)
+            return finish(true);
+        m_entries.clear(); // not yet: the list is requested again
+        m_repeat = now + RttEstimator::kFirstTimeout * 2;
+        return;
+    case LogAction::Read: break;
+    }
+    const auto entry = m_entries.find(m_log);
+    if (entry == m_entries.end())
+        return finish(false, "the vehicle has no such log");
+    if (entry->second.size > kMostBytes)
+        return finish(false, "the log is larger than " + std::to_string(kMostBytes) + " bytes");
+    m_size = entry->second.size;
+    if (m_size == 0)
+        return finish(true);
+    m_phase = Phase::Reading;
+    m_begin = 0;
+    m_piece.assign(std::min(kPiece, (m_size + kChunk - 1) / kChunk), false);
+    m_pieceReceived = 0;
+    m_pace = {};
+    m_deadline = now + kGiveUp;
+    requestPiece(now);
+}
+
+/// Requests what is missing of the piece, as runs of chunks.
+void LogClient::requestPiece(TimePoint now)
+{
+    std::size_t runs = 0;
+    for (std::size_t i = 0; i < m_piece.size() && runs < kMostRuns; ++i) {
+        if (m_piece[i])
+            continue;
+        std::size_t end = i;
+        while (end < m_piece.size() && !m_piece[end])
+            ++end;
+        requestRun(m_begin + i, end - i);
+        ++runs;
+        i = end;
+    }
+    m_latest = {};
+    rest(now);
+}
+
+void LogClient::requestRun(std::size_t first, std::size_t chunks)
+{
+    mavlink::LogRequestData request;
+    request.id = m_log;
+    request.ofs = static_cast<std::uint32_t>(first * kChunk);
+    request.count = static_cast<std::uint32_t>(std::min(chunks * kChunk, m_size - first * kChunk));
+    send(request);
+}
+
+void LogClient::handleData(TimePoint now, const mavlink::LogData &data)
+{
+    const std::size_t index = data.ofs / kChunk;
+    const std::size_t count = std::min<std::size_t>(data.count, kChunk);
+    if (data.id != m_log || data.ofs % kChunk != 0 || index < m_begin || index >= m_begin + m_piece.size())
+        return;
+    if (m_latest != TimePoint{})
+        m_pace.measure(now - m_latest);
+    m_latest = now;
+    m_silent = 0;
+    m_repeat = now + std::max(m_pace.timeout() * 2, kLeastPause);
+    if (count < kChunk && data.ofs + count < m_size) {
+        // The log ends sooner than it was listed.
+        if (m_content.size() > data.ofs + count)
+            return finish(false, "the log changed while it was read");
+        m_size = data.ofs + count;
+        m_piece.resize((m_size + kChunk - 1) / kChunk - m_begin);
+    }
+    if (index < m_begin + m_piece.size() && !m_piece[index - m_begin]) {
+        m_piece[index - m_begin] = true;
+        ++m_pieceReceived;
+        m_deadline = now + kGiveUp;
+        const std::size_t end = std::min<std::size_t>(data.ofs + count, m_size);
+        m_content.resize(std::max(m_content.size(), end));
+        std::copy_n(data.data.begin(), end - data.ofs, m_content.begin() + data.ofs);
+    }
+    if (!isPieceComplete())
+        return;
+    m_begin += m_piece.size();
+    if (m_begin * kChunk >= m_size)
+        return finish(true);
+    m_piece.assign(std::min(kPiece, (m_size + kChunk - 1) / kChunk - m_begin), false);
+    m_pieceReceived = 0;
+    requestPiece(now);
+}
+
+void LogClient::finish(bool ok, std::string reason, bool changeUnanswered)
+{
+    LogResult result{.id = m_request, .systemId = addressing().system, .action = m_action, .log = m_log, .ok = ok};
+    result.reason = std::move(reason);
+    result.changeUnanswered = changeUnanswered;
+    if (ok && m_action == LogAction::List) {
+        auto list = std::make_shared<std::vector<OnboardLog>>();
+        for (const auto &[id, entry] : m_entries)
+            list->push_back(entry);
+        result.entries = std::move(list);
+    }
+    if (ok && m_action == LogAction::Read)
+        result.content = std::make_shared<const Bytes>(std::move(m_content));
+    if (m_phase == Phase::Reading)
+        send(mavlink::LogRequestEnd{});
+    m_entries.clear();
+    m_content = {};
+    m_piece.clear();
+    m_phase = Phase::Idle;
+    m_repeat = m_deadline = kNever;
+    report(std::move(result));
+}
+
+} // namespace skyseal::vehicle

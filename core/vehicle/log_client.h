@@ -1,0 +1,74 @@
+// Client of the log protocol: LOG_REQUEST_LIST → LOG_ENTRY*, LOG_REQUEST_DATA → LOG_DATA*, one request at a time.
+// https://mavlink.io/en/messages/common.html#LOG_REQUEST_LIST
+//
+// A log is a row of chunks of 90 bytes; a shorter one ends it. Its data is requested in pieces, which the vehicle sends at its
+// own pace; what was lost of a piece is requested in runs when it has paused, and the next piece follows when it is complete. The
+// size that the vehicle announces is bounded, and so is what can arrive ahead.
+#pragma once
+
+#include "core/vehicle/micro_protocol.h"
+#include "core/vehicle/rtt_estimator.h"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace skyseal::vehicle {
+
+class LogClient : public MicroProtocol
+{
+public:
+    static constexpr std::size_t kChunk = 90;    ///< bytes of a LOG_DATA
+    static constexpr std::size_t kPiece = 1024;  ///< chunks that are requested at a time
+    static constexpr std::size_t kMostRuns = 16; ///< lost runs that are requested again at a time
+    static constexpr std::size_t kMostBytes = 512u << 20;
+    static constexpr std::size_t kMostLogs = 2048;                ///< of a list
+    static constexpr Duration kGiveUp = std::chrono::seconds(12); ///< without progress
+    /// A piece has ended when nothing came for several of its intervals, and at least for so long.
+    static constexpr Duration kLeastPause = std::chrono::milliseconds(100);
+    /// The vehicle may erase for so long before its list is empty.
+    static constexpr Duration kEraseTimeout = std::chrono::seconds(30);
+
+    using MicroProtocol::MicroProtocol;
+
+    /// ListLogs, ReadLog, EraseLogs and CancelTransfer. Fails at once while another request is in progress.
+    bool perform(TimePoint now, RequestId id, const Request &request) override;
+    bool handleFrame(TimePoint now, const mavlink::Frame &frame) override;
+    void handleDeadline(TimePoint now) override;
+    TimePoint nextDeadline() const override;
+    std::optional<TransferProgress> progress() const override;
+
+private:
+    enum class Phase : std::uint8_t { Idle, Listing, Reading };
+
+    bool begin(TimePoint now, RequestId id, LogAction action, std::uint16_t log);
+    void handleEntry(TimePoint now, const mavlink::LogEntry &entry);
+    void handleListed(TimePoint now);
+    void handleData(TimePoint now, const mavlink::LogData &data);
+    void requestList(TimePoint now);
+    void requestPiece(TimePoint now);
+    void requestRun(std::size_t first, std::size_t chunks);
+    void rest(TimePoint now);
+    bool isPieceComplete() const { return m_pieceReceived == m_piece.size(); }
+    void finish(bool ok, std::string reason = {}, bool changeUnanswered = false);
+
+    RequestId m_request{};
+    Phase m_phase = Phase::Idle;
+    LogAction m_action{};
+    std::uint16_t m_log = 0;
+    std::map<std::uint16_t, OnboardLog> m_entries;
+    std::optional<std::uint16_t> m_announced; ///< logs of the list
+    Bytes m_content;                          ///< complete pieces, then the one that is under way
+    std::size_t m_size = 0;                   ///< of the log
+    std::size_t m_begin = 0;                  ///< the first chunk of the piece
+    std::vector<bool> m_piece;                ///< the chunks that have arrived
+    std::size_t m_pieceReceived = 0;
+    RttEstimator m_pace;     ///< intervals between messages of an answer
+    TimePoint m_latest{}; ///< arrival of the latest one; zero after a request
+    int m_silent = 0;     ///< requests in a row without an answer
+    TimePoint m_repeat = kNever;
+    TimePoint m_deadline = kNever;
+};
+
+} // namespace skyseal::vehicle

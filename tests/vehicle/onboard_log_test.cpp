@@ -1,0 +1,262 @@
+// The log protocol against a small server, clean and through a radio that drops, and against hostile answers.
+#include "core/vehicle/log_client.h"
+#include "lossy_link.h"
+#include "tests/support/test_runner.h"
+
+#include <rapidcheck.h>
+
+#include <map>
+#include <random>
+
+using namespace skyseal;
+using namespace skyseal::vehicle;
+
+class OnboardLogTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void logsAreListed();
+    void logIsReadWhateverItsSize();
+    void missingLogIsAFailure();
+    void logThatEndsBeforeItsListedSize();
+    void logsAreErased();
+    void silentVehicleIsGivenUp();
+    void transferIsCancelled();
+    void everythingArrivesThroughABadRadio_data();
+    void everythingArrivesThroughABadRadio();
+    void anyDataIsBounded();
+};
+
+namespace {
+
+/// Sends lists and data at a steady pace; each request for data is answered in turn.
+class LogPeer : public ScriptedPeer
+{
+public:
+    std::map<std::uint16_t, Bytes> logs;
+    std::uint32_t listedMore = 0; ///< logs are listed so much larger than they are
+    bool erases = true;
+
+    void handle(TimePoint now, const OutMessage &message, std::vector<ToStation> &out) override
+    {
+        if (const auto list = as<mavlink::LogRequestList>(message)) {
+            mavlink::LogEntry entry;
+            entry.num_logs = static_cast<std::uint16_t>(logs.size());
+            if (logs.empty())
+                out.push_back(send(entry));
+            for (const auto &[id, content] : logs) {
+                entry.id = id;
+                entry.size = static_cast<std::uint32_t>(content.size()) + listedMore;
+                if (id >= list->start && id <= list->end)
+                    out.push_back(send(entry));
+            }
+            if (!logs.empty() && list->start > logs.rbegin()->first) {
+                entry.id = 0; // ArduPilot answers with an entry of no log
+                entry.num_logs = 0;
+                out.push_back(send(entry));
+            }
+        }
+        if (const auto data = as<mavlink::LogRequestData>(message)) {
+            m_runs.push_back(*data);
+            m_due = std::min(m_due, now);
+        }
+        if (as<mavlink::LogErase>(message) && erases)
+            logs.clear();
+        if (as<mavlink::LogRequestEnd>(message))
+            m_runs.clear();
+    }
+
+    void handleDeadline(TimePoint now, std::vector<ToStation> &out) override
+    {
+        m_due = kNever;
+        if (m_runs.empty())
+            return;
+        mavlink::LogRequestData &run = m_runs.front();
+        const Bytes &content = logs[run.id];
+        mavlink::LogData data;
+        data.id = run.id;
+        data.ofs = run.ofs;
+        const std::size_t rest = run.ofs < content.size() ? content.size() - run.ofs : 0;
+        data.count = static_cast<std::uint8_t>(std::min<std::size_t>({90, run.count, rest}));
+        std::copy_n(content.begin() + static_cast<std::ptrdiff_t>(content.size() - rest), data.count, data.data.begin());
+        out.push_back(send(data));
+        run.ofs += 90;
+        run.count -= std::min<std::uint32_t>(run.count, 90);
+        if (run.count == 0 || data.count < 90)
+            m_runs.erase(m_runs.begin());
+        if (!m_runs.empty())
+            m_due = now + std::chrono::microseconds(500);
+    }
+    TimePoint nextDeadline() const override { return m_due; }
+
+private:
+    std::vector<mavlink::LogRequestData> m_runs;
+    TimePoint m_due = kNever;
+};
+
+Bytes noise(std::size_t size)
+{
+    std::mt19937 random(static_cast<unsigned>(size));
+    Bytes out(size);
+    for (std::uint8_t &byte : out)
+        byte = static_cast<std::uint8_t>(random());
+    return out;
+}
+
+LogResult resultOf(Harness &h, LossyLink &link, Request request)
+{
+    h.vehicle.perform(h.now, RequestId{1}, request);
+    std::optional<LogResult> result;
+    if (!link.run(std::chrono::seconds(600), [&] { return (result = h.poll<LogResult>()).has_value(); }))
+        return {.reason = "no result"};
+    return *result;
+}
+
+} // namespace
+
+void OnboardLogTest::logsAreListed()
+{
+    Harness h = Harness::copter();
+    LogPeer peer;
+    LossyLink link(h, peer, 0, 1);
+    QVERIFY(resultOf(h, link, ListLogs{}).entries->empty());
+    for (std::uint16_t id = 3; id < 30; ++id)
+        peer.logs[id] = noise(id);
+    const LogResult result = resultOf(h, link, ListLogs{});
+    QVERIFY2(result.ok, result.reason.c_str());
+    QCOMPARE(result.entries->size(), std::size_t(27));
+    QCOMPARE((*result.entries)[0], (OnboardLog{3, 3, 0}));
+}
+
+void OnboardLogTest::logIsReadWhateverItsSize()
+{
+    for (const std::size_t size : {std::size_t(0), std::size_t(1), LogClient::kChunk, LogClient::kChunk * LogClient::kPiece,
+                                   LogClient::kChunk * LogClient::kPiece + 1, std::size_t(250'000)}) {
+        Harness h = Harness::copter();
+        LogPeer peer;
+        peer.logs[4] = noise(size);
+        LossyLink link(h, peer, 0, 1);
+        const LogResult result = resultOf(h, link, ReadLog{4});
+        QVERIFY2(result.ok, result.reason.c_str());
+        QCOMPARE(*result.content, peer.logs[4]);
+    }
+}
+
+void OnboardLogTest::missingLogIsAFailure()
+{
+    Harness h = Harness::copter();
+    LogPeer peer;
+    peer.logs[4] = noise(100);
+    LossyLink link(h, peer, 0, 1);
+    QCOMPARE(resultOf(h, link, ReadLog{9}).reason, std::string("the vehicle has no such log"));
+}
+
+void OnboardLogTest::logThatEndsBeforeItsListedSize()
+{
+    for (const std::size_t size : {std::size_t(900), std::size_t(905)}) {
+        Harness h = Harness::copter();
+        LogPeer peer;
+        peer.listedMore = 5000;
+        peer.logs[4] = noise(size);
+        LossyLink link(h, peer, 0.1, 2);
+        const LogResult result = resultOf(h, link, ReadLog{4});
+        QVERIFY2(result.ok, result.reason.c_str());
+        QCOMPARE(*result.content, peer.logs[4]);
+    }
+}
+
+void OnboardLogTest::logsAreErased()
+{
+    Harness h = Harness::copter();
+    LogPeer peer;
+    peer.logs[1] = noise(100);
+    LossyLink link(h, peer, 0, 1);
+    QVERIFY(resultOf(h, link, EraseLogs{}).ok);
+    QVERIFY(peer.logs.empty());
+    peer.logs[1] = noise(100);
+    peer.erases = false;
+    const LogResult result = resultOf(h, link, EraseLogs{});
+    QVERIFY(!result.ok && result.changeUnanswered);
+}
+
+void OnboardLogTest::silentVehicleIsGivenUp()
+{
+    Harness h = Harness::copter();
+    h.vehicle.perform(h.now, RequestId{1}, ListLogs{});
+    h.runUntil(h.now + std::chrono::seconds(60));
+    const std::size_t requests = h.sentOf<mavlink::LogRequestList>().size();
+    QVERIFY2(requests >= 4 && requests <= 10, std::to_string(requests).c_str());
+    QCOMPARE(h.poll<LogResult>()->reason, std::string("the vehicle does not list its logs"));
+    QVERIFY(!h.poll<LogResult>());
+}
+
+void OnboardLogTest::transferIsCancelled()
+{
+    Harness h = Harness::copter();
+    h.vehicle.perform(h.now, RequestId{1}, ReadLog{4});
+    h.feed(mavlink::LogEntry{.id = 4, .num_logs = 4, .last_log_num = 4, .time_utc = 0, .size = 1000});
+    h.sent();
+    h.vehicle.perform(h.now, RequestId{2}, ListLogs{});
+    QCOMPARE(h.poll<LogResult>()->reason, std::string("another request for logs is under way"));
+    h.vehicle.perform(h.now, RequestId{3}, CancelTransfer{RequestId{1}});
+    const auto result = h.poll<LogResult>();
+    QVERIFY(result && result->id == RequestId{1} && result->reason == "cancelled");
+    QCOMPARE(h.sentOf<mavlink::LogRequestEnd>().size(), std::size_t(1));
+}
+
+void OnboardLogTest::everythingArrivesThroughABadRadio_data()
+{
+    QTest::addColumn<double>("loss");
+    QTest::addColumn<int>("seed");
+    for (int seed = 1; seed <= 25; ++seed) {
+        for (const double loss : {0.1, 0.25})
+            QTest::addRow("loss %.2f, seed %d", loss, seed) << loss << seed;
+    }
+}
+
+void OnboardLogTest::everythingArrivesThroughABadRadio()
+{
+    QFETCH(double, loss);
+    QFETCH(int, seed);
+    Harness h = Harness::copter();
+    LogPeer peer;
+    for (std::uint16_t id = 1; id < 10; ++id)
+        peer.logs[id] = noise(id * 20'000u);
+    LossyLink link(h, peer, loss, static_cast<unsigned>(seed));
+    QCOMPARE(resultOf(h, link, ListLogs{}).entries->size(), std::size_t(9));
+    const LogResult result = resultOf(h, link, ReadLog{9});
+    QVERIFY2(result.ok, result.reason.c_str());
+    QCOMPARE(*result.content, peer.logs[9]);
+}
+
+void OnboardLogTest::anyDataIsBounded()
+{
+    QVERIFY(rc::check("every read ends, and keeps no more than was listed", [] {
+        Harness h = Harness::copter();
+        h.vehicle.perform(h.now, RequestId{1}, ReadLog{4});
+        const auto size = *rc::gen::element<std::uint32_t>(0, 1, 90, 1000, 200'000, 0xFFFFFFFF);
+        h.feed(mavlink::LogEntry{.id = 4, .num_logs = 1, .last_log_num = 4, .time_utc = 0, .size = size});
+        std::optional<LogResult> result = h.poll<LogResult>();
+        for (int i = 0; i < 100 && !result; ++i) {
+            mavlink::LogData data;
+            data.id = *rc::gen::element<std::uint16_t>(4, 4, 4, 5);
+            data.ofs = *rc::gen::element<std::uint32_t>(0, 90, 180, 45, 91'980, 92'160, 0xFFFFFFFF);
+            data.count = *rc::gen::element<std::uint8_t>(0, 1, 89, 90, 255);
+            h.feed(data);
+            h.sent();
+            result = h.poll<LogResult>();
+        }
+        const TimePoint end = h.now + std::chrono::minutes(5);
+        while (!result && h.now < end) {
+            h.runUntil(h.now + std::chrono::seconds(1));
+            h.sent();
+            result = h.poll<LogResult>();
+        }
+        RC_ASSERT(result.has_value());
+        RC_ASSERT((!result->content || result->content->size() <= size));
+    }));
+}
+
+SKYSEAL_TEST_APPLESS(OnboardLogTest)
+#include "onboard_log_test.moc"
