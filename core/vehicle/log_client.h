@@ -1,9 +1,9 @@
 // Client of the log protocol: LOG_REQUEST_LIST → LOG_ENTRY*, LOG_REQUEST_DATA → LOG_DATA*, one request at a time.
 // https://mavlink.io/en/messages/common.html#LOG_REQUEST_LIST
 //
-// A log is a row of chunks of 90 bytes; a shorter one ends it. Its data is requested in pieces, which the vehicle sends at its
-// own pace; what was lost of a piece is requested in runs when it has paused, and the next piece follows when it is complete. The
-// size that the vehicle announces is bounded, and so is what can arrive ahead.
+// A log is a row of chunks of 90 bytes; a shorter one ends it. Its data is requested in pieces, which the vehicle sends at
+// its own pace; what was lost of a piece is requested in runs when it has paused, and the next piece follows when it is
+// complete. The size that the vehicle announces is bounded, and so is what can arrive ahead.
 #pragma once
 
 #include "core/vehicle/micro_protocol.h"
