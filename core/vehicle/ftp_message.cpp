@@ -63,8 +63,8 @@ std::array<std::uint8_t, FtpMessage::kSize> FtpMessage::encode() const
     out[4] = size;
     out[5] = static_cast<std::uint8_t>(requested);
     out[6] = burstComplete;
-    for (int i = 0; i < 4; ++i)
-        out[static_cast<std::size_t>(8 + i)] = static_cast<std::uint8_t>(offset >> (8 * i));
+    for (std::size_t i = 0; i < 4; ++i)
+        out[8 + i] = static_cast<std::uint8_t>(offset >> (8 * i));
     std::ranges::copy(data, out.begin() + kHeader);
     return out;
 }
