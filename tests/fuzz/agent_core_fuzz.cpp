@@ -86,10 +86,11 @@ public:
                                                       Node{static_cast<std::uint8_t>(250 + i), 190}, 10 + i, now());
         }
         const bool stream = carrier == Carrier::Serial;
-        engine::AgentConfig config{.vehicle = SimulatedHost::url("udpin:14560"),
-                                   .grounds = {{SimulatedHost::url(stream ? "tcpin:14550" : "udpin:14550"), carrier}},
-                                   .policy = policyOf(settings & 6),
-                                   .freshness = m_limits};
+        engine::AgentConfig config{
+            .vehicle = SimulatedHost::url("udpin:14560"),
+            .grounds = {{SimulatedHost::url(stream ? "tcpin:14550" : "udpout:192.0.2.1:14550"), carrier}},
+            .policy = policyOf(settings & 6),
+            .freshness = m_limits};
         m_agent = std::make_unique<engine::AgentCore>(std::move(config), std::move(secrets),
                                                       [this](const engine::AgentEvent &event) { judge(event); });
         m_agent->start();
