@@ -101,7 +101,7 @@ private:
     std::array<std::uint32_t, 256> m_chunks{};    ///< by the lower half of the sequence number of their request
     std::array<std::uint16_t, 256> m_sequences{}; ///< the whole of it
     std::size_t m_reached = 0;                    ///< chunks up to here were sent in bursts
-    RttEstimator m_pace;                             ///< intervals between chunks of a burst
+    RttEstimator m_pace;                          ///< intervals between chunks of a burst
     TimePoint m_latest{};                         ///< arrival of the latest one
     FtpMessage m_message;                         ///< sent last, except those of the window
     std::uint16_t m_sequence = 0;                 ///< of the request sent last

@@ -64,7 +64,7 @@ private:
     std::size_t m_begin = 0;                  ///< the first chunk of the piece
     std::vector<bool> m_piece;                ///< the chunks that have arrived
     std::size_t m_pieceReceived = 0;
-    RttEstimator m_pace;     ///< intervals between messages of an answer
+    RttEstimator m_pace;  ///< intervals between messages of an answer
     TimePoint m_latest{}; ///< arrival of the latest one; zero after a request
     int m_silent = 0;     ///< requests in a row without an answer
     TimePoint m_repeat = kNever;
