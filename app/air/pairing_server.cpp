@@ -16,7 +16,7 @@ namespace skyseal::app {
 
 namespace {
 
-constexpr qint64 kLongestOrder = 4096;
+constexpr qint64 kMaxRequest = 4096;
 constexpr int kPatienceMs = 200;
 
 PairingStatus refusal(std::string reason)
@@ -82,14 +82,14 @@ PairingServer::PairingServer(engine::AgentCore &agent, engine::KeyPaths paths, S
 PairingServer::~PairingServer()
 {
     disconnect(&m_server, nullptr, this, nullptr);
-    if (m_visitor)
-        disconnect(m_visitor, nullptr, this, nullptr);
+    if (m_client)
+        disconnect(m_client, nullptr, this, nullptr);
 }
 
 void PairingServer::admit()
 {
     while (QLocalSocket *next = m_server.nextPendingConnection()) {
-        if (m_visitor) {
+        if (m_client) {
             // Respond only after its request: a client that is still writing when we disconnect does not read the reason.
             connect(next, &QLocalSocket::readyRead, next, [next] {
                 write(*next, refusal("another user is pairing this agent"));
@@ -98,47 +98,47 @@ void PairingServer::admit()
             connect(next, &QLocalSocket::disconnected, next, &QObject::deleteLater);
             continue;
         }
-        m_visitor = next;
-        connect(next, &QLocalSocket::readyRead, this, &PairingServer::hear);
-        connect(next, &QLocalSocket::disconnected, this, &PairingServer::leave);
+        m_client = next;
+        connect(next, &QLocalSocket::readyRead, this, &PairingServer::readRequests);
+        connect(next, &QLocalSocket::disconnected, this, &PairingServer::clientLeft);
     }
 }
 
-void PairingServer::leave()
+void PairingServer::clientLeft()
 {
-    m_visitor->deleteLater();
-    m_visitor = nullptr;
+    m_client->deleteLater();
+    m_client = nullptr;
     m_passphraseLength = 0;
     m_agent.cancelPairing();
 }
 
-void PairingServer::hear()
+void PairingServer::readRequests()
 {
     const auto arrived = [this] {
-        return m_passphraseLength > 0 ? m_visitor->bytesAvailable() >= m_passphraseLength : m_visitor->canReadLine();
+        return m_passphraseLength > 0 ? m_client->bytesAvailable() >= m_passphraseLength : m_client->canReadLine();
     };
-    while (m_visitor && arrived()) {
+    while (m_client && arrived()) {
         if (m_passphraseLength > 0)
             takePassphrase();
         else
-            obey(QJsonDocument::fromJson(m_visitor->readLine(kLongestOrder)).object());
+            handleRequest(QJsonDocument::fromJson(m_client->readLine(kMaxRequest)).object());
     }
-    if (m_visitor && m_visitor->bytesAvailable() > kLongestOrder)
-        m_visitor->abort();
+    if (m_client && m_client->bytesAvailable() > kMaxRequest)
+        m_client->abort();
 }
 
-void PairingServer::obey(const QJsonObject &order)
+void PairingServer::handleRequest(const QJsonObject &request)
 {
-    const QString what = order[QLatin1String("do")].toString();
-    if (what == QLatin1String("open")) {
-        m_callIt = order[QLatin1String("as")].toString().toStdString();
-        const int length = order[QLatin1String("passphrase")].toInt();
+    const QString action = request[QLatin1String("do")].toString();
+    if (action == QLatin1String("open")) {
+        m_peerName = request[QLatin1String("as")].toString().toStdString();
+        const int length = request[QLatin1String("passphrase")].toInt();
         m_passphraseLength = std::clamp(length, 0, static_cast<int>(crypto::Passphrase::kMaxLength));
         if (m_passphraseLength == 0)
             open(nullptr);
-    } else if (what == QLatin1String("confirm")) {
-        confirm(order);
-    } else if (what == QLatin1String("refuse")) {
+    } else if (action == QLatin1String("confirm")) {
+        confirm(request);
+    } else if (action == QLatin1String("refuse")) {
         m_agent.refusePairing();
     }
 }
@@ -148,7 +148,7 @@ void PairingServer::takePassphrase()
     const qint64 length = std::exchange(m_passphraseLength, 0);
     SecretBytes<crypto::Passphrase::kMaxLength> bytes;
     const MutableByteView room = bytes.mutableView();
-    if (m_visitor->read(reinterpret_cast<char *>(room.data()), length) != length)
+    if (m_client->read(reinterpret_cast<char *>(room.data()), length) != length)
         return;
     if (auto passphrase = crypto::Passphrase::fromBytes(ByteView(room).first(static_cast<std::size_t>(length))))
         open(shareInLockedMemory(std::move(*passphrase)));
@@ -178,15 +178,15 @@ void PairingServer::open(std::shared_ptr<const crypto::Passphrase> passphrase)
     notify(status);
 }
 
-void PairingServer::confirm(const QJsonObject &order)
+void PairingServer::confirm(const QJsonObject &request)
 {
-    const auto key = keys::publicKeyFromText(order[QLatin1String("public")].toString().toStdString());
-    const auto role = keys::peerRoleFromText(order[QLatin1String("role")].toString().toStdString());
+    const auto key = keys::publicKeyFromText(request[QLatin1String("public")].toString().toStdString());
+    const auto role = keys::peerRoleFromText(request[QLatin1String("role")].toString().toStdString());
     if (!key || !role)
         return;
-    m_name = order[QLatin1String("name")].toString().toStdString();
+    m_name = request[QLatin1String("name")].toString().toStdString();
     m_role = *role;
-    m_replace = order[QLatin1String("replace")].toBool();
+    m_replace = request[QLatin1String("replace")].toBool();
     m_agent.confirmPairing(*key);
 }
 
@@ -196,8 +196,8 @@ void PairingServer::take(const channel::PairingEvent &event)
         return keep(paired->peer);
     m_files.run(
         this, [file = m_paths.peers] { return keys::PeersFile::loadOrEmpty(file).value_or(keys::PeersFile()); },
-        [this, event, callIt = m_callIt](const keys::PeersFile &known) {
-            if (const auto status = statusOf(event, known, callIt))
+        [this, event, peerName = m_peerName](const keys::PeersFile &known) {
+            if (const auto status = statusOf(event, known, peerName))
                 notify(*status);
         });
 }
@@ -224,8 +224,8 @@ void PairingServer::keep(channel::Peer peer)
 void PairingServer::notify(const PairingStatus &status)
 {
     m_say(status);
-    if (m_visitor)
-        write(*m_visitor, status);
+    if (m_client)
+        write(*m_client, status);
 }
 
 } // namespace skyseal::app

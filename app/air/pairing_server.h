@@ -42,23 +42,23 @@ public:
 
 private:
     void admit();
-    void hear();
-    void obey(const QJsonObject &order);
+    void readRequests();
+    void handleRequest(const QJsonObject &request);
     void takePassphrase();
     void open(std::shared_ptr<const crypto::Passphrase> passphrase);
-    void confirm(const QJsonObject &order);
+    void confirm(const QJsonObject &request);
     void keep(channel::Peer peer);
-    void leave();
+    void clientLeft();
     void notify(const PairingStatus &status);
 
     engine::AgentCore &m_agent;
     engine::KeyPaths m_paths;
     Say m_say;
     QLocalServer m_server;
-    QLocalSocket *m_visitor = nullptr; ///< a child of the server
+    QLocalSocket *m_client = nullptr; ///< a child of the server
     QString m_problem;
     qint64 m_passphraseLength = 0; ///< of the passphrase that the client sends next; 0 = none
-    std::string m_callIt;          ///< name chosen by the client for the peer; empty = the name the peer claims
+    std::string m_peerName;        ///< name chosen by the client for the peer; empty = the name the peer claims
     std::string m_name;            ///< the confirmed name of the peer
     channel::PeerRole m_role = channel::PeerRole::Observer;
     bool m_replace = false;

@@ -80,7 +80,7 @@ void feedFrom(engine::Station &station, const std::shared_ptr<engine::FleetFeed>
                          report.take(*snapshot);
                      });
     QObject::connect(&station, &engine::Station::eventOccurred, &station,
-                     [feed](const engine::Event &event) { feed->hear(event); });
+                     [feed](const engine::Event &event) { feed->handleEvent(event); });
 }
 
 } // namespace

@@ -66,7 +66,7 @@ void Pairing::State::handleWord(TimePoint at, const Path &from, ByteView datagra
         return;
     const bool wasShown = talk->isShown();
     const Decision before = talk->theirs();
-    if (!talk->hear(at, from, datagram))
+    if (!talk->receive(at, from, datagram))
         return;
     if (!wasShown)
         core.events.push_back(PairingPeerSeen{talk->peer()});

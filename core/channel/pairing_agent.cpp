@@ -108,8 +108,8 @@ std::optional<PairingConfirmation> PairingAgent::handleOpening(TimePoint now, co
     const auto opening = found->handshake.takeOpening(datagram);
     // A right passphrase with a key that cannot be shown counts like a wrong one: a difference would confirm a guess for free.
     const bool isShowable = opening && opening->key != m_core.config.identity->publicKey;
-    auto voice = isShowable ? handshake.finish() : std::nullopt;
-    if (!voice) {
+    auto words = isShowable ? handshake.finish() : std::nullopt;
+    if (!words) {
         noteWrongOpening(now, *found);
         return std::nullopt;
     }
@@ -118,7 +118,7 @@ std::optional<PairingConfirmation> PairingAgent::handleOpening(TimePoint now, co
     std::ranges::copy(datagram, m_opened->theirs.begin());
     m_core.outgoing.push(from, m_opened->ours);
     m_answered.clear();
-    return PairingConfirmation(std::move(peer), std::move(*voice), now);
+    return PairingConfirmation(std::move(peer), std::move(*words), now);
 }
 
 bool PairingAgent::hasOpened() const

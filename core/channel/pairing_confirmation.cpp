@@ -12,8 +12,8 @@ constexpr Duration kLongLinger = std::chrono::seconds(10); ///< when it is not
 
 } // namespace
 
-PairingConfirmation::PairingConfirmation(PairingPeer peer, PairingVoice voice, TimePoint now)
-    : m_peer(std::move(peer)), m_voice(std::move(voice)), m_lastHeard(now), m_due(now)
+PairingConfirmation::PairingConfirmation(PairingPeer peer, WordCipher words, TimePoint now)
+    : m_peer(std::move(peer)), m_words(std::move(words)), m_lastHeard(now), m_due(now)
 {}
 
 bool PairingConfirmation::settled(TimePoint now) const
@@ -36,9 +36,9 @@ void PairingConfirmation::decide(TimePoint now, Decision decision)
         m_pairedAt = now;
 }
 
-bool PairingConfirmation::hear(TimePoint now, const Path &from, ByteView datagram)
+bool PairingConfirmation::receive(TimePoint now, const Path &from, ByteView datagram)
 {
-    const auto word = from == m_peer.path ? m_voice.hear(datagram) : std::nullopt;
+    const auto word = from == m_peer.path ? m_words.open(datagram) : std::nullopt;
     if (!word)
         return false;
     m_lastHeard = now;
@@ -61,7 +61,7 @@ bool PairingConfirmation::hear(TimePoint now, const Path &from, ByteView datagra
 WordDatagram PairingConfirmation::word()
 {
     const bool allIsSaid = paired() && heardByPeer();
-    return m_voice.say({m_mine, allIsSaid ? Heard::AllIsSaid : static_cast<Heard>(m_theirs)});
+    return m_words.seal({m_mine, allIsSaid ? Heard::AllIsSaid : static_cast<Heard>(m_theirs)});
 }
 
 void PairingConfirmation::handleDeadline(TimePoint now, PairingCore &core)
@@ -85,7 +85,7 @@ TimePoint PairingConfirmation::deadline() const
 
 Peer PairingConfirmation::pairedPeer() const
 {
-    Peer peer{m_peer.key, m_peer.name, PeerRole::Observer, {}, m_voice.presharedKey()};
+    Peer peer{m_peer.key, m_peer.name, PeerRole::Observer, {}, m_words.presharedKey()};
     if (m_peer.systemId != 0)
         peer.systemIds = {m_peer.systemId};
     return peer;

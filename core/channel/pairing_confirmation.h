@@ -10,7 +10,7 @@ namespace skyseal::channel {
 class PairingConfirmation
 {
 public:
-    PairingConfirmation(PairingPeer peer, PairingVoice voice, TimePoint now);
+    PairingConfirmation(PairingPeer peer, WordCipher words, TimePoint now);
 
     const PairingPeer &peer() const { return m_peer; }
     /// The other end has proved by a word that it holds its private key.
@@ -24,7 +24,7 @@ public:
 
     void decide(TimePoint now, Decision decision);
     /// Returns false if it is not a word of this pairing. A new decision changes theirs().
-    bool hear(TimePoint now, const Path &from, ByteView datagram);
+    bool receive(TimePoint now, const Path &from, ByteView datagram);
     void handleDeadline(TimePoint now, PairingCore &core);
     TimePoint deadline() const;
     WordDatagram word();
@@ -39,7 +39,7 @@ private:
     }
 
     PairingPeer m_peer;
-    PairingVoice m_voice;
+    WordCipher m_words;
     bool m_isShown = false;
     Decision m_mine = Decision::None;
     Decision m_theirs = Decision::None;

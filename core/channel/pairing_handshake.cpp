@@ -59,12 +59,12 @@ noise::CipherState cipher(Key32 &&key)
 
 // ---- words
 
-PairingVoice::PairingVoice(PairingId id, Key32 &&send, Key32 &&receive, Key32 &&presharedKey)
+WordCipher::WordCipher(PairingId id, Key32 &&send, Key32 &&receive, Key32 &&presharedKey)
     : m_id(id), m_presharedKey(shareInLockedMemory(std::move(presharedKey))), m_send(cipher(std::move(send))),
       m_receive(cipher(std::move(receive)))
 {}
 
-WordDatagram PairingVoice::say(const Word &word)
+WordDatagram WordCipher::seal(const Word &word)
 {
     WordDatagram out{};
     const auto head = sealedHead(m_id, word.number());
@@ -76,7 +76,7 @@ WordDatagram PairingVoice::say(const Word &word)
     return out;
 }
 
-std::optional<Word> PairingVoice::hear(ByteView datagram)
+std::optional<Word> WordCipher::open(ByteView datagram)
 {
     if (!isWord(datagram) || sealedPairing(datagram) != m_id)
         return std::nullopt;
@@ -174,7 +174,7 @@ std::string PairingHandshake::code() const
     return pairingCode(m_first, m_answer, isStation ? m_mine : m_theirs, isStation ? m_theirs : m_mine);
 }
 
-std::optional<PairingVoice> PairingHandshake::finish() const
+std::optional<WordCipher> PairingHandshake::finish() const
 {
     const auto shared = crypto::x25519(m_identity->secret, m_theirs.key);
     if (!shared)
@@ -184,7 +184,7 @@ std::optional<PairingVoice> PairingHandshake::finish() const
     std::array<std::uint8_t, 32> openings;
     crypto::blake2b(openings, {isStation ? m_sentOpening : m_readOpening, isStation ? m_readOpening : m_sentOpening});
     const auto wordKey = [&](Role sender) { return derived(secret, "words " + std::string(nameOf(sender)), openings); };
-    return PairingVoice(m_id, wordKey(m_role), wordKey(otherThan(m_role)), derived(secret, "preshared key", openings));
+    return WordCipher(m_id, wordKey(m_role), wordKey(otherThan(m_role)), derived(secret, "preshared key", openings));
 }
 
 } // namespace skyseal::channel

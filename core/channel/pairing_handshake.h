@@ -13,15 +13,15 @@
 namespace skyseal::channel {
 
 /// The sealed messages of one end ("words"), under the keys of a finished handshake.
-class PairingVoice
+class WordCipher
 {
 public:
-    PairingVoice(PairingId id, Key32 &&send, Key32 &&receive, Key32 &&presharedKey);
+    WordCipher(PairingId id, Key32 &&send, Key32 &&receive, Key32 &&presharedKey);
 
     PairingId id() const { return m_id; }
     /// The bytes of a word depend on its number alone.
-    WordDatagram say(const Word &word);
-    std::optional<Word> hear(ByteView datagram);
+    WordDatagram seal(const Word &word);
+    std::optional<Word> open(ByteView datagram);
     /// The pre-shared key of the pair.
     const std::shared_ptr<const Key32> &presharedKey() const { return m_presharedKey; }
 
@@ -62,7 +62,7 @@ public:
     /// After the openings: the six digits.
     std::string code() const;
     /// After the openings. Its words prove that their sender holds the private key of its opening. nullopt for a weak key.
-    std::optional<PairingVoice> finish() const;
+    std::optional<WordCipher> finish() const;
 
 private:
     explicit PairingHandshake(crypto::Cpace &&cpace) : m_cpace(std::move(cpace)) {}

@@ -116,13 +116,13 @@ std::optional<PairingConfirmation> PairingStation::handleOpening(TimePoint now, 
         return std::nullopt;
     }
     PairingPeer peer{opening->key, opening->name, opening->systemId, m_attempt->handshake.code(), from};
-    auto voice = m_attempt->handshake.finish();
+    auto words = m_attempt->handshake.finish();
     m_attempt.reset();
-    if (!voice) {
+    if (!words) {
         giveUp();
         return std::nullopt;
     }
-    return PairingConfirmation(std::move(peer), std::move(*voice), now);
+    return PairingConfirmation(std::move(peer), std::move(*words), now);
 }
 
 void PairingStation::handleDeadline(TimePoint now)

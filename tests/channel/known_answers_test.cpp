@@ -461,9 +461,9 @@ void KnownAnswersTest::pairing()
     auto agents = std::move(agent).finish();
     QVERIFY(stations && agents);
     COMPARE_WITH("pairing pre-shared key", stations->presharedKey()->view());
-    COMPARE_WITH("pairing word of the station", stations->say({Decision::Yes, Heard::Nothing}));
-    COMPARE_WITH("pairing word of the agent", agents->say({Decision::None, Heard::Yes}));
-    QVERIFY(agents->hear(m_answers["pairing word of the station"]));
+    COMPARE_WITH("pairing word of the station", stations->seal({Decision::Yes, Heard::Nothing}));
+    COMPARE_WITH("pairing word of the agent", agents->seal({Decision::None, Heard::Yes}));
+    QVERIFY(agents->open(m_answers["pairing word of the station"]));
 }
 
 void KnownAnswersTest::cleanupTestCase()

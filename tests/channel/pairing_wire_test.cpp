@@ -122,19 +122,19 @@ void PairingWireTest::everyBitFlipped()
     QCOMPARE(seenHere->key, agent->publicKey);
     QCOMPARE(seenThere->key, station->publicKey);
     QCOMPARE(here.code(), there.code());
-    auto mouth = *here.finish(), ear = *there.finish();
+    auto sender = *here.finish(), receiver = *there.finish();
     for (const Decision mine : {Decision::None, Decision::Yes, Decision::No}) {
         for (const Heard heard : {Heard::Nothing, Heard::Yes, Heard::No, Heard::AllIsSaid}) {
-            const auto word = mouth.say({mine, heard});
+            const auto word = sender.seal({mine, heard});
             for (std::size_t bit = 0; bit < word.size() * 8; ++bit)
-                QVERIFY(!ear.hear(flipped(word, bit)));
-            const auto said = ear.hear(word);
-            QVERIFY(said && said->mine == mine && said->heard == heard);
-            QVERIFY(!mouth.hear(word)); // The directions have keys of their own.
-            QCOMPARE(mouth.say({mine, heard}), word);
+                QVERIFY(!receiver.open(flipped(word, bit)));
+            const auto opened = receiver.open(word);
+            QVERIFY(opened && opened->mine == mine && opened->heard == heard);
+            QVERIFY(!sender.open(word)); // The directions have keys of their own.
+            QCOMPARE(sender.seal({mine, heard}), word);
         }
     }
-    QVERIFY(mouth.presharedKey()->equals(*ear.presharedKey()));
+    QVERIFY(sender.presharedKey()->equals(*receiver.presharedKey()));
 }
 
 void PairingWireTest::wordsOfElsewhere()
@@ -225,9 +225,9 @@ void PairingWireTest::shownOnlyWithThePrivateKey()
         pair.air().pairing->handleDatagram(pair.now, from, handshake.opening());
         pair.pump();
         QVERIFY(handshake.takeOpening(stranger.received));
-        auto voice = handshake.finish();
-        QVERIFY(voice);
-        pair.air().pairing->handleDatagram(pair.now, from, voice->say({}));
+        auto words = handshake.finish();
+        QVERIFY(words);
+        pair.air().pairing->handleDatagram(pair.now, from, words->seal({}));
         pair.pump();
         QCOMPARE(pair.air().sees(victim->publicKey), holdsKey);
     }

@@ -70,7 +70,7 @@ struct Rig
     QStringList topicsOf(const Event &event)
     {
         received.events.clear();
-        feed.hear(event);
+        feed.handleEvent(event);
         QStringList out;
         for (const auto &[topic, payload] : received.events)
             out << QString::fromStdString(topic);
@@ -181,7 +181,7 @@ void FleetFeedTest::eventsHaveTheFormOfTheMonitor()
     for (const Event &event : {up, down, text}) {
         names.note(event);
         rig.received.events.clear();
-        rig.feed.hear(event);
+        rig.feed.handleEvent(event);
         QVERIFY(!rig.received.events.empty());
         QCOMPARE(rig.received.events[0].second, eventJson(event, names));
     }

@@ -19,7 +19,7 @@ void FleetFeed::take(const Snapshot &snapshot, WallTime now)
         m_outlet->putState(mqtt::vehicleState(vehicle.state.systemId), vehicleStateEvent(snapshot, vehicle, now));
 }
 
-void FleetFeed::hear(const Event &event)
+void FleetFeed::handleEvent(const Event &event)
 {
     m_names.note(event);
     const std::string line = eventJson(event, m_names);

@@ -27,7 +27,7 @@ public:
     /// Call for every snapshot, of which some are published.
     void take(const Snapshot &snapshot, WallTime now);
     /// Call for every event.
-    void hear(const Event &event);
+    void handleEvent(const Event &event);
 
     void takeFrame(ByteView frame) override;
     mqtt::PublisherStatus status() const override { return m_outlet->status(); }

@@ -30,7 +30,7 @@ HeadlessRun::HeadlessRun(Station &station, RunListener &listener, RunPlan plan, 
 {
     connect(&m_station, &Station::snapshotReady, this,
             [this](const std::shared_ptr<const Snapshot> &snapshot) { take(snapshot); });
-    connect(&m_station, &Station::eventOccurred, this, [this](const Event &event) { hear(event); });
+    connect(&m_station, &Station::eventOccurred, this, [this](const Event &event) { handleEvent(event); });
     connect(&m_station, &Station::stopped, this, [this](const std::shared_ptr<const Snapshot> &last) { settle(*last); });
     m_tick.setTimerType(Qt::PreciseTimer);
     connect(&m_tick, &QTimer::timeout, this, [this] { tick(); });
@@ -69,7 +69,7 @@ void HeadlessRun::take(const std::shared_ptr<const Snapshot> &snapshot)
     m_snapshot = snapshot;
 }
 
-void HeadlessRun::hear(const Event &event)
+void HeadlessRun::handleEvent(const Event &event)
 {
     const TimePoint now = steadyNow();
     if (const auto *up = std::get_if<channel::SessionUp>(&event)) {

@@ -74,7 +74,7 @@ Q_SIGNALS:
 private:
     LinkId addLink(const link::LinkUrl &url);
     void take(const std::shared_ptr<const Snapshot> &snapshot);
-    void hear(const Event &event);
+    void handleEvent(const Event &event);
     void watchLinks(const LinkSnapshot &link);
     void watchServed(const LinkSnapshot &link);
     void tick();
