@@ -1,6 +1,7 @@
 // Cost of looking at the diagnostics: CPU time of the window's thread while samples come as they do in flight, over the time
 // that passes, once with the view in sight at its own refresh and once hidden, ten minutes of history behind it; less what the
-// same snapshots take without a visible panel.
+// same snapshots take without a visible panel. The bound is a multiple of a reference drawing of the same size, painted in the
+// same run, so that it holds on fast and slow machines.
 #include "core/metrics/process_usage.h"
 #include "scripted_snapshots.h"
 #include "tests/support/eventually.h"
@@ -9,8 +10,14 @@
 #include "ui/charts/diagnostics_tools.h"
 
 #include <QtCore/QElapsedTimer>
+#include <QtGui/QImage>
+#include <QtGui/QPainter>
 #include <QtTest/QTest>
 #include <QtWidgets/QComboBox>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
 
 using namespace skyseal;
 using namespace skyseal::ui;
@@ -18,7 +25,8 @@ using crypto::SuiteId;
 
 namespace {
 
-[[maybe_unused]] constexpr double kVisibleLimit = 3; // percent of one core; not of a debug build
+/// Reference drawings a second that a visible panel may cost; measured 0.45 to 0.9. Not of a debug build.
+[[maybe_unused]] constexpr double kVisibleLimit = 2;
 constexpr int kSeconds = 8;
 constexpr double kHistory = 580;
 
@@ -76,6 +84,30 @@ private:
     std::size_t m_sent = 0;
 };
 
+/// CPU time of one drawing as a chart program does it plainly: a picture of that size, filled, with 24 antialiased lines of
+/// 600 points; the median of 15.
+double referenceDrawing(QSize size)
+{
+    QImage picture(size, QImage::Format_ARGB32_Premultiplied);
+    std::array<double, 15> costs{};
+    for (double &cost : costs) {
+        const Duration before = metrics::threadCpuTime();
+        picture.fill(Qt::white);
+        QPainter painter(&picture);
+        painter.setRenderHint(QPainter::Antialiasing);
+        for (int line = 0; line < 24; ++line) {
+            QPolygonF points;
+            for (int i = 0; i < 600; ++i)
+                points << QPointF(i * size.width() / 600.0, size.height() * (0.5 + 0.3 * std::sin(0.05 * i + line)));
+            painter.drawPolyline(points);
+        }
+        painter.end();
+        cost = seconds(metrics::threadCpuTime() - before);
+    }
+    std::nth_element(costs.begin(), costs.begin() + costs.size() / 2, costs.end());
+    return costs[costs.size() / 2];
+}
+
 } // namespace
 
 class DiagnosticsCostTest : public QObject
@@ -117,11 +149,12 @@ void DiagnosticsCostTest::seenAndHidden()
     const double hidden = flight.load(kSeconds);
     const double alone = flight.load(kSeconds, false);
     QVERIFY(panel.history().newest() > kHistory + 1.5 * kSeconds); // nothing was missed meanwhile
-    qInfo("%s: seen %.2f %% of one core, hidden %.3f %%, the snapshots alone %.3f %%", QTest::currentDataTag(), seen, hidden,
-          alone);
-    QVERIFY(hidden - alone < 0.1);
+    const double drawing = 100 * referenceDrawing(size);           // percent of one core, at one a second
+    qInfo("%s: seen %.2f %% of one core, hidden %.3f %%, the snapshots alone %.3f %%; %.2f reference drawings a second",
+          QTest::currentDataTag(), seen, hidden, alone, (seen - alone) / drawing);
+    QVERIFY(hidden - alone < 0.1 * drawing);
 #ifdef NDEBUG
-    QVERIFY(seen - alone < kVisibleLimit);
+    QVERIFY(seen - alone < kVisibleLimit * drawing);
 #endif
 }
 
