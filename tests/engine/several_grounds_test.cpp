@@ -60,6 +60,7 @@ private Q_SLOTS:
     void takesTheModemThatWorks();
     void stationCallsAnAgentThatListens();
     void routerIsNotCalled();
+    void strangersMavlinkStopsNoCalls();
     void listeningAgentIsNoAmplifier();
 };
 
@@ -185,6 +186,34 @@ void SeveralGroundsTest::routerIsNotCalled()
     const int called = calls, greeted = greetings;
     EVENTUALLY(greetings > greeted + 4);
     QVERIFY2(calls <= called + 1, qPrintable(QString::number(calls - called))); // one may have been on its way
+}
+
+/// MAVLink that comes to the port of a calling station from another address than the called one says nothing about that one.
+void SeveralGroundsTest::strangersMavlinkStopsNoCalls()
+{
+    QUdpSocket place; // where an agent will listen
+    QVERIFY(place.bind(QHostAddress::LocalHost, 0));
+    quint16 station = 0;
+    QObject::connect(&place, &QUdpSocket::readyRead, &place, [&] {
+        while (place.hasPendingDatagrams())
+            station = static_cast<quint16>(place.receiveDatagram().senderPort());
+    });
+    FlightRig rig;
+    Ground caller(rig.stationConfig(), urlOf("udpout:" + local(place.localPort())));
+    EVENTUALLY(station != 0);
+    QUdpSocket stranger;
+    QVERIFY(stranger.bind(QHostAddress::LocalHost, 0));
+    std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
+    mavlink::FrameWriter writer(2, 1);
+    const ByteView frame = writer.write(mavlink::Heartbeat{.type = 2, .autopilot = 3}, buffer);
+    stranger.writeDatagram(reinterpret_cast<const char *>(frame.data()), static_cast<qint64>(frame.size()),
+                           QHostAddress::LocalHost, station);
+    EVENTUALLY(!caller.ears->all<engine::PlaintextRefused>().empty()); // it has arrived
+    const quint16 port = place.localPort();
+    place.close();
+    rig.startAgentOn({urlOf("udpin:" + local(port))});
+    VehicleOnUdp vehicle(rig.vehicleAddress());
+    EVENTUALLY(hears(caller));
 }
 
 /// Each datagram of a stranger causes at most as many bytes as it has, and without one nothing is sent.

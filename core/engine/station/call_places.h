@@ -1,9 +1,13 @@
-// The links that may lead to an agent that listens: those that send datagrams to one address, from which no MAVLink comes. A
-// router or an autopilot sends MAVLink, and must not receive more than a greeting. I/O thread.
+// The links that may lead to an agent that listens: those that send datagrams to one address. While MAVLink comes from there it
+// is a router or an autopilot, which must receive hardly more than a greeting; but whoever forges that address can send
+// MAVLink as well, so that the station calls there once in a while all the same. I/O thread.
 #pragma once
 
+#include "core/base/clock.h"
 #include "core/engine/common/link_pool.h"
 
+#include <map>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -13,30 +17,74 @@ namespace skyseal::engine {
 class CallPlaces
 {
 public:
+    /// An address from which no MAVLink came for this long is called again.
+    static constexpr Duration kForgetAfter = std::chrono::seconds(10);
+    /// Calls at addresses from which MAVLink comes: for one update, once in this time.
+    static constexpr Duration kCallSparingly = std::chrono::seconds(30);
+
     /// A MAVLink frame came in clear, TUNNEL included. Costs a comparison while frames come on one link.
-    void noteMavlink(LinkId link)
+    void noteMavlink(const link::Link &link, const Path &from, TimePoint now)
     {
-        if (link != m_newest)
-            m_changed |= m_heard.insert(m_newest = link).second;
+        if (from.remote != link.remote())
+            return;
+        if (!m_newest || link.id() != m_newestLink) {
+            m_newestLink = link.id();
+            m_newest = &m_mavlink[m_newestLink];
+        }
+        if (!m_newest->isFresh(now)) {
+            m_newest->nextCall = now + kCallSparingly;
+            m_changed = true;
+        }
+        m_newest->latest = now;
     }
-    /// Whether there are fewer places since the last call.
+    /// A record of an agent came from there: MAVLink of strangers does not count any more.
+    void noteSession(const link::Link &link, const Path &from)
+    {
+        if (from.remote == link.remote() && link.id() != m_newestSession)
+            m_changed |= m_sessions.insert(*(m_newestSession = link.id())).second;
+    }
+    /// Whether there are other places than at the last update.
     bool takeChanged() { return std::exchange(m_changed, false); }
 
-    std::vector<Path> paths(LinkPool &links) const
+    /// To be called every second. `isFlown`: a vehicle in clear is accepted at a path; it is never called, since its parser
+    /// may lose frames after other bytes.
+    template<typename IsFlown> std::vector<Path> update(TimePoint now, LinkPool &links, IsFlown &&isFlown)
     {
         std::vector<Path> out;
         links.forEach([&](const link::Link &link) {
             const bool calls = link.traits().isDatagramClient() && !links.isListenOnly(link.id()) && link.remote() != Address{};
             const bool greeted = link.counters().txBlocks > 0; // a second ago, so that a router could answer
-            if (calls && greeted && !m_heard.contains(link.id()))
-                out.push_back({link.id(), link.remote()});
+            const Path path{link.id(), link.remote()};
+            if (calls && greeted && !isFlown(path) && mayCall(link.id(), now))
+                out.push_back(path);
         });
         return out;
     }
 
 private:
-    std::set<LinkId> m_heard;
-    LinkId m_newest{};
+    struct Mavlink
+    {
+        std::optional<TimePoint> latest;
+        TimePoint nextCall{};
+        bool isFresh(TimePoint now) const { return latest && now - *latest <= kForgetAfter; }
+    };
+
+    bool mayCall(LinkId link, TimePoint now)
+    {
+        const auto heard = m_mavlink.find(link);
+        if (heard == m_mavlink.end() || !heard->second.isFresh(now) || m_sessions.contains(link))
+            return true;
+        if (now < heard->second.nextCall)
+            return false;
+        heard->second.nextCall = now + kCallSparingly;
+        return true;
+    }
+
+    std::map<LinkId, Mavlink> m_mavlink; ///< from the addresses of the links
+    LinkId m_newestLink{};               ///< where the newest frame came
+    Mavlink *m_newest = nullptr;         ///< its entry
+    std::set<LinkId> m_sessions;         ///< links at whose address an agent had a session
+    std::optional<LinkId> m_newestSession;
     bool m_changed = false;
 };
 

@@ -80,6 +80,12 @@ void RouteTable::forgetClear()
     std::erase_if(m_targets, [](const auto &target) { return !target.second.session; });
 }
 
+bool RouteTable::hasVehicleInClear(const Path &path) const
+{
+    return std::any_of(m_routes.begin(), m_routes.end(),
+                       [&](const Route &route) { return !route.session && route.heard && route.path.sharesPlace(path); });
+}
+
 Route *RouteTable::find(const Path &path)
 {
     for (Route &route : m_routes) {

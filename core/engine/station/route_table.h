@@ -44,6 +44,8 @@ public:
     /// Removes all clear targets, including those that the operator named.
     void forgetClear();
 
+    /// True if a vehicle was accepted in clear at this link and address lately.
+    bool hasVehicleInClear(const Path &path) const;
     /// Null if the system was never heard or its route was removed.
     Route *leadingTo(std::uint8_t systemId);
     std::deque<Route> &all() { return m_routes; }

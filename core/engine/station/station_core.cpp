@@ -295,7 +295,8 @@ void StationCore::callAgents(TimePoint now)
 {
     const bool mayCall = isSealing()
         && (m_settings.mode() == SecureMode::Required || m_receiver.gate().policy().knowsAnybody());
-    m_channel->endpoint().setCallAt(now, mayCall ? m_receiver.callPlaces().paths(m_links) : std::vector<Path>());
+    const auto isFlown = [this](const Path &path) { return m_sender.routes().hasVehicleInClear(path); };
+    m_channel->endpoint().setCallAt(now, mayCall ? m_receiver.callPlaces().update(now, m_links, isFlown) : std::vector<Path>());
     if (mayCall)
         m_sender.greetRouters();
 }

@@ -61,10 +61,10 @@ bool StationReceiver::namesSession(ByteView message) const
     return isSealing() && m_channel->driver.endpoint().namesSerialSession(message);
 }
 
-void StationReceiver::takeRecord(const link::Link &, const link::ReceivedBlock &message)
+void StationReceiver::takeRecord(const link::Link &link, const link::ReceivedBlock &message)
 {
     if (message.path.carrier == Carrier::Tunnel)
-        m_callPlaces.noteMavlink(message.path.link);
+        m_callPlaces.noteMavlink(link, message.path, message.time);
     if (!isSealing()) {
         m_datagrams.waitingBytes += message.bytes.size();
         ++m_datagrams.waitingCount;
@@ -74,8 +74,10 @@ void StationReceiver::takeRecord(const link::Link &, const link::ReceivedBlock &
                                               [this](const Path &to, ByteView bytes) { m_parts.links.send(to, bytes); });
         return;
     }
-    if (const auto delivery = m_channel->driver.receive(message.time, message.path, message.bytes))
+    if (const auto delivery = m_channel->driver.receive(message.time, message.path, message.bytes)) {
+        m_callPlaces.noteSession(link, message.path);
         takeDelivery(message, *delivery);
+    }
 }
 
 void StationReceiver::takeSealedInPlace(const link::Link &, const link::ReceivedBlock &frame)
@@ -121,10 +123,10 @@ void StationReceiver::takeUnknownMessage(const channel::Delivery &delivery, Byte
         serve(frame);
 }
 
-void StationReceiver::takeClear(const link::Link &, const link::ReceivedBlock &block, const mavlink::ScanItem &item)
+void StationReceiver::takeClear(const link::Link &link, const link::ReceivedBlock &block, const mavlink::ScanItem &item)
 {
     if (item.frame)
-        m_callPlaces.noteMavlink(block.path.link);
+        m_callPlaces.noteMavlink(link, block.path, block.time);
     takeClearItem(block, item, FrameOrigin::Live);
 }
 

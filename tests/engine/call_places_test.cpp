@@ -1,0 +1,110 @@
+// Which links a station calls for agents that listen: MAVLink from the address of a link makes calls rare for a while, and no
+// other MAVLink does.
+#include "core/engine/station/call_places.h"
+#include "tests/support/eventually.h"
+#include "tests/support/test_runner.h"
+
+#include <QtNetwork/QUdpSocket>
+#include <QtTest/QTest>
+
+using namespace skyseal;
+using namespace skyseal::engine;
+using namespace std::chrono_literals;
+
+namespace {
+
+struct NoListener final : link::LinkListener
+{
+    void linkReceived(link::Link &, std::span<const link::ReceivedBlock>) override {}
+};
+
+} // namespace
+
+class CallPlacesTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init();
+    void cleanup() { m_links.remove(kLink); }
+    void mavlinkFromThereMakesCallsRare();
+    void mavlinkFromElsewhereDoesNot();
+    void notWhereAnAgentHadASession();
+    void notWhereAVehicleIsFlownInClear();
+
+private:
+    static constexpr LinkId kLink{1};
+
+    /// How often the address is called in so many seconds from now on. `mavlink`: a frame comes from it twice a second.
+    int callsIn(int seconds, bool mavlink = false, bool flown = false)
+    {
+        int out = 0;
+        for (const TimePoint end = m_now + std::chrono::seconds(seconds); m_now < end; m_now += 500ms) {
+            if (mavlink)
+                m_places.noteMavlink(*m_link, path(), m_now);
+            if ((m_now - TimePoint{1h}) % 1s == Duration::zero())
+                out += !m_places.update(m_now, m_links, [flown](const Path &) { return flown; }).empty();
+        }
+        return out;
+    }
+    Path path() const { return {kLink, m_link->remote()}; }
+
+    NoListener m_listener;
+    LinkPool m_links{m_listener, [](link::Link &) {}};
+    QUdpSocket m_peer;
+    link::Link *m_link = nullptr;
+    CallPlaces m_places;
+    TimePoint m_now{1h};
+};
+
+void CallPlacesTest::init()
+{
+    m_places = {};
+    m_now = TimePoint{1h};
+    if (m_peer.state() != QAbstractSocket::BoundState)
+        QVERIFY(m_peer.bind(QHostAddress::LocalHost, 0));
+    const std::string url = "udpout:127.0.0.1:" + std::to_string(m_peer.localPort());
+    m_link = &m_links.open(kLink, *link::LinkUrl::parse(url));
+    EVENTUALLY(m_link->remote() != Address{});
+    const Bytes greeting{1, 2, 3};
+    m_links.send({kLink, {}}, greeting);
+    m_links.flush();
+    QCOMPARE(m_link->counters().txBlocks, std::uint64_t(1));
+}
+
+void CallPlacesTest::mavlinkFromThereMakesCallsRare()
+{
+    QCOMPARE(callsIn(10), 10);
+    QCOMPARE(callsIn(120, true), 3); // every 30 s
+    QVERIFY(m_places.takeChanged());
+    QVERIFY(!m_places.takeChanged());
+    callsIn(10); // The last MAVLink still counts.
+    QCOMPARE(callsIn(10), 10);
+}
+
+void CallPlacesTest::mavlinkFromElsewhereDoesNot()
+{
+    Path other = path();
+    ++other.remote.port;
+    m_places.noteMavlink(*m_link, other, m_now);
+    QCOMPARE(callsIn(10), 10);
+    QVERIFY(!m_places.takeChanged());
+}
+
+void CallPlacesTest::notWhereAnAgentHadASession()
+{
+    Path other = path();
+    ++other.remote.port;
+    m_places.noteSession(*m_link, other);
+    QVERIFY(callsIn(20, true) <= 1);
+    m_places.noteSession(*m_link, path());
+    QCOMPARE(callsIn(20, true), 20);
+}
+
+void CallPlacesTest::notWhereAVehicleIsFlownInClear()
+{
+    QCOMPARE(callsIn(120, true, true), 0);
+}
+
+SKYSEAL_TEST(CallPlacesTest)
+#include "call_places_test.moc"
