@@ -23,6 +23,7 @@ enum class Weakness : std::uint8_t {
     RoamOnForged,       ///< a rejected record moves the session's address
     RoamOnLate,         ///< an authentic record moves the address even when it is not the newest
     NoTrial,          ///< the session's address stays where one record moved it, although nothing was received from there since
+    TrialByAnyEcho,   ///< the trial of an address ends by an echo of what was sent to another address
     NoHardStop,       ///< an epoch never ends
     KeepOldKeys,      ///< neither the previous epoch nor a session expires
     NoWipe,           ///< secrets stay in memory after their destruction

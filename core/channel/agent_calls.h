@@ -16,7 +16,7 @@ class AgentCalls
 {
 public:
     /// Agents that are called at the same time, and addresses at which they are.
-    static constexpr std::size_t kAtOnce = HandshakeAttempt::kMaxPlaces;
+    static constexpr std::size_t kAtOnce = HandshakeAttempt::kMaxPlaces - 1;
     static constexpr Duration kTurn = std::chrono::seconds(5);
 
     TimePoint nextTurn() const { return m_next; }

@@ -15,6 +15,10 @@ constexpr Duration kAnswerKept = std::chrono::seconds(10);
 /// in its name.
 constexpr std::ptrdiff_t kMostAnsweredOfPeer = 4;
 constexpr std::size_t kMostAnswered = 64;
+/// Datagrams of one round, so that those of many quiet sessions do not fill the queue.
+constexpr std::size_t kMostAnnouncements = 48;
+constexpr std::size_t kMostRequests = 16;
+static_assert(2 * kMostAnnouncements + kMostRequests < DatagramQueue::kSlots);
 
 bool holds(const std::vector<Path> &paths, const Path &path)
 {
@@ -24,9 +28,10 @@ bool holds(const std::vector<Path> &paths, const Path &path)
 } // namespace
 
 AgentHandshakes::AgentHandshakes(EndpointCore &core, TimePoint now)
-    : m_core(core), m_announcement(core.config.identity->publicKey), m_announced(now - core.config.timing.announceBesideEvery),
-      m_limit(core.context.random, now), m_cookies(core.config.identity->publicKey, core.context.random),
-      m_floodEvents(kFloodEventInterval, now), m_numbers(kNumberInterval, now)
+    : m_core(core), m_announcement(core.config.identity->publicKey), m_beside{now - core.config.timing.announceBesideEvery},
+      m_alone(m_beside), m_requests(core.config.timing.announceEvery, now), m_limit(core.context.random, now),
+      m_cookies(core.config.identity->publicKey, core.context.random), m_floodEvents(kFloodEventInterval, now),
+      m_numbers(kNumberInterval, now)
 {}
 
 bool AgentHandshakes::handleFirst(TimePoint now, const Path &from, ByteView datagram)
@@ -213,33 +218,34 @@ bool AgentHandshakes::expects(const Path &from)
 
 AgentHandshakes::Targets AgentHandshakes::announceTargets(TimePoint now)
 {
-    Targets out{m_core.config.announceTo, m_core.config.timing.announceEvery};
+    std::vector<Path> paths = m_core.config.announceTo;
     std::vector<Path> served;
     std::size_t peersServed = 0;
     m_core.table.forEach([&](SessionTable::Entry &entry) {
         if (!entry.up)
             return;
         const Session &session = *entry.session;
-        if (now < session.quietFrom()) {
+        if (!session.quiet(now)) {
             served.push_back(session.path());
             if (session.origin().link == session.path().link) // otherwise it is another way to the same station
                 served.push_back(session.origin());
             ++peersServed; // a peer has one session at most
-        } else if (!holds(out.paths, session.path())) {
-            out.paths.push_back(session.path());
+        } else if (!holds(paths, session.path())) {
+            paths.push_back(session.path());
         }
     });
-    std::erase_if(out.paths, [&](const Path &target) { return holds(served, target); });
-
     // A link may lead to more stations than the one with a session: behind a router, at a listening port, at another address.
     // The first station must not prevent the others from finding the agent.
-    const auto sharesLink = [&](const Path &target) {
-        return std::any_of(served.begin(), served.end(), [&](const Path &path) { return path.link == target.link; });
-    };
-    if (peersServed >= m_core.config.peers.size())
-        std::erase_if(out.paths, sharesLink);
-    else if (std::all_of(out.paths.begin(), out.paths.end(), sharesLink))
-        out.every = m_core.config.timing.announceBesideEvery;
+    const bool allServed = peersServed >= m_core.config.peers.size();
+    Targets out;
+    for (const Path &path : paths) {
+        const bool sharesLink = std::any_of(served.begin(), served.end(),
+                                            [&](const Path &one) { return one.link == path.link; });
+        if (!sharesLink)
+            out.alone.push_back(path);
+        else if (!allServed && !holds(served, path))
+            out.beside.push_back(path);
+    }
     return out;
 }
 
@@ -247,39 +253,60 @@ void AgentHandshakes::handleDeadline(TimePoint now)
 {
     discardIf([now](const Answered &answered) { return now >= answered.until; });
     const Targets targets = announceTargets(now);
-    if (targets.paths.empty() || now < announceDue(targets))
-        return;
-    requestReportsAt(now, targets.paths);
-    const auto datagram = m_announcement.make(m_core.context.random);
-    for (const Path &path : targets.paths)
-        m_core.context.outgoing.push(path, datagram);
-    m_announced = now;
+    announce(now, m_alone, targets.alone, m_core.config.timing.announceEvery);
+    announce(now, m_beside, targets.beside, m_core.config.timing.announceBesideEvery);
+    requestReports(now);
 }
 
-/// Quiet sessions try the other addresses of this carrier, whose peer an announcement alone would not bring there while it
-/// still receives our records.
-void AgentHandshakes::requestReportsAt(TimePoint now, const std::vector<Path> &paths)
+/// Announces to as many of the addresses as a round allows, in turn: many sessions may be quiet at the same time.
+void AgentHandshakes::announce(TimePoint now, Rounds &rounds, const std::vector<Path> &targets, Duration every)
 {
+    if (now < rounds.due(targets, every))
+        return;
+    rounds.latest = now;
+    const auto datagram = m_announcement.make(m_core.context.random);
+    const std::size_t count = std::min(targets.size(), kMostAnnouncements);
+    for (std::size_t i = 0; i < count; ++i)
+        m_core.context.outgoing.push(targets[rounds.turn++ % targets.size()], datagram);
+}
+
+/// Quiet sessions try the configured addresses of their carrier, since an announcement alone would not bring their peer there
+/// while it still receives our records. A bounded number of them at a time, in turn.
+void AgentHandshakes::requestReports(TimePoint now)
+{
+    struct Request
+    {
+        Session *session;
+        Path to;
+    };
+    std::vector<Request> requests;
     m_core.table.forEach([&](SessionTable::Entry &entry) {
-        if (!entry.up || now < entry.session->quietFrom())
+        if (!entry.up || !entry.session->quiet(now))
             return;
         const Path used = entry.session->path();
-        for (const Path &path : paths) {
-            if (path != used && path.carrier == used.carrier)
-                entry.session->requestReportAt(now, path);
+        for (const Path &path : m_core.config.announceTo) {
+            // Without an address or a node of its own, a place leads to the peers of its link, this one among them.
+            const bool isSamePlace = path.link == used.link && (path.remote == Address{} || path.remote == used.remote);
+            if (path.carrier == used.carrier && !isSamePlace)
+                requests.push_back({entry.session.get(), path});
         }
     });
+    if (requests.empty() || !m_requests.take(now))
+        return;
+    const std::size_t count = std::min(requests.size(), kMostRequests);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Request &request = requests[m_requestTurn++ % requests.size()];
+        request.session->requestReportAt(now, request.to);
+    }
 }
 
 TimePoint AgentHandshakes::deadline(TimePoint now)
 {
-    TimePoint due = kNever;
+    TimePoint due = announceDue(announceTargets(now));
     for (const Answered &answered : m_answered)
         due = std::min(due, answered.until);
-    if (const Targets targets = announceTargets(now); !targets.paths.empty())
-        due = std::min(due, announceDue(targets));
-    m_core.table.forEach([&](SessionTable::Entry &entry) { // It is announced to from then on.
-        if (entry.up && now < entry.session->quietFrom())
+    m_core.table.forEach([&](SessionTable::Entry &entry) {
+        if (entry.up && !entry.session->quiet(now)) // It is announced to from then on.
             due = std::min(due, entry.session->quietFrom());
     });
     return due;
@@ -287,7 +314,8 @@ TimePoint AgentHandshakes::deadline(TimePoint now)
 
 TimePoint AgentHandshakes::announceDue(const Targets &targets) const
 {
-    return m_announced + targets.every;
+    const auto &timing = m_core.config.timing;
+    return std::min(m_alone.due(targets.alone, timing.announceEvery), m_beside.due(targets.beside, timing.announceBesideEvery));
 }
 
 } // namespace skyseal::channel

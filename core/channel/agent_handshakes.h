@@ -36,11 +36,20 @@ private:
         FirstMessage first{};
         AnswerMessage answer{};
     };
-    /// Addresses of the announcements, and their interval.
+    /// Addresses of the announcements: on links with an active session, and on the others.
     struct Targets
     {
-        std::vector<Path> paths;
-        Duration every;
+        std::vector<Path> beside, alone;
+    };
+    /// Announcements to one kind of targets.
+    struct Rounds
+    {
+        TimePoint latest;
+        std::size_t turn = 0; ///< where the next one begins
+        TimePoint due(const std::vector<Path> &targets, Duration every) const
+        {
+            return targets.empty() ? kNever : latest + every;
+        }
     };
 
     bool refuse(TimePoint now, const Path &from, RefusalReason reason, const PublicKey &peer = {});
@@ -51,13 +60,16 @@ private:
     const Answered *greatestOf(const PublicKey &peer) const;
     template<typename Condition> void discardIf(Condition condition);
     Targets announceTargets(TimePoint now);
-    void requestReportsAt(TimePoint now, const std::vector<Path> &paths);
+    void announce(TimePoint now, Rounds &rounds, const std::vector<Path> &targets, Duration every);
+    void requestReports(TimePoint now);
     TimePoint announceDue(const Targets &targets) const;
 
     EndpointCore &m_core;
     Announcement m_announcement;
     std::vector<Answered> m_answered; ///< oldest first
-    TimePoint m_announced;            ///< time of the latest announcement
+    Rounds m_beside, m_alone;
+    IntervalLimit m_requests; ///< of reports, for quiet sessions
+    std::size_t m_requestTurn = 0;
     HandshakeLimit m_limit;
     CookieMaker m_cookies;
     IntervalLimit m_floodEvents;

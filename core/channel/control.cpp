@@ -11,8 +11,9 @@ enum class Type : std::uint8_t { Propose = 1, Accept = 2, Refuse = 3, Confirm = 
 
 // Flags of a report.
 constexpr std::uint8_t kAnswerAtOnce = 1, kCountsFrames = 2, kAsksCosts = 4, kTellsCosts = 8, kTellsFreshness = 16,
-                       kCannotStore = 32;
-constexpr std::uint8_t kReportFlags = kAnswerAtOnce | kCountsFrames | kAsksCosts | kTellsCosts | kTellsFreshness | kCannotStore;
+                       kCannotStore = 32, kReceivesNothing = 64;
+constexpr std::uint8_t kReportFlags = kAnswerAtOnce | kCountsFrames | kAsksCosts | kTellsCosts | kTellsFreshness | kCannotStore
+    | kReceivesNothing;
 
 // The order of the counters on the wire.
 constexpr std::uint64_t ReceiveCounters::*kReceived[] = {&ReceiveCounters::good,
@@ -77,7 +78,8 @@ std::uint8_t flagsOf(const Report &report)
 {
     return static_cast<std::uint8_t>((report.answerAtOnce ? kAnswerAtOnce : 0) | (report.frames ? kCountsFrames : 0)
                                      | (report.asksCosts ? kAsksCosts : 0) | (report.costs ? kTellsCosts : 0)
-                                     | (report.freshness ? kTellsFreshness : 0) | (report.cannotStore ? kCannotStore : 0));
+                                     | (report.freshness ? kTellsFreshness : 0) | (report.cannotStore ? kCannotStore : 0)
+                                     | (report.receivesNothing ? kReceivesNothing : 0));
 }
 
 struct Writer
@@ -153,6 +155,7 @@ std::optional<Report> readReport(ByteReader &in)
     report.answerAtOnce = (flags & kAnswerAtOnce) != 0;
     report.asksCosts = (flags & kAsksCosts) != 0;
     report.cannotStore = (flags & kCannotStore) != 0;
+    report.receivesNothing = (flags & kReceivesNothing) != 0;
     report.stamp = in.u32();
     report.echo = in.u32();
     report.held = in.u32();

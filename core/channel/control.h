@@ -55,12 +55,13 @@ struct Confirmed
 /// Sent once a second: the sender's clock and an echo of the peer's clock, for the round trip, and the sender's counters.
 struct Report
 {
-    std::uint32_t stamp = 0;   ///< microseconds of the sender's session clock, modulo 2^32
-    std::uint32_t echo = 0;    ///< newest stamp received from the peer, 0 = none yet
-    std::uint32_t held = 0;    ///< microseconds since it was received
-    bool answerAtOnce = false; ///< asks for a report now
-    bool asksCosts = false;    ///< asks for the receiver's costs in its reports
-    bool cannotStore = false;  ///< an agent that cannot store the counters of handshakes
+    std::uint32_t stamp = 0;      ///< microseconds of the sender's session clock, modulo 2^32
+    std::uint32_t echo = 0;       ///< newest stamp received from the peer, 0 = none yet
+    std::uint32_t held = 0;       ///< microseconds since it was received
+    bool answerAtOnce = false;    ///< asks for a report now
+    bool asksCosts = false;       ///< asks for the receiver's costs in its reports
+    bool cannotStore = false;     ///< an agent that cannot store the counters of handshakes
+    bool receivesNothing = false; ///< an agent whose session is quiet: no record of the station arrives
     ReceiveCounters rx;
     SendCounters tx;
     std::optional<FrameCounters> frames;      ///< if the owner counts frames

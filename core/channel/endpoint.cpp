@@ -105,7 +105,7 @@ std::optional<Delivery> Endpoint::State::handleInlineFrame(TimePoint at, const P
 void Endpoint::State::afterOpening(const SessionTable::Entry &entry, const Session::Opened &opened)
 {
     if (opened.authentic && stationHandshakes && !stationHandshakes->idle())
-        stationHandshakes->sessionLives(entry.session->peer().key);
+        stationHandshakes->sessionLives(*entry.session);
     if (!opened.routine)
         handleDeadline(now);
 }

@@ -39,7 +39,9 @@ struct HandshakeAttempt
         unsigned wrong = 0;     ///< wrong answers that cost a computation
     };
 
-    static constexpr std::size_t kMaxPlaces = 4; ///< several, since anyone who knows the peer's key can announce it
+    /// Several, since anyone who knows the peer's key can announce it; one more than addresses that the operator names at a
+    /// time, so that announcements displace none of these.
+    static constexpr std::size_t kMaxPlaces = 5;
 
     /// Returns the place with this address. Makes one if there is none, in place of an unproven one if there are too many.
     Place &placeAt(const Path &path);

@@ -37,6 +37,12 @@ void PeerPath::moveTo(const Path &path, TimePoint now, std::uint32_t stamp)
     m_current = path;
 }
 
+void PeerPath::reportSent(const Path &to, std::uint32_t stamp)
+{
+    if (to != m_current && !weakened(Weakness::TrialByAnyEcho))
+        m_trialStamp = stamp;
+}
+
 void PeerPath::confirm(const Path &from, std::uint32_t echo)
 {
     if (from == m_current && static_cast<std::int32_t>(echo - m_trialStamp) > 0)

@@ -32,6 +32,8 @@ public:
     void stay(TimePoint now) { m_heardHere = now; }
     /// The newest record so far came from another path. `stamp` is the session clock at this time.
     void moveTo(const Path &path, TimePoint now, std::uint32_t stamp);
+    /// A report with this stamp goes to `to`. An echo of it proves nothing about the current path if that is another one.
+    void reportSent(const Path &to, std::uint32_t stamp);
     /// A report from `from` echoes the stamp `echo`. Ends the trial if the peer sent it after receiving a report at this path.
     void confirm(const Path &from, std::uint32_t echo);
     void handleDeadline(TimePoint now);
@@ -45,7 +47,7 @@ private:
     IntervalLimit m_moves;
     Duration m_trial;
     std::optional<Path> m_former;   ///< the last confirmed path; set while the current one is on trial
-    std::uint32_t m_trialStamp = 0; ///< session clock at the move
+    std::uint32_t m_trialStamp = 0; ///< later stamps were sent to the current path alone
     TimePoint m_heardHere;          ///< newest record from the current path
 };
 

@@ -32,6 +32,8 @@ public:
     std::uint64_t staleAtPeer() const { return m_peer && m_peer->freshness ? m_peer->freshness->stale : 0; }
     /// By the peer's latest report.
     bool peerCannotStore() const { return m_peer && m_peer->cannotStore; }
+    /// By the peer's latest report.
+    bool peerReceivesNothing() const { return m_peer && m_peer->receivesNothing; }
     /// Fills the values that come from the peer's latest report.
     void addTo(SessionStats &stats) const;
 

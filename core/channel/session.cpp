@@ -388,6 +388,8 @@ void Session::sendReport(TimePoint now, const Path &to, bool answerAtOnce)
     if (!m_identity.initiator)
         report.freshness = m_freshness.report(report.rx.stale);
     report.cannotStore = !m_identity.initiator && !m_context.counters.problem().empty();
+    report.receivesNothing = !m_identity.initiator && quiet(now);
+    m_path.reportSent(to, report.stamp);
     if (m_reports.peerAsksCosts() && m_context.costs)
         report.costs = m_context.costs(id());
     sendTo(now, to, report);

@@ -64,6 +64,9 @@ public:
     /// An active session is never without a record for so long unless records were lost. An agent announces itself again from
     /// then on; the session itself is not affected.
     TimePoint quietFrom() const { return m_lastReceived + m_context.timing.keepAliveAfter * 3 / 2; }
+    bool quiet(TimePoint now) const { return now >= quietFrom(); }
+    /// The agent reports that its session is quiet, while its own records arrive.
+    bool peerReceivesNothing() const { return m_reports.peerReceivesNothing(); }
     /// False if the ciphers of the first epoch could not be made: discard the session.
     bool usable() const { return m_epochs.begun(); }
     /// The peer sent Close.
@@ -90,7 +93,8 @@ public:
     /// Sends a report that asks for an answer, at most once a second: when the stream of the session's link was reconnected.
     void requestReport(TimePoint now);
     /// Sends such a report to another address at which the peer may be; its answer moves the path there. An agent whose session
-    /// is quiet does so: where only its own records get through, the station has no reason to leave the path.
+    /// is quiet does so: where only its own records get through, the station has no reason to leave the path. On another carrier
+    /// the session cannot follow; there a new one replaces it, see peerReceivesNothing().
     void requestReportAt(TimePoint now, const Path &to);
     void countPlaintextDropped(std::uint64_t count) { m_epochs.current().rx.plaintextDropped += count; }
     void countMalformed() { ++m_epochs.current().rx.malformed; }

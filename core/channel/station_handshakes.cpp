@@ -137,7 +137,7 @@ bool StationHandshakes::handleAnnouncement(TimePoint now, const Path &from, Byte
     // session has been quiet for longer than an active one ever is.
     TimePoint due = now;
     if (const Session *session = m_core.table.upWith(known->key);
-        session && !session->closing() && !weakened(Weakness::TrustAnnouncements))
+        session && !session->closing() && !mayReplace(*session, from.carrier) && !weakened(Weakness::TrustAnnouncements))
         due = std::max(now, session->lastReceived() + m_core.config.timing.keepAliveAfter * 5 / 4);
     Attempt &attempt = want(now, known->key, from.carrier, due);
     attempt.announced = now;
@@ -314,7 +314,7 @@ bool StationHandshakes::handleAnswer(TimePoint now, const Path &from, ByteView d
     }
     m_attempts.erase(m_attempts.begin() + (found - m_attempts.data())); // The session keeps its slot.
     auto &entry = m_core.table.put(std::move(session), false, now);
-    sessionLives(entry.session->peer().key); // ends the attempt on another carrier, too
+    sessionLives(*entry.session); // ends the attempt on another carrier, too
     for (Attempt &attempt : m_attempts)
         attempt.stopCallingAt({&from, 1}); // others would only refuse first messages
     m_core.bringUp(now, entry);
@@ -334,12 +334,19 @@ std::vector<Unanswered> StationHandshakes::unanswered() const
     return out;
 }
 
-void StationHandshakes::sessionLives(const PublicKey &peer)
+void StationHandshakes::sessionLives(const Session &session)
 {
     for (std::size_t i = m_attempts.size(); i-- > 0;) {
-        if (m_attempts[i].peer == peer)
+        if (m_attempts[i].peer == session.peer().key && !mayReplace(session, m_attempts[i].carrier))
             drop(m_attempts[i]);
     }
+}
+
+/// A session cannot follow its peer to another carrier. Where an agent receives nothing on the carrier of its session, a new
+/// session on another one replaces it, although its records arrive.
+bool StationHandshakes::mayReplace(const Session &session, Carrier carrier)
+{
+    return session.peerReceivesNothing() && carrier != session.path().carrier;
 }
 
 void StationHandshakes::callAgents(TimePoint now)
@@ -352,10 +359,20 @@ void StationHandshakes::callAgents(TimePoint now)
             agents.push_back(peer.key);
     }
     std::vector<Path> places = m_core.config.callAt;
-    std::erase_if(places, [this](const Path &path) { return m_core.table.upAt(path) != nullptr; });
+    std::erase_if(places, [this](const Path &path) { return isTaken(path); });
     m_calls.take(now, agents, places, [&](const PublicKey &agent, const Path &place) {
         want(now, agent, place.carrier, now).placeAt(place).proven = true; // by the operator, who named it
     });
+}
+
+/// True if the agent that listens there has a session, also one that has moved to another of its links since.
+bool StationHandshakes::isTaken(const Path &place)
+{
+    bool taken = false;
+    m_core.table.forEach([&](const SessionTable::Entry &entry) {
+        taken = taken || (entry.up && (entry.session->path() == place || entry.session->origin() == place));
+    });
+    return taken;
 }
 
 void StationHandshakes::setCallAt(std::vector<Path> paths)

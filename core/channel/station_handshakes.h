@@ -30,8 +30,8 @@ public:
     /// The agent remembers a greater counter than ours. Returns false as above.
     bool handleNumber(TimePoint now, const Path &from, ByteView datagram);
     void handleCookie(TimePoint now, const Path &from, ByteView datagram);
-    /// An authentic record came from this peer, so it needs no new session.
-    void sessionLives(const PublicKey &peer);
+    /// An authentic record came in this session, so its peer needs no new one.
+    void sessionLives(const Session &session);
     void handleDeadline(TimePoint now);
     /// Replaces the addresses of agents that listen; calls at the former ones end.
     void setCallAt(std::vector<Path> paths);
@@ -47,6 +47,8 @@ private:
     };
 
     void callAgents(TimePoint now);
+    bool isTaken(const Path &place);
+    static bool mayReplace(const Session &session, Carrier carrier);
     const Known *announcer(TimePoint now, const Path &from, ByteView datagram);
     bool mayCheck(TimePoint now);
     Attempt *attemptWith(const PublicKey &peer, Carrier carrier);

@@ -27,6 +27,7 @@ private Q_SLOTS:
     void hijackOfAnAddress();
     void newPortResumesAtOnce();
     void withheldRecordDivertsForSeconds();
+    void answersToOtherAddressesEndNoTrial();
     void jitterReorderingAndDuplicates();
     void deletion_data();
     void deletion();
@@ -272,6 +273,35 @@ void AttackSessionTest::withheldRecordDivertsForSeconds()
     pair.link.attacker = nullptr;
     pair.stopTraffic();
     QVERIFY(aliveAndExact(pair));
+}
+
+void AttackSessionTest::answersToOtherAddressesEndNoTrial()
+{
+    // As above, but the agent of the quiet session asks at its configured address, and the attacker delivers the station's
+    // answer from his own: it echoes a stamp of after the move, which proves nothing about his address.
+    auto owner = pairUnder(SuiteId::ChaCha20Poly1305);
+    Pair &pair = *owner;
+    const auto where = [&] { return pair.air().endpoint->recordPath(pair.air().session()); };
+    const Path home = where();
+    Path thief = home;
+    thief.remote.port = 6666;
+    const Caught kept = catchOne(pair, 28, Ground);
+    Bytes newest;
+    pair.link.attacker = [&](TimePoint, Flight &flight) {
+        if (flight.from == Ground)
+            newest = flight.bytes;
+        return flight.from == Air && flight.targetPort != thief.remote.port;
+    };
+    pair.every(20ms, [&pair] { pair.sendFrame(Air); });
+    pair.run(300ms);
+    offer(pair, Air, kept.flight.bytes, thief);
+    QVERIFY(where() == thief);
+    newest.clear();
+    pair.run(2400ms); // The agent has asked by then.
+    QVERIFY(where() == thief && !newest.empty());
+    offer(pair, Air, newest, thief);
+    pair.run(5s);
+    HOLDS(where() == home, "the session goes back to its peer");
 }
 
 void AttackSessionTest::jitterReorderingAndDuplicates()

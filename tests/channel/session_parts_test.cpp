@@ -24,6 +24,7 @@ private Q_SLOTS:
     void newPathWithoutRecordsIsLeft();
     void returnToTheFormerPathEndsTheTrial();
     void chainOfMovesKeepsTheConfirmedPath();
+    void echoOfAReportToElsewhereConfirmsNothing();
     void serialPathHasNoTrial();
     void movesAreReportedOnceASecond();
     void roundTripFromAnEcho();
@@ -98,6 +99,21 @@ void SessionPartsTest::chainOfMovesKeepsTheConfirmedPath()
     peer.confirm(m_third, 5000); // It was sent to the second path.
     peer.handleDeadline(m_start + 3500ms);
     QVERIFY(peer.current() == m_first);
+}
+
+void SessionPartsTest::echoOfAReportToElsewhereConfirmsNothing()
+{
+    PeerPath peer(m_first, m_start, 2500ms);
+    peer.moveTo(m_second, m_start, 1000);
+    QVERIFY(peer.takeMove(m_start));
+    peer.reportSent(m_second, 2000);
+    peer.reportSent(m_first, 3000);
+    peer.confirm(m_second, 2000); // The report to the second path may be lost, and the echo relayed.
+    peer.confirm(m_second, 3000);
+    QCOMPARE(peer.deadline(), m_start + 2500ms);
+    peer.reportSent(m_second, 4000);
+    peer.confirm(m_second, 4000);
+    QCOMPARE(peer.deadline(), kNever);
 }
 
 void SessionPartsTest::serialPathHasNoTrial()

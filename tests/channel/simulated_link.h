@@ -35,6 +35,7 @@ struct Flight
     std::uint16_t sourcePort = 0;
     std::uint64_t tag = 0; ///< number of the frame inside, for the harness; 0 = none
     Bytes bytes;
+    std::uint16_t targetPort = 0; ///< to which it was sent; 0: by an address without a port
 };
 
 class SimulatedLink

@@ -1,5 +1,5 @@
 // An agent with two modems to one station, on a virtual clock: the session uses the way that works, also where the other one
-// fails in one direction only, and loses nothing once it has changed over.
+// fails in one direction only, and loses nothing once it has changed over. On another carrier a new session does so.
 #include "core/crypto/x25519.h"
 #include "tests/channel/pair.h"
 #include "tests/support/test_runner.h"
@@ -16,12 +16,14 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr std::size_t kWays = 2;
+constexpr std::uint32_t kSecondOfStation = 9; ///< the station's link to a second way of another carrier
 
 /// The agent has a link to each modem; the station listens at one port, and knows the modems by their addresses.
 class TwoWays
 {
 public:
-    explicit TwoWays(std::uint64_t seed) : m_random(seed)
+    /// `second`: carrier of the second way; the first one is datagrams.
+    explicit TwoWays(std::uint64_t seed, Carrier second = Carrier::Datagram) : m_random(seed), m_second(second)
     {
         for (const Side side : {Ground, Air})
             m_keys[side] = std::make_shared<crypto::X25519KeyPair>(crypto::X25519KeyPair::generate(m_random));
@@ -98,10 +100,13 @@ private:
         Bytes bytes;
     };
 
-    static Path pathOf(Side from, std::size_t way)
+    Path pathOf(Side from, std::size_t way) const
     {
+        const Carrier carrier = way == 0 ? Carrier::Datagram : m_second;
         if (from == Ground) // as the agent sees it
-            return {LinkId{static_cast<std::uint32_t>(2 + way)}, {}};
+            return {LinkId{static_cast<std::uint32_t>(2 + way)}, {}, carrier, {}};
+        if (carrier != Carrier::Datagram)
+            return {LinkId{kSecondOfStation}, {}, carrier, {}};
         Path path{LinkId{1}, {}};
         path.remote.ip[15] = 1;
         path.remote.port = static_cast<std::uint16_t>(40000 + way);
@@ -109,7 +114,9 @@ private:
     }
     static std::size_t wayOf(Side from, const Path &to)
     {
-        return from == Air ? static_cast<std::size_t>(to.link) - 2 : to.remote.port - 40000u;
+        if (from == Air)
+            return static_cast<std::size_t>(to.link) - 2;
+        return to.link == LinkId{kSecondOfStation} ? 1 : to.remote.port - 40000u;
     }
 
     Config configOf(Side side) const
@@ -166,6 +173,7 @@ private:
     }
 
     SeededRandom m_random;
+    Carrier m_second;
     std::array<std::shared_ptr<crypto::X25519KeyPair>, 2> m_keys;
     std::array<End, 2> m_ends;
     std::array<std::array<bool, 2>, kWays> m_cut{};
@@ -205,13 +213,18 @@ void TwoWaysTest::takesTheWayThatWorks_data()
     QTest::addColumn<bool>("toGround");
     QTest::addColumn<bool>("toAir");
     QTest::addColumn<int>("delayMs");
-    for (const int delay : {5, 150}) {
-        const auto row = [delay](const char *what) -> QTestData & {
-            return QTest::addRow("%s, other way of %d ms", what, delay);
-        };
-        row("both directions are cut") << true << true << delay;
-        row("nothing reaches the station") << true << false << delay;
-        row("nothing reaches the agent") << false << true << delay;
+    QTest::addColumn<Carrier>("second");
+    const std::pair<Carrier, const char *> carriers[] = {
+        {Carrier::Datagram, "datagrams"}, {Carrier::Serial, "a serial line"}, {Carrier::Tunnel, "TUNNEL"}};
+    for (const auto &[carrier, name] : carriers) {
+        for (const int delay : {5, 150}) {
+            const auto row = [&, name = name](const char *what) -> QTestData & {
+                return QTest::addRow("%s, second way of %s, other way of %d ms", what, name, delay);
+            };
+            row("both directions are cut") << true << true << delay << carrier;
+            row("nothing reaches the station") << true << false << delay << carrier;
+            row("nothing reaches the agent") << false << true << delay << carrier;
+        }
     }
 }
 
@@ -220,17 +233,19 @@ void TwoWaysTest::takesTheWayThatWorks()
     QFETCH(bool, toGround);
     QFETCH(bool, toAir);
     QFETCH(int, delayMs);
+    QFETCH(Carrier, second);
     const Duration delay = std::chrono::milliseconds(delayMs);
     for (std::uint64_t seed = 0; seed < 50; ++seed) {
-        TwoWays ways(seed);
+        TwoWays ways(seed, second);
         ways.run(10s + seed * 37ms); // at any moment between two reports
         QVERIFY(ways.isUp(Ground) && ways.isUp(Air));
         const std::size_t used = ways.wayOf(Air), other = 1 - used;
         ways.setDelay(other, delay);
         ways.cut(used, Air, toGround);
         ways.cut(used, Ground, toAir);
-        // The agent announces itself there after 1.5 s of silence at the latest, and every 0.5 s.
-        ways.run(2200ms + 6 * delay);
+        // The agent announces itself there after 1.5 s of silence at the latest, and every 0.5 s. For a new session on another
+        // carrier, the station waits for 2.5 s of silence, or for a report that nothing reaches the agent, up to 1 s later.
+        ways.run((second == Carrier::Datagram ? 2200ms : 3700ms) + 6 * delay);
         for (const Side side : {Ground, Air})
             QCOMPARE(ways.wayOf(side), other);
         // From then on nothing is lost, also when the former way works again.

@@ -39,6 +39,7 @@ constexpr Named kNames[] = {
     {Weakness::RoamOnForged, "RoamOnForged"},
     {Weakness::RoamOnLate, "RoamOnLate"},
     {Weakness::NoTrial, "NoTrial"},
+    {Weakness::TrialByAnyEcho, "TrialByAnyEcho"},
     {Weakness::NoHardStop, "NoHardStop"},
     {Weakness::NoOvertakenLimit, "NoOvertakenLimit"},
     {Weakness::NoAgeLimit, "NoAgeLimit"},

@@ -9,7 +9,8 @@ REPORT_NUMBERS = ("good", "late", "lost", "replayed", "forged", "malformed", "pl
 FRAME_NUMBERS = ("frames_taken", "frames_lost")  # behind the others, where a flag says so
 COST_NUMBERS = ("cpu_us", "resident_bytes", "opened", "open_ns", "sealed", "seal_ns")  # likewise
 FRESHNESS_NUMBERS = ("stale", "age_us", "overtaken_limit_ms", "age_limit_ms")  # likewise, of an agent
-ANSWER_AT_ONCE, COUNTS_FRAMES, ASKS_COSTS, TELLS_COSTS, TELLS_FRESHNESS, CANNOT_STORE = 1, 2, 4, 8, 16, 32
+ANSWER_AT_ONCE, COUNTS_FRAMES, ASKS_COSTS, TELLS_COSTS, TELLS_FRESHNESS, CANNOT_STORE, RECEIVES_NOTHING = (
+    1, 2, 4, 8, 16, 32, 64)
 
 
 class Malformed(Exception):
@@ -134,7 +135,7 @@ def _names(flags):
 
 
 def _unpack_report(data):
-    if len(data) < 14 or data[1] > 31:
+    if len(data) < 14 or data[1] > 127:
         raise Malformed("short report, or unknown flags")
     report, at = Report(data[1], _read_u32(data, 2), _read_u32(data, 6), _read_u32(data, 10)), 14
     for name in _names(report.flags):
