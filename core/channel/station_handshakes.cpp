@@ -16,7 +16,7 @@ constexpr unsigned kMostUncookied = kCopies * HandshakeAttempt::kMaxPlaces;
 /// A peer that reports a greater counter is not believed: none may use up the counters that we have for all peers.
 constexpr std::uint64_t kGreatestBelieved = kGreatestCounter / 2;
 constexpr Duration kLongestPause = std::chrono::seconds(2);
-/// Lifetime of an attempt after the last announcement.
+/// Lifetime of an attempt after the last announcement; after a call it ends with the turn.
 constexpr Duration kWantedFor = std::chrono::seconds(10);
 constexpr Duration kAnnouncementPause = std::chrono::milliseconds(50);
 /// An answer costs two Diffie-Hellman computations before it is known to be false, and an eavesdropper can forge such answers:
@@ -75,7 +75,7 @@ StationHandshakes::Attempt *StationHandshakes::attemptWith(const PublicKey &peer
     return found == m_attempts.end() ? nullptr : &*found;
 }
 
-StationHandshakes::Attempt &StationHandshakes::want(TimePoint now, const PublicKey &peer, Carrier carrier, TimePoint due)
+StationHandshakes::Attempt &StationHandshakes::want(TimePoint until, const PublicKey &peer, Carrier carrier, TimePoint due)
 {
     Attempt *attempt = attemptWith(peer, carrier);
     if (!attempt) {
@@ -84,7 +84,7 @@ StationHandshakes::Attempt &StationHandshakes::want(TimePoint now, const PublicK
         attempt->carrier = carrier;
         attempt->due = due;
     }
-    attempt->wantedUntil = now + kWantedFor;
+    attempt->wantedUntil = std::max(attempt->wantedUntil, until);
     return *attempt;
 }
 
@@ -139,7 +139,7 @@ bool StationHandshakes::handleAnnouncement(TimePoint now, const Path &from, Byte
     if (const Session *session = m_core.table.upWith(known->key);
         session && !session->closing() && !mayReplace(*session, from.carrier) && !weakened(Weakness::TrustAnnouncements))
         due = std::max(now, session->lastReceived() + m_core.config.timing.keepAliveAfter * 5 / 4);
-    Attempt &attempt = want(now, known->key, from.carrier, due);
+    Attempt &attempt = want(now + kWantedFor, known->key, from.carrier, due);
     attempt.announced = now;
     attempt.announcedFrom = from;
     Place &place = attempt.placeAt(from);
@@ -361,7 +361,7 @@ void StationHandshakes::callAgents(TimePoint now)
     std::vector<Path> places = m_core.config.callAt;
     std::erase_if(places, [this](const Path &path) { return isTaken(path); });
     m_calls.take(now, agents, places, [&](const PublicKey &agent, const Path &place) {
-        want(now, agent, place.carrier, now).placeAt(place).proven = true; // by the operator, who named it
+        want(now + AgentCalls::kTurn, agent, place.carrier, now).placeAt(place).proven = true; // by the operator, who named it
     });
 }
 
@@ -390,7 +390,7 @@ void StationHandshakes::handleDeadline(TimePoint now)
         if (!entry.up || !entry.session->silent(now))
             return;
         const Path &path = entry.session->path();
-        Attempt &attempt = want(now, entry.session->peer().key, path.carrier, now);
+        Attempt &attempt = want(now + kWantedFor, entry.session->peer().key, path.carrier, now);
         attempt.placeAt(path).proven = true;
     });
     dropUnwanted(now);

@@ -55,7 +55,7 @@ private:
     Attempt *attemptOfCookie(TimePoint now, const Path &from, ByteView datagram, Cookie &cookie);
     Attempt *attemptAnsweredBy(const Path &from, ByteView datagram);
     bool isRepeated(ByteView datagram) const;
-    Attempt &want(TimePoint now, const PublicKey &peer, Carrier carrier, TimePoint due);
+    Attempt &want(TimePoint until, const PublicKey &peer, Carrier carrier, TimePoint due);
     void send(TimePoint now, Attempt &attempt);
     void sendTo(TimePoint now, Attempt &attempt, Place &place);
     bool prepareFirst(TimePoint now, Attempt &attempt);

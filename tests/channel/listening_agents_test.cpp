@@ -1,5 +1,6 @@
 // Agents that listen and announce nothing, on a virtual clock: a station that knows their addresses, but not which agent is at
 // which, gets a session with each.
+#include "core/channel/mac1.h"
 #include "core/crypto/x25519.h"
 #include "tests/channel/pair.h"
 #include "tests/support/test_runner.h"
@@ -7,6 +8,7 @@
 #include <QtTest/QTest>
 
 #include <map>
+#include <set>
 
 using namespace skyseal;
 using namespace skyseal::test;
@@ -65,7 +67,8 @@ public:
     void restart(std::size_t agent) { start(m_agents[agent]); }
 
     TimePoint now{1h};
-    std::uint64_t firsts = 0; ///< first messages that the station sent
+    std::uint64_t firsts = 0;     ///< first messages that the station sent
+    std::set<std::size_t> called; ///< agents to which they were addressed
 
 private:
     struct Agent
@@ -116,10 +119,19 @@ private:
             at(datagram.address).endpoint->handleDatagram(now, Path{LinkId{9}, {{}, 40000}}, datagram.bytes);
         pump();
     }
+    void noteFirst(ByteView message)
+    {
+        ++firsts;
+        for (std::size_t i = 0; i < m_agents.size(); ++i) {
+            if (Mac1(m_agents[i].identity->publicKey).verify(message))
+                called.insert(i);
+        }
+    }
     void pump()
     {
         while (const auto sent = m_station->pollTransmit()) {
-            firsts += sent->bytes[0] == 0x59;
+            if (sent->bytes[0] == 0x59)
+                noteFirst(sent->bytes);
             const std::size_t address = static_cast<std::size_t>(sent->to.link) - 1;
             m_flying.emplace(now + 10ms, Datagram{false, address, Bytes(sent->bytes.begin(), sent->bytes.end())});
         }
@@ -161,6 +173,7 @@ private Q_SLOTS:
     void manyAreFoundInTurns();
     void isFoundAgainAfterARestart();
     void silentAddressIsCalledSparingly();
+    void fourAreCalledAtATime();
 };
 
 void ListeningAgentsTest::nobodyIsCalledWithoutAnAddress()
@@ -220,10 +233,22 @@ void ListeningAgentsTest::silentAddressIsCalledSparingly()
     Listeners listeners(100);
     listeners.call({200}); // where nobody is
     listeners.run(60s);
-    // Two groups of four are wanted at a time, each agent at most at 250 ms, 500 ms, 1 s and then every 2 s, less a quarter.
+    // Twelve turns of four agents, each called at once, after 250 ms, 500 ms, 1 s and 2 s, less a quarter.
     QVERIFY(listeners.firsts > 100);
-    QVERIFY2(listeners.firsts < 60 * 8 * 2, qPrintable(QString::number(listeners.firsts)));
+    QVERIFY2(listeners.firsts <= 12 * 4 * 6, qPrintable(QString::number(listeners.firsts)));
     QCOMPARE(listeners.sessions(), std::size_t(0));
+}
+
+void ListeningAgentsTest::fourAreCalledAtATime()
+{
+    Listeners listeners(10);
+    listeners.call({200});
+    for (const std::size_t agents : {4u, 4u, 2u, 4u, 4u, 2u}) {
+        listeners.run(5s - 1ms);
+        QCOMPARE(listeners.called.size(), agents);
+        listeners.called.clear();
+        listeners.run(1ms);
+    }
 }
 
 SKYSEAL_TEST(ListeningAgentsTest)
