@@ -238,7 +238,7 @@ inline handleNumber()
 active proctype Station()
 {
     do
-    /* An announcement, or silence: the attempt begins, or gets a fresh first message. */
+    /* An announcement, a call, or silence: the attempt begins, or gets a fresh first message. */
     :: d_step { !over && counter < COUNTERS -> newFirst() }
     /* An authentic record of the session that is up ends the attempt. */
     :: d_step { !over && attempt && stationUp && stationUp == agentUp -> attempt = 0 }
