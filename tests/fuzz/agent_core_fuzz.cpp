@@ -1,8 +1,13 @@
-// A whole agent between a vehicle and three stations. The input is the settings of both and a program of steps: time passes,
-// stations send frames, in records or sealed in place, frames are held back, replayed, changed or cut off, clear frames and any
-// bytes arrive, roles change, stations pair and close, the store fails. Whatever happens, each frame that leaves for the
-// vehicle is one that a station sealed, once; unless it only asks, a pilot sealed it, a moment ago, and has not closed since;
-// nobody is paired without both people; and nothing grows.
+// A whole agent between a vehicle and three stations. The input is the settings of both, the ground links of the agent (one or
+// several, which call or listen, in the same or different carriers) and a program of steps: time passes, stations send frames,
+// in records or sealed in place, frames are held back, replayed, changed, cut off or copied to another link, links fail in one
+// direction or both, clear frames and any bytes arrive, also from strangers, roles change, stations pair and close, the store
+// fails. Whatever happens, each frame that leaves for the vehicle is one that a station sealed, once; unless it only asks, a
+// pilot sealed it, a moment ago, and has not closed since; nobody is paired without both people; addresses that proved nothing
+// get no more than they sent, and nothing unasked where the agent listens; and nothing grows.
+#include "tests/fuzz/agent_settings.h"
+#include "tests/fuzz/exchanges.h"
+#include "tests/fuzz/ground_frames.h"
 #include "tests/fuzz/harmless_frame.h"
 #include "tests/fuzz/remote_end.h"
 #include "tests/fuzz/simulated_host.h"
@@ -28,19 +33,15 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr LinkId kVehicleLink{1}, kGroundLink{2}; // as engine::groundLink(0)
+using engine::groundIndex;
+using engine::groundLink;
+using engine::kVehicleLink;
+
 constexpr std::size_t kStations = 3;
+constexpr std::size_t kFirstStranger = 50; ///< the number of its address
 constexpr Duration kStep = 50ms;
 
 const Address kVehicleAddress = addressOf(100);
-
-/// Bits 3 and 4 of the settings select T, bits 5 and 6 T2.
-FreshnessLimits limitsOf(std::uint8_t settings)
-{
-    const Duration overtaken[] = {1s, FreshnessLimits::kLeastOvertaken, FreshnessLimits::kMostOvertaken, 1s};
-    const std::optional<Duration> age[] = {5s, FreshnessLimits::kLeastAge, FreshnessLimits::kMostAge, std::nullopt};
-    return {overtaken[settings >> 3 & 3], age[settings >> 5 & 3]};
-}
 
 /// A frame that a station sealed. Its number is its place in the order of sealing.
 struct SealedFrame
@@ -63,7 +64,8 @@ struct Station
 class AgentFlight
 {
 public:
-    AgentFlight(Carrier carrier, std::uint8_t settings) : m_limits(limitsOf(settings))
+    AgentFlight(std::vector<engine::GroundLink> grounds, std::uint8_t settings)
+        : m_grounds(std::move(grounds)), m_limits(limitsOf(settings))
     {
         static const auto agent = keyPair(100);
         auto secrets = std::make_unique<engine::SecretFiles>();
@@ -82,15 +84,13 @@ public:
             config.identity = keys[i];
             config.policy = policyOf(settings & 1);
             config.peers = {{agent->publicKey, "air", PeerRole::Pilot, {}}};
-            station.end = std::make_unique<RemoteEnd>(std::move(config), Path{kGroundLink, addressOf(99), carrier},
+            station.end = std::make_unique<RemoteEnd>(std::move(config), waysToAgent(),
                                                       Node{static_cast<std::uint8_t>(250 + i), 190}, 10 + i, now());
         }
-        const bool stream = carrier == Carrier::Serial;
-        engine::AgentConfig config{
-            .vehicle = SimulatedHost::url("udpin:14560"),
-            .grounds = {{SimulatedHost::url(stream ? "tcpin:14550" : "udpout:192.0.2.1:14550"), carrier}},
-            .policy = policyOf(settings & 6),
-            .freshness = m_limits};
+        engine::AgentConfig config{.vehicle = SimulatedHost::url("udpin:14560"),
+                                   .grounds = m_grounds,
+                                   .policy = policyOf(settings & 6),
+                                   .freshness = m_limits};
         m_agent = std::make_unique<engine::AgentCore>(std::move(config), std::move(secrets),
                                                       [this](const engine::AgentEvent &event) { judge(event); });
         m_agent->start();
@@ -119,15 +119,17 @@ private:
         switch (operation % 32) {
         case 0: return pass(argument * 10ms);
         case 1: return pass(argument * 100ms);
-        case 2: return send(number, frame(argument & 0x7f, in), argument & 0x80);
+        case 2: return send(number, m_frames.make(argument & 0x7f, in), argument & 0x80);
         case 3: station.end->hold(argument); return pump();
         case 4: return station.end->withholdNewest(); // step 5 delivers it
         case 5: return arrive(station, station.end->repeat(argument));
         case 6: return arrive(station, station.end->changed(argument, in.u8()));
         case 7: return arrive(station, station.end->cut(argument));
-        case 8: return arrive(kGroundLink, addressOf(number), anyBytes());
+        case 8: return arrive(groundLink(0), addressOf(number), anyBytes());
         case 9: return arrive(kVehicleLink, kVehicleAddress, anyBytes());
-        case 10: return arrive(kGroundLink, addressOf(number), frame(argument & 0x7f, in));
+        case 10:
+            return arrive(argument & 0x80 ? lastGround() : groundLink(0), addressOf(number),
+                          m_frames.make(argument & 0x7f, in));
         case 11: return setRole(station, argument);
         case 12: {
             const ByteView bytes = anyBytes();
@@ -140,44 +142,45 @@ private:
         case 17: return openPairing(number, argument);
         case 18: return decidePairing(station, argument);
         case 19: m_isArmed = argument & 1; return;
-        case 20:
-            host().reconnect(kGroundLink, addressOf(number));
-            station.end->reconnect(now());
-            return pump();
+        case 20: return reconnect(number);
+        case 21: // from a stranger: any bytes, or what a station has sent
+            if (argument & 0x80)
+                return arrive(ground(argument), addressOf(kFirstStranger + (argument >> 3 & 3)), strangeBytes(in));
+            return overhear(station, ground(argument), kFirstStranger + (argument >> 3 & 3), in.u8());
+        case 22: // ground links fail, towards the agent and from it
+            m_isCut[0] = argument & 15;
+            m_isCut[1] = argument >> 4;
+            return;
+        case 23: station.end->setCalling(now(), argument & 1); return pump();
+        case 24: // what a station has sent, on another link
+            return overhear(station, ground(argument), number, in.u8());
         default: return;
         }
     }
 
+    static ByteView strangeBytes(ByteReader &in) { return in.bytes(std::min<std::size_t>(in.u8(), in.remaining())); }
+    LinkId lastGround() const { return groundLink(m_grounds.size() - 1); }
+    LinkId ground(std::size_t choice) const { return groundLink((choice & 7) % m_grounds.size()); }
+
     // ---- the stations
 
-    /// An arming command, a question, or any message of the dialect, to the vehicle. Each has another number within, as far as
-    /// its payload has room.
-    Bytes frame(std::uint8_t kind, ByteReader &in)
+    /// Where they find the agent. They call where it listens.
+    std::vector<RemoteEnd::Way> waysToAgent() const
     {
-        const auto number = static_cast<std::uint32_t>(++m_frameNumber);
-        std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
-        mavlink::CommandLong command;
-        command.command = kind == 0 ? mavlink::MAV_CMD_COMPONENT_ARM_DISARM : mavlink::MAV_CMD_REQUEST_MESSAGE;
-        command.param1 = kind == 0 ? 1 : static_cast<float>(number);
-        command.param5 = kind == 0 ? static_cast<float>(number) : 0;
-        command.target_system = 1;
-        command.target_component = 1;
-        ByteView out;
-        if (kind < 2) {
-            out = m_ground.write(command, buffer);
-        } else {
-            const auto messages = mavlink::Dialect::builtin().messages();
-            const mavlink::MessageInfo &info = messages[((kind - 2u) * 256u + in.u8()) % messages.size()];
-            std::array<std::uint8_t, 255> payload{};
-            for (std::size_t i = 0; i < 4; ++i)
-                payload[i] = static_cast<std::uint8_t>(number >> 8 * i);
-            for (const std::int16_t target : {info.targetSystemOffset, info.targetComponentOffset}) {
-                if (target >= 0)
-                    payload[static_cast<std::size_t>(target)] = 1;
-            }
-            out = m_ground.write(info.id, info.crcExtra, info.minLength, ByteView(payload).first(info.maxLength), buffer);
+        std::vector<RemoteEnd::Way> out;
+        for (std::size_t i = 0; i < m_grounds.size(); ++i)
+            out.push_back({{groundLink(i), addressOf(99), m_grounds[i].carrier}, listensAt(groundLink(i))});
+        return out;
+    }
+    bool listensAt(LinkId link) const { return m_grounds[groundIndex(link)].url.traits().isDatagramServer(); }
+
+    void reconnect(std::size_t number)
+    {
+        for (std::size_t i = 0; i < m_grounds.size(); ++i) {
+            host().reconnect(groundLink(i), addressOf(number));
+            m_stations[number].end->reconnect(now(), groundLink(i));
         }
-        return Bytes(out.begin(), out.end());
+        pump();
     }
 
     void send(std::size_t number, const Bytes &frames, bool inRecord)
@@ -260,17 +263,46 @@ private:
     }
     void arrive(LinkId link, const Address &from, ByteView bytes)
     {
-        host().receive(link, from, bytes);
+        if (link == kVehicleLink)
+            host().receive(link, from, bytes);
+        else
+            takeAtGround(link, from, bytes);
+        pump();
+    }
+    /// A block that this station has sent arrives on another link, or from a stranger.
+    void overhear(Station &station, LinkId link, std::size_t from, std::uint8_t choice)
+    {
+        const auto block = station.end->repeat(choice);
+        if (!block)
+            return;
+        const bool accepted = takeAtGround(link, addressOf(from), block->bytes);
+        if (block->closes && accepted)
+            station.closed = *block->closes;
         pump();
     }
     void deliver(Station &station, const RemoteEnd::Block &block)
     {
-        const auto accepted = [this] { return m_agent->snapshot().channel.rx.good; };
-        const std::uint64_t before = block.closes ? accepted() : 0;
-        host().receive(kGroundLink, addressOf(static_cast<std::size_t>(&station - m_stations.data())), block.bytes);
-        collect(); // before the Close counts
-        if (block.closes && accepted() > before)
+        if (m_isCut[0] >> groundIndex(block.link) & 1)
+            return;
+        const auto from = addressOf(static_cast<std::size_t>(&station - m_stations.data()));
+        if (takeAtGround(block.link, from, block.bytes) && block.closes)
             station.closed = *block.closes;
+    }
+    /// Returns true if the agent accepted a record. What it causes is collected first: the Close in it counts afterwards.
+    bool takeAtGround(LinkId link, const Address &from, ByteView bytes)
+    {
+        const Carrier carrier = m_grounds[groundIndex(link)].carrier;
+        const bool mayBeRecord = carrier != Carrier::Datagram || bytes.empty()
+            || messageHead(carrier, bytes) < kAnnouncementHead;
+        const auto good = [&] { return mayBeRecord ? m_agent->snapshot().channel.rx.good : 0; };
+        m_exchanges.received(link, from, bytes.size());
+        const std::uint64_t before = good();
+        host().receive(link, from, bytes);
+        const bool accepted = good() > before;
+        if (accepted)
+            m_exchanges.proved(link, from);
+        collect();
+        return accepted;
     }
 
     void pass(Duration span)
@@ -301,9 +333,11 @@ private:
             takePaired();
             bool moved = !m_toGround.empty();
             for (const SentBlock &sent : std::exchange(m_toGround, {})) {
+                if (m_isCut[1] >> groundIndex(sent.link) & 1)
+                    continue;
                 for (std::size_t i = 0; i < kStations; ++i) {
-                    if (sent.to == Address{} || sent.to == addressOf(i))
-                        m_stations[i].end->receive(now(), sent.bytes);
+                    if (isCalled(sent) || sent.to == addressOf(i))
+                        m_stations[i].end->receive(now(), sent.link, sent.bytes);
                 }
             }
             for (Station &station : m_stations) {
@@ -323,11 +357,30 @@ private:
     void collect()
     {
         for (SentBlock &sent : host().takeSent()) {
-            if (sent.link == kVehicleLink)
+            if (sent.link == kVehicleLink) {
                 judge(sent.bytes);
-            else
+            } else {
+                judge(sent);
                 m_toGround.push_back(std::move(sent));
+            }
         }
+    }
+    /// Whether a block goes to the address that the operator named, or to all at the other end of a stream.
+    static bool isCalled(const SentBlock &sent)
+    {
+        return sent.to == Address{} || sent.to == SimulatedHost::remoteOf(sent.link);
+    }
+
+    /// A block for the ground.
+    void judge(const SentBlock &sent)
+    {
+        const std::uint8_t head = messageHead(m_grounds[groundIndex(sent.link)].carrier, sent.bytes);
+        if (listensAt(sent.link) && !m_exchanges.hasProved(sent.link, sent.to)
+            && (!m_exchanges.hasReceived(sent.link, sent.to) || head == kAnnouncementHead || head == kCallHead))
+            violated("where the agent listens it announces nothing");
+        // Openings and words of a pairing go to an end that has received the agent's random id.
+        if (!isCalled(sent) && head != kPairingSealedHead)
+            m_exchanges.sent(sent.link, sent.to, sent.bytes.size());
     }
 
     /// A block for the vehicle, which is one frame.
@@ -386,14 +439,17 @@ private:
         m_paired.push_back(paired->peer);
     }
 
+    std::vector<engine::GroundLink> m_grounds;
     FreshnessLimits m_limits;
+    std::array<std::uint8_t, 2> m_isCut{}; ///< ground links that fail, a bit each: towards the agent, and from it
+    Exchanges m_exchanges;                 ///< on the ground links
     MemoryCounterStore *m_counters = nullptr;
     std::array<Station, kStations> m_stations;
     std::vector<SealedFrame> m_sealed;
     std::map<Bytes, std::vector<std::size_t>> m_byBytes; ///< into m_sealed
-    std::size_t m_frameNumber = 0;
+    GroundFrames m_frames;
     std::vector<SentBlock> m_toGround;
-    mavlink::FrameWriter m_ground{255, 190}, m_vehicle{1, 1};
+    mavlink::FrameWriter m_vehicle{1, 1};
     TimePoint m_nextHeartbeat{};
     bool m_isArmed = false;
     std::optional<channel::PublicKey> m_shown; ///< by the agent's pairing
@@ -415,8 +471,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         std::abort();
     SimulatedHost::instance().reset();
     ByteReader in(ByteView(data, size));
-    const auto carrier = static_cast<Carrier>(1 + in.u8() % 3);
-    AgentFlight flight(carrier, in.u8());
+    auto grounds = groundsOf(in.u8());
+    AgentFlight flight(std::move(grounds), in.u8());
     flight.run(in);
     return 0;
 }

@@ -8,8 +8,6 @@
 #include "core/mavlink/frame_intake.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 
 namespace skyseal::test {
 
@@ -18,16 +16,6 @@ namespace {
 constexpr std::size_t kMostHistory = 32;
 
 } // namespace
-
-void violated(const char *oracle)
-{
-    std::fprintf(stderr, "violated: %s\n", oracle);
-#ifdef SKYSEAL_WEAKEN
-    std::_Exit(1);
-#else
-    std::abort();
-#endif
-}
 
 Address addressOf(std::size_t number)
 {
@@ -62,14 +50,23 @@ Policy policyOf(std::uint8_t choice)
     return out;
 }
 
-RemoteEnd::RemoteEnd(Config config, const Path &engine, Node node, std::uint64_t seed, TimePoint now)
-    : m_random(seed), m_config(std::move(config)), m_engine(engine)
+RemoteEnd::RemoteEnd(Config config, std::vector<Way> ways, Node node, std::uint64_t seed, TimePoint now)
+    : m_random(seed), m_config(std::move(config)), m_ways(std::move(ways))
 {
     m_config.messageTraits = std::make_shared<engine::DialectTraits>(mavlink::Dialect::builtin());
-    if (m_config.role == Role::Agent)
-        m_config.announceTo = {m_engine};
+    (m_config.role == Role::Agent ? m_config.announceTo : m_config.callAt) = called();
     m_endpoint = std::make_unique<Endpoint>(m_config, m_random, m_counters, now);
     m_writer.setNode(node);
+}
+
+std::vector<Path> RemoteEnd::called() const
+{
+    std::vector<Path> out;
+    for (const Way &way : m_ways) {
+        if (way.calls)
+            out.push_back(way.engine);
+    }
+    return out;
 }
 
 // ---- what it sends
@@ -112,7 +109,7 @@ void RemoteEnd::openPairing(TimePoint now, std::string name, std::uint8_t system
     config.systemId = systemId;
     config.passphrase = passphraseOf(passphrase);
     if (m_config.role == Role::Agent)
-        config.callTo = {m_engine};
+        config.callTo = called();
     m_pairing.emplace(std::move(config), m_random, now);
     m_shown.reset();
 }
@@ -130,10 +127,18 @@ void RemoteEnd::cancelPairing(TimePoint now)
         m_pairing->cancel(now);
 }
 
-void RemoteEnd::reconnect(TimePoint now)
+void RemoteEnd::reconnect(TimePoint now, LinkId link)
 {
-    m_reader.forget(m_engine);
-    m_endpoint->handleStreamBegan(now, m_engine.link);
+    for (const Way &way : m_ways) {
+        if (way.engine.link == link)
+            m_reader.forget(way.engine);
+    }
+    m_endpoint->handleStreamBegan(now, link);
+}
+
+void RemoteEnd::setCalling(TimePoint now, bool calling)
+{
+    m_endpoint->setCallAt(now, calling ? called() : std::vector<Path>());
 }
 
 void RemoteEnd::handleDeadline(TimePoint now)
@@ -165,22 +170,27 @@ void RemoteEnd::poll(TimePoint now)
 
 void RemoteEnd::transmit(const Path &to, ByteView message, std::optional<std::size_t> closes)
 {
-    m_writer.write(to, message, [&](ByteView block) { m_queue.push_back({Bytes(block.begin(), block.end()), closes}); });
+    m_writer.write(to, message, [&](ByteView block) {
+        m_queue.push_back({Bytes(block.begin(), block.end()), closes, to.link});
+    });
 }
 
 // ---- what it receives
 
-void RemoteEnd::receive(TimePoint now, ByteView block)
+void RemoteEnd::receive(TimePoint now, LinkId link, ByteView block)
 {
+    const auto way = std::ranges::find(m_ways, link, [](const Way &each) { return each.engine.link; });
+    if (way == m_ways.end())
+        return;
     Bytes bytes(block.begin(), block.end());
-    const link::ReceivedBlock received{{m_engine.link, m_engine.remote}, bytes, now};
-    if (m_engine.carrier == Carrier::Serial) {
+    const link::ReceivedBlock received{{link, way->engine.remote}, bytes, now};
+    if (way->engine.carrier == Carrier::Serial) {
         m_reader.takeCobs(
             received, [&](ByteView message) { return m_endpoint->namesSerialSession(message); },
             [&](const link::ReceivedBlock &message) { handleMessage(now, message); });
         return;
     }
-    const bool datagrams = m_engine.carrier == Carrier::Datagram;
+    const bool datagrams = way->engine.carrier == Carrier::Datagram;
     if (datagrams && !bytes.empty() && Endpoint::owns(bytes[0]))
         return handleMessage(now, received);
     mavlink::scanFrames(block, mavlink::Dialect::builtin(), [&](const mavlink::ScanItem &item) {
@@ -249,7 +259,7 @@ std::optional<RemoteEnd::Block> RemoteEnd::changed(std::uint8_t at, std::uint8_t
 {
     if (m_history.empty())
         return std::nullopt;
-    Block out{m_history.back().bytes, {}};
+    Block out{m_history.back().bytes, {}, m_history.back().link};
     out.bytes[at % out.bytes.size()] ^= static_cast<std::uint8_t>(1 + by % 255);
     return out;
 }
@@ -258,7 +268,7 @@ std::optional<RemoteEnd::Block> RemoteEnd::cut(std::uint8_t length) const
 {
     if (m_history.empty())
         return std::nullopt;
-    Block out{m_history.back().bytes, {}};
+    Block out{m_history.back().bytes, {}, m_history.back().link};
     out.bytes.resize(length % out.bytes.size());
     return out;
 }

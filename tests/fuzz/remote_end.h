@@ -1,4 +1,4 @@
-// The other end of an engine that is fuzzed, and the attacker on its path. An endpoint, and a pairing if one is open, whose
+// The other end of an engine that is fuzzed, and the attacker on its paths. An endpoint, and a pairing if one is open, whose
 // blocks wait in a queue: steps of the input hold, reorder, withhold, repeat, change or cut them before they reach the engine.
 #pragma once
 
@@ -8,19 +8,17 @@
 #include "core/engine/common/carrier_reader.h"
 #include "core/engine/common/carrier_writer.h"
 #include "tests/channel/pair.h"
+#include "tests/fuzz/oracle.h"
 
 #include <deque>
 #include <optional>
+#include <vector>
 
 namespace skyseal::crypto {
 class Passphrase;
 }
 
 namespace skyseal::test {
-
-/// Ends the run: the oracle with this name found a violation. A weakened twin exits with an error, so that its test can read
-/// the name; a fuzzer crashes.
-[[noreturn]] void violated(const char *oracle);
 
 /// 10.0.0.1 and so on.
 Address addressOf(std::size_t number);
@@ -39,13 +37,20 @@ public:
     {
         Bytes bytes;
         std::optional<std::size_t> closes; ///< it carries a Close: the mark passed to close()
+        LinkId link{};                     ///< of the engine, at which it arrives
+    };
+    /// A link of the engine that this end can reach.
+    struct Way
+    {
+        Path engine;        ///< where this end finds the engine, and in which carrier
+        bool calls = false; ///< an agent announces itself there, a station calls; otherwise the engine begins
     };
 
-    /// `engine`: where this end finds the engine, and in which carrier. `node`: its ids in TUNNEL.
-    RemoteEnd(Config config, const Path &engine, Node node, std::uint64_t seed, TimePoint now);
+    /// `node`: its ids in TUNNEL.
+    RemoteEnd(Config config, std::vector<Way> ways, Node node, std::uint64_t seed, TimePoint now);
 
     Endpoint &endpoint() { return *m_endpoint; }
-    const Path &engine() const { return m_engine; }
+    const std::vector<Way> &ways() const { return m_ways; }
     bool hasSession() const { return !m_endpoint->sessions().empty(); }
 
     /// Seals frames and queues them, a single one in place if the session's framing says so and `inRecord` is false. Returns
@@ -59,12 +64,14 @@ public:
     /// The person at this end confirms the engine, if it is shown. Returns true if so.
     bool confirmPairing(TimePoint now);
     void cancelPairing(TimePoint now);
-    /// The stream to the engine began anew.
-    void reconnect(TimePoint now);
+    /// The stream to this link of the engine began anew.
+    void reconnect(TimePoint now, LinkId link);
+    /// A station calls where it may, or not at all.
+    void setCalling(TimePoint now, bool calling);
 
     void handleDeadline(TimePoint now);
-    /// A block from the engine.
-    void receive(TimePoint now, ByteView block);
+    /// A block from this link of the engine; ignored where this end cannot reach it.
+    void receive(TimePoint now, LinkId link, ByteView block);
     /// Moves the output of the endpoint and the pairing to the queue. The session follows the key of a pairing that succeeded.
     void poll(TimePoint now);
 
@@ -82,6 +89,7 @@ public:
     std::optional<Block> cut(std::uint8_t length) const;
 
 private:
+    std::vector<Path> called() const;
     void transmit(const Path &to, ByteView message, std::optional<std::size_t> closes = {});
     void handleMessage(TimePoint now, const link::ReceivedBlock &message);
     void keep(Block block);
@@ -89,7 +97,7 @@ private:
     SeededRandom m_random;
     MemoryCounterStore m_counters;
     Config m_config;
-    Path m_engine;
+    std::vector<Way> m_ways;
     std::unique_ptr<Endpoint> m_endpoint;
     std::optional<Pairing> m_pairing;
     std::optional<channel::PublicKey> m_shown; ///< by the pairing

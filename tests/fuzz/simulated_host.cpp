@@ -8,8 +8,6 @@
 #include <map>
 #include <random>
 
-#include <malloc.h>
-
 #ifdef __clang__
 #pragma clang diagnostic ignored "-Wreturn-type-c-linkage" // the wrapped symbol is a mangled C++ name
 #endif
@@ -19,7 +17,6 @@ void __wrap__ZN6QTimer5startEi(QTimer *timer, int milliseconds);
 void __wrap__ZN6QTimer4stopEv(QTimer *timer);
 bool __wrap__ZNK6QTimer8isActiveEv(const QTimer *timer);
 void __wrap_randombytes_buf(void *out, std::size_t size);
-std::size_t __sanitizer_get_current_allocated_bytes() __attribute__((weak));
 }
 
 namespace skyseal::test {
@@ -61,8 +58,11 @@ public:
     }
     void open() override { setState(traits().isListening ? link::LinkState::Listening : link::LinkState::Connected); }
     void close() override { setState(link::LinkState::Closed); }
+    Address remote() const override { return traits().isDatagramClient() ? SimulatedHost::remoteOf(id()) : Address{}; }
     void send(const Address &to, ByteView block) override
     {
+        ++m_counters.txBlocks;
+        m_counters.txBytes += block.size();
         SimulatedHost::instance().m_sent.push_back({id(), to, Bytes(block.begin(), block.end())});
     }
     void flush() override {}
@@ -139,6 +139,14 @@ link::LinkUrl SimulatedHost::url(std::string_view text)
     return *parsed;
 }
 
+Address SimulatedHost::remoteOf(LinkId link)
+{
+    Address out;
+    out.ip = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xff, 0xff, 192, 0, 2, static_cast<std::uint8_t>(link)};
+    out.port = 14550;
+    return out;
+}
+
 void SimulatedHost::receive(LinkId link, const Address &from, ByteView bytes)
 {
     if (const auto found = links().find(link); found != links().end())
@@ -149,13 +157,6 @@ void SimulatedHost::reconnect(LinkId link, const Address &from)
 {
     if (const auto found = links().find(link); found != links().end())
         static_cast<HostLink *>(found->second)->reconnect(from);
-}
-
-std::size_t allocatedBytes()
-{
-    if (__sanitizer_get_current_allocated_bytes)
-        return __sanitizer_get_current_allocated_bytes();
-    return mallinfo2().uordblks;
 }
 
 } // namespace skyseal::test

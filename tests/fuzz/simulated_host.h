@@ -29,8 +29,9 @@ public:
     /// Lets the time pass; timers that are due fire in their order.
     void advance(Duration span);
 
-    /// "udpin:", "udpout:" and "tcpin:" with simulated links.
+    /// "udpin:", "udpout:" and "tcpin:" with simulated links. A udpout link has the remote remoteOf(), whatever its URL says.
     static link::LinkUrl url(std::string_view text);
+    static Address remoteOf(LinkId link);
     /// A block arrives at a link of the engine.
     void receive(LinkId link, const Address &from, ByteView bytes);
     /// The stream from this address to a link of the engine ends, and another begins.
@@ -44,8 +45,5 @@ private:
 
     friend class HostLink;
 };
-
-/// Bytes that are allocated now; 0 where the library cannot say.
-std::size_t allocatedBytes();
 
 } // namespace skyseal::test

@@ -1,16 +1,22 @@
 // A whole ground station between two agents, whose keys are bound to the systems 1 and 2, and a third device in clear. The
-// input is the settings of all ends and a program of steps: time passes, agents send telemetry, in records or sealed in place,
-// in their own name or in the other's, records are held back, replayed, changed or cut off, clear frames and any bytes arrive,
-// the list of peers and the policy change, agents pair and close, the store fails. Whatever happens, a position that is shown
-// was sealed by the agent of that system and replaces no newer one; nobody is paired without both people; and nothing grows.
+// input is the settings of all ends, the links of the station (with udpout links it calls agents that listen) and a program of
+// steps: time passes, agents send telemetry, in records or sealed in place, in their own name or in the other's, records are
+// held back, replayed, changed or cut off, clear frames and any bytes arrive, also from strangers, the list of peers and the
+// policy change, agents pair and close, the store fails. Whatever happens, a position that is shown was sealed by the agent of
+// that system and replaces no newer one; nobody is paired without both people; addresses that proved nothing get no more than
+// they sent; a few agents are called at a time, and none where MAVLink comes from; and nothing grows.
+#include "tests/fuzz/call_watch.h"
+#include "tests/fuzz/exchanges.h"
 #include "tests/fuzz/remote_end.h"
 #include "tests/fuzz/simulated_host.h"
 
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/x25519.h"
+#include "core/engine/common/sealed_in_place.h"
 #include "core/engine/station/snapshot.h"
 #include "core/engine/station/station_core.h"
 #include "core/mavlink/enums.h"
+#include "core/mavlink/frame_intake.h"
 #include "core/mavlink/messages.h"
 
 #include <QtCore/QCoreApplication>
@@ -26,8 +32,10 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr LinkId kDatagrams{1}, kStreams{2};
+constexpr LinkId kDatagrams{1}, kStreams{2}, kFirstCall{3};
 constexpr std::size_t kAgents = 2;
+constexpr std::size_t kAbsentAgents = 20;  ///< listed, and nowhere
+constexpr std::size_t kFirstStranger = 50; ///< the number of its address
 constexpr Duration kOvertaken = 1s;
 constexpr Duration kStep = 50ms;
 constexpr std::int32_t kFirstLatitude = 100'000'000; ///< in 1e-7 degrees; the number of a position is added
@@ -38,6 +46,13 @@ Path pathOf(std::uint8_t carriers, std::size_t agent)
     const unsigned choice = carriers >> 2 * agent & 3u;
     const Carrier carriersOf[] = {Carrier::Datagram, Carrier::Tunnel, Carrier::Serial, Carrier::Tunnel};
     return {choice < 2 ? kDatagrams : kStreams, addressOf(99), carriersOf[choice]};
+}
+
+/// The number of udpout links, two bits for it.
+std::size_t callLinksOf(std::uint8_t choice)
+{
+    constexpr std::size_t counts[] = {0, 1, 3, 12};
+    return counts[choice & 3];
 }
 
 struct Position
@@ -60,7 +75,9 @@ struct Agent
 class StationFlight
 {
 public:
-    StationFlight(std::uint8_t carriers, std::uint8_t settings)
+    /// `paths`: two bits for the carrier of each agent, two for the number of udpout links; then whether there are more agents,
+    /// and whether both listen at the last of these links instead.
+    StationFlight(std::uint8_t paths, std::uint8_t settings) : m_callLinks(callLinksOf(paths >> 4))
     {
         static const auto station = keyPair(100);
         auto secrets = std::make_unique<engine::SecretFiles>();
@@ -80,9 +97,17 @@ public:
             config.identity = keys[i];
             config.policy = policyOf(settings & 1);
             config.peers = {{station->publicKey, "ground", PeerRole::Pilot, {}}};
-            agent.end = std::make_unique<RemoteEnd>(std::move(config), pathOf(carriers, i), Node{systemOf(i), 191}, 10 + i,
-                                                    now());
+            RemoteEnd::Way way{pathOf(paths, i), true};
+            if (paths & 0x80 && m_callLinks > i)
+                way = {{callLink(m_callLinks - 1 - i), addressOf(99)}, false};
+            agent.end = std::make_unique<RemoteEnd>(std::move(config), std::vector{way}, Node{systemOf(i), 191}, 10 + i, now());
         }
+        static const std::vector<Peer> absent = absentAgents();
+        if (paths & 0x40)
+            m_absent = absent;
+        secrets->peers.insert(secrets->peers.end(), m_absent.begin(), m_absent.end());
+        for (const Peer &peer : secrets->peers)
+            m_calls.addAgent(peer.key);
         engine::StationConfig config;
         config.secure = settings & 8 ? engine::SecureMode::Required : engine::SecureMode::Preferred;
         config.policy = policyOf(settings & 7);
@@ -94,6 +119,8 @@ public:
         m_station = std::make_unique<engine::StationCore>(std::move(config), std::move(secrets), std::move(sinks));
         m_station->addLink(kDatagrams, SimulatedHost::url("udpin:14550"));
         m_station->addLink(kStreams, SimulatedHost::url("tcpin:14551"));
+        for (std::size_t i = 0; i < m_callLinks; ++i)
+            m_station->addLink(callLink(i), SimulatedHost::url("udpout:192.0.2.1:14550"));
         pass(2s);
     }
 
@@ -110,6 +137,24 @@ private:
     static SimulatedHost &host() { return SimulatedHost::instance(); }
     static TimePoint now() { return host().now(); }
     static std::uint8_t systemOf(std::size_t agent) { return static_cast<std::uint8_t>(agent + 1); }
+    static LinkId callLink(std::size_t index)
+    {
+        return LinkId{static_cast<std::uint32_t>(kFirstCall) + static_cast<std::uint32_t>(index)};
+    }
+    static bool isCallLink(LinkId link) { return link >= kFirstCall; }
+    static std::vector<Peer> absentAgents()
+    {
+        std::vector<Peer> out;
+        for (std::size_t i = 0; i < kAbsentAgents; ++i)
+            out.push_back({keyPair(1000 + i)->publicKey, "absent", PeerRole::Pilot, {}, {}});
+        return out;
+    }
+    /// Where an agent is, or a stranger at a link.
+    static Address addressAt(LinkId link, std::size_t number)
+    {
+        return isCallLink(link) ? SimulatedHost::remoteOf(link) : addressOf(number);
+    }
+    LinkId linkOf(std::size_t agent) const { return m_agents[agent].end->ways()[0].engine.link; }
 
     void step(ByteReader &in)
     {
@@ -136,14 +181,14 @@ private:
                             argument & 0x80);
             return pump();
         case 10: {
-            const std::size_t sender = argument & 0x80 ? 7 : number;
-            host().receive(m_agents[number].end->engine().link, addressOf(sender), position(kAgents, argument & 0x7f));
+            const LinkId link = linkOf(number);
+            receive(link, addressAt(link, argument & 0x80 ? 7 : number), position(kAgents, argument & 0x7f));
             return pump();
         }
         case 11: // The list of peers; the keys stay bound to their systems.
             agent.isListed = argument & 1;
             return relist();
-        case 12: return m_station->allowPlaintext(argument);
+        case 12: m_calls.changed(now()); return m_station->allowPlaintext(argument);
         case 13: m_counters->fails = argument & 1; return;
         case 14: agent.end->switchSuite(now(), argument); return pump();
         case 15: agent.end->close(now(), 0); return pump();
@@ -152,9 +197,30 @@ private:
         case 18: return decidePairing(agent, argument);
         case 19: return setPolicy(argument);
         case 20:
-            host().reconnect(agent.end->engine().link, addressOf(number));
-            agent.end->reconnect(now());
+            host().reconnect(linkOf(number), addressAt(linkOf(number), number));
+            agent.end->reconnect(now(), linkOf(number));
             return pump();
+        case 21: { // from a stranger: any bytes, or what an agent has sent
+            const std::size_t stranger = kFirstStranger + (argument & 3);
+            if (argument & 0x80)
+                receive(kDatagrams, addressOf(stranger), anyBytes(in, in.u8()));
+            else if (const auto block = agent.end->repeat(in.u8()))
+                receive(kDatagrams, addressOf(stranger), block->bytes);
+            return pump();
+        }
+        case 22: // a router at a udpout link
+            if (m_callLinks > 0) {
+                const LinkId link = callLink(in.u8() % m_callLinks);
+                receive(link, SimulatedHost::remoteOf(link), position(kAgents, argument & 0x7f));
+            }
+            return pump();
+        case 23: // any bytes at a udpout link
+            if (m_callLinks > 0) {
+                const LinkId link = callLink(argument % m_callLinks);
+                receive(link, SimulatedHost::remoteOf(link), anyBytes(in, in.u8()));
+            }
+            return pump();
+        case 24: m_isCut = argument & 1; return; // what comes from agents is lost
         default: return;
         }
     }
@@ -191,6 +257,8 @@ private:
             if (agent.isListed)
                 peers.push_back(agent.listed);
         }
+        peers.insert(peers.end(), m_absent.begin(), m_absent.end());
+        m_calls.changed(now());
         m_station->setPeers(std::move(peers));
         pump();
     }
@@ -200,6 +268,7 @@ private:
     {
         const std::optional<engine::Protection> protections[] = {std::nullopt, engine::Protection::Sealed,
                                                                  engine::Protection::Inline, std::nullopt};
+        m_calls.changed(now());
         if (choice & 1)
             m_station->setAllowResearch(choice & 2);
         if (choice & 4)
@@ -252,8 +321,38 @@ private:
     void arrive(std::size_t sender, const std::optional<RemoteEnd::Block> &block)
     {
         if (block)
-            host().receive(m_agents[sender].end->engine().link, addressOf(sender), block->bytes);
+            deliver(sender, *block);
         pump();
+    }
+    void deliver(std::size_t sender, const RemoteEnd::Block &block)
+    {
+        if (!m_isCut)
+            receive(linkOf(sender), addressAt(linkOf(sender), sender), block.bytes);
+    }
+    void receive(LinkId link, const Address &from, ByteView bytes)
+    {
+        m_exchanges.received(link, from, bytes.size());
+        const std::uint8_t head = messageHead(Carrier::Datagram, bytes);
+        const bool isMavlink = head == 0 && bringsMavlink(bytes);
+        // Answers, numbers and cookies show that it receives first messages, records more; clear frames are answered as such.
+        if (link != kDatagrams || isMavlink || (head != 0 && head != kAnnouncementHead && head != kCallHead))
+            m_exchanges.proved(link, from);
+        if (isCallLink(link) && isMavlink && !m_calls.isMavlinkAt(link))
+            m_calls.changed(now());
+        host().receive(link, from, bytes);
+        collect();
+        if (isCallLink(link) && isMavlink)
+            m_calls.mavlinkCame(link);
+        else if (isCallLink(link) && head != 0)
+            m_calls.agentAnswered(link);
+    }
+    static bool bringsMavlink(ByteView bytes)
+    {
+        bool out = false;
+        mavlink::scanFrames(bytes, mavlink::Dialect::builtin(), [&](const mavlink::ScanItem &item) {
+            out = out || (item.frame && !engine::isSealedInPlace(item));
+        });
+        return out;
     }
 
     void pass(Duration span)
@@ -271,28 +370,46 @@ private:
     void pump()
     {
         for (int round = 0; round < 20; ++round) {
+            collect();
             takePaired();
-            const std::vector<SentBlock> sent = host().takeSent();
+            const std::vector<SentBlock> sent = std::exchange(m_sent, {});
             bool moved = !sent.empty();
             for (std::size_t i = 0; i < kAgents; ++i) {
                 RemoteEnd &end = *m_agents[i].end;
                 for (const SentBlock &block : sent) {
-                    if (block.link == end.engine().link && block.to == addressOf(i))
-                        end.receive(now(), block.bytes);
+                    if (block.link == linkOf(i) && (block.to == addressAt(block.link, i) || block.to == Address{}))
+                        end.receive(now(), block.link, block.bytes);
                 }
                 end.poll(now());
                 while (const auto block = end.next()) {
                     moved = true;
-                    host().receive(end.engine().link, addressOf(i), block->bytes);
+                    deliver(i, *block);
                 }
             }
             if (!moved)
                 return;
         }
     }
+    void collect()
+    {
+        for (SentBlock &sent : host().takeSent()) {
+            judge(sent);
+            m_sent.push_back(std::move(sent));
+        }
+    }
 
     // ---- the oracles
 
+    void judge(const SentBlock &sent)
+    {
+        const std::uint8_t head = messageHead(Carrier::Datagram, sent.bytes);
+        if (isCallLink(sent.link)) {
+            if (head == kFirstHead)
+                m_calls.sent(now(), sent.link, sent.bytes);
+        } else if (sent.to != Address{} && head != kPairingSealedHead) {
+            m_exchanges.sent(sent.link, sent.to, sent.bytes.size());
+        }
+    }
     /// The state that the operator sees.
     void judge(const engine::Snapshot &snapshot)
     {
@@ -333,6 +450,12 @@ private:
         m_paired.push_back(paired->peer);
     }
 
+    const std::size_t m_callLinks;
+    std::vector<Peer> m_absent;
+    CallWatch m_calls;
+    bool m_isCut = false;
+    Exchanges m_exchanges;
+    std::vector<SentBlock> m_sent; ///< by the station, on their way
     MemoryCounterStore *m_counters = nullptr;
     std::array<Agent, kAgents> m_agents;
     std::vector<Position> m_positions;
@@ -355,8 +478,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         std::abort();
     SimulatedHost::instance().reset();
     ByteReader in(ByteView(data, size));
-    const std::uint8_t carriers = in.u8();
-    StationFlight flight(carriers, in.u8());
+    const std::uint8_t paths = in.u8();
+    StationFlight flight(paths, in.u8());
     flight.run(in);
     return 0;
 }

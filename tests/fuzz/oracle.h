@@ -1,0 +1,34 @@
+// What all fuzzers with oracles of their own share: the end of a run that violates one, and the memory in use.
+#pragma once
+
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+
+#include <malloc.h>
+
+extern "C" std::size_t __sanitizer_get_current_allocated_bytes() __attribute__((weak));
+
+namespace skyseal::test {
+
+/// Ends the run: the oracle with this name found a violation. A weakened twin exits with an error, so that its test can read
+/// the name; a fuzzer crashes.
+[[noreturn]] inline void violated(const char *oracle)
+{
+    std::fprintf(stderr, "violated: %s\n", oracle);
+#ifdef SKYSEAL_WEAKEN
+    std::_Exit(1);
+#else
+    std::abort();
+#endif
+}
+
+/// Bytes that are allocated now; 0 where the library cannot say.
+inline std::size_t allocatedBytes()
+{
+    if (__sanitizer_get_current_allocated_bytes)
+        return __sanitizer_get_current_allocated_bytes();
+    return mallinfo2().uordblks;
+}
+
+} // namespace skyseal::test
