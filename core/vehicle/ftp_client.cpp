@@ -111,6 +111,7 @@ bool FtpClient::begin(TimePoint now, RequestId id, FileAction action, const std:
     m_reached = 0;
     m_session = 0;
     m_pace = {};
+    m_chunks.fill(kNoChunk);
     m_window.setMost(action == FileAction::Write ? kWritesUnderWay : RequestWindow::kMost);
     m_window.begin();
     m_deadline = now + kGiveUp;
@@ -264,6 +265,11 @@ void FtpClient::handleBurst(TimePoint now, const FtpMessage &answer)
     }
     const std::size_t index = answer.offset / kChunk;
     if (answer.session != m_session || index > m_reached + kMostJump)
+        return;
+    // The messages of a burst are numbered from its request on. By this they differ from late ones of another file, whose
+    // transfer was cancelled, since vehicles use the same session again.
+    const std::uint32_t place = (answer.offset - m_message.offset) / kChunk;
+    if (static_cast<std::uint16_t>(answer.sequence - m_message.sequence - 1) != static_cast<std::uint16_t>(place))
         return;
     if (m_attempts == 1 && index == m_message.offset / kChunk)
         m_window.rtt().measure(now - m_sent);

@@ -48,6 +48,7 @@ public:
     std::optional<TransferProgress> progress() const override;
 
 private:
+    static constexpr std::uint32_t kNoChunk = 0xFFFFFFFF;
     enum class Phase : std::uint8_t {
         Idle,
         Listing,

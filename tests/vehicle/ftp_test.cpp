@@ -33,6 +33,8 @@ private Q_SLOTS:
     void endlessFolderIsBounded();
     void giantFileIsRefused();
     void farChunkIsNotKept();
+    void lateChunksOfACancelledTransfer_data();
+    void lateChunksOfACancelledTransfer();
     void anyAnswersAreBounded();
 };
 
@@ -356,6 +358,56 @@ void FtpTest::farChunkIsNotKept()
     answer.offset = 0;
     h.feed(toUs(answer));
     QCOMPARE(h.vehicle.state(h.now).transfers.at(0).done, std::uint64_t(FtpClient::kChunk));
+}
+
+void FtpTest::lateChunksOfACancelledTransfer_data()
+{
+    QTest::addColumn<bool>("inBursts");
+    QTest::newRow("in bursts") << true;
+    QTest::newRow("one by one") << false;
+}
+
+/// Sessions have the same number again and again, so that late answers of the former file look like those of the next one.
+void FtpTest::lateChunksOfACancelledTransfer()
+{
+    QFETCH(bool, inBursts);
+    Harness h = Harness::copter();
+    const Bytes former = noise(FtpClient::kChunk, 1), wanted = noise(FtpClient::kChunk, 2);
+    FtpMessage late;
+    for (const bool isFormer : {true, false}) {
+        h.vehicle.perform(h.now, RequestId{isFormer ? 1u : 2u}, vehicle::ReadFile{"@a"}); // it has no checksum
+        auto [open, opened] = sentAndAnswer(h);
+        opened.session = 7;
+        putSize(opened, FtpClient::kChunk);
+        h.feed(toUs(opened));
+        auto [request, answer] = sentAndAnswer(h);
+        QCOMPARE(int(request.opcode), int(FtpOpcode::BurstReadFile));
+        if (!inBursts) {
+            answer.opcode = FtpOpcode::Nak;
+            answer.data[0] = static_cast<std::uint8_t>(FtpError::UnknownCommand);
+            answer.size = 1;
+            h.feed(toUs(answer));
+            std::tie(request, answer) = sentAndAnswer(h);
+            QCOMPARE(int(request.opcode), int(FtpOpcode::ReadFile));
+        }
+        if (isFormer) {
+            late = answer;
+            late.setData(former);
+            h.vehicle.perform(h.now, RequestId{3}, CancelTransfer{RequestId{1}});
+            QVERIFY(!h.poll<FileResult>()->ok);
+            h.sent();
+        } else {
+            h.feed(toUs(late));
+            answer.setData(wanted);
+            h.feed(toUs(answer));
+        }
+    }
+    auto [closing, closed] = sentAndAnswer(h);
+    QCOMPARE(int(closing.opcode), int(FtpOpcode::TerminateSession));
+    h.feed(toUs(closed));
+    const auto result = h.poll<FileResult>();
+    QVERIFY(result && result->ok);
+    QVERIFY(*result->content == wanted);
 }
 
 void FtpTest::anyAnswersAreBounded()
