@@ -15,33 +15,17 @@ constexpr Duration kReusable = std::chrono::seconds(3);   // after so long a ses
 constexpr Duration kAbandoned = std::chrono::seconds(20);
 constexpr std::size_t kLongestUpload = 65535;
 
-void refuse(FtpMessage &reply, MAV_FTP_ERR error)
-{
-    reply.opcode = MAV_FTP_OPCODE_NAK;
-    reply.size = 1;
-    reply.data = {};
-    reply.data[0] = static_cast<std::uint8_t>(error);
-}
-
 void refuse(FtpMessage &reply, FileError error)
 {
     switch (error) {
-    case FileError::NotFound: return refuse(reply, MAV_FTP_ERR_FILENOTFOUND);
-    case FileError::Exists: return refuse(reply, MAV_FTP_ERR_FILEEXISTS);
-    case FileError::Protected: return refuse(reply, MAV_FTP_ERR_FILEPROTECTED);
+    case FileError::NotFound: return reply.refuse(MAV_FTP_ERR_FILENOTFOUND);
+    case FileError::Exists: return reply.refuse(MAV_FTP_ERR_FILEEXISTS);
+    case FileError::Protected: return reply.refuse(MAV_FTP_ERR_FILEPROTECTED);
     default: break;
     }
-    refuse(reply, MAV_FTP_ERR_FAILERRNO);
+    reply.refuse(MAV_FTP_ERR_FAILERRNO);
     reply.size = 2;
     reply.data[1] = static_cast<std::uint8_t>(error);
-}
-
-void appendNumber(FtpMessage &reply, std::uint32_t value)
-{
-    std::array<std::uint8_t, 4> bytes;
-    for (std::size_t i = 0; i < bytes.size(); ++i)
-        bytes[i] = static_cast<std::uint8_t>(value >> (8 * i));
-    reply.append(bytes);
 }
 
 /// The path that a request is about: its data, of which the last byte may be a zero. Empty if it is malformed.
@@ -50,18 +34,6 @@ std::string_view pathIn(ByteView data)
     const std::string_view text = asText(data);
     const std::size_t length = std::min(text.find('\0'), text.size());
     return length + 1 >= text.size() ? text.substr(0, length) : std::string_view();
-}
-
-/// CRC-32 without the usual inversions, as ArduPilot and PX4 compute it.
-std::uint32_t checksum(ByteView bytes)
-{
-    std::uint32_t crc = 0;
-    for (const std::uint8_t byte : bytes) {
-        crc ^= byte;
-        for (int bit = 0; bit < 8; ++bit)
-            crc = crc >> 1 ^ (crc & 1 ? 0xedb88320u : 0u);
-    }
-    return crc;
 }
 
 } // namespace
@@ -75,7 +47,7 @@ void FtpServer::handle(TimePoint now, const FrameSender &peer, const FtpMessage 
     reply.sequence = static_cast<std::uint16_t>(request.sequence + 1);
     reply.session = request.session;
     reply.opcode = MAV_FTP_OPCODE_ACK;
-    reply.requestOpcode = request.opcode;
+    reply.requested = request.opcode;
 
     Answer *last = std::find_if(m_answers.begin(), m_answers.end(),
                                 [&](const Answer &answer) { return answer.valid && answer.peer.sameSender(peer); });
@@ -85,11 +57,11 @@ void FtpServer::handle(TimePoint now, const FrameSender &peer, const FtpMessage 
         *last = {peer, {}, false};
     }
     if (last->valid && last->message.sequence == reply.sequence && last->message.session == reply.session
-        && last->message.requestOpcode == reply.requestOpcode)
+        && last->message.requested == reply.requested)
         return send(peer, last->message);
 
     if (request.size > FtpMessage::kMostData)
-        refuse(reply, MAV_FTP_ERR_INVALIDDATASIZE);
+        reply.refuse(MAV_FTP_ERR_INVALIDDATASIZE);
     else if (request.opcode == MAV_FTP_OPCODE_BURSTREADFILE) {
         if (beginBurst(now, use(now, peer, request.session), request, reply))
             return; // the burst is the answer
@@ -133,7 +105,7 @@ void FtpServer::changeFile(const FtpMessage &request, FtpMessage &reply)
         || request.opcode == MAV_FTP_OPCODE_CREATEDIRECTORY || request.opcode == MAV_FTP_OPCODE_REMOVEDIRECTORY
         || request.opcode == MAV_FTP_OPCODE_TRUNCATEFILE || request.opcode == MAV_FTP_OPCODE_CALCFILECRC;
     if (known && path.empty())
-        return refuse(reply, MAV_FTP_ERR_INVALIDDATASIZE);
+        return reply.refuse(MAV_FTP_ERR_INVALIDDATASIZE);
     switch (request.opcode) {
     case MAV_FTP_OPCODE_LISTDIRECTORY: return listDirectory(path, request.offset, reply);
     case MAV_FTP_OPCODE_REMOVEFILE: return complete(m_files.remove(path));
@@ -142,10 +114,11 @@ void FtpServer::changeFile(const FtpMessage &request, FtpMessage &reply)
     case MAV_FTP_OPCODE_TRUNCATEFILE: return complete(m_files.truncate(path, request.offset));
     case MAV_FTP_OPCODE_CALCFILECRC:
         if (const auto file = m_files.read(path))
-            return appendNumber(reply, checksum(*file));
+            reply.appendNumber(ftpChecksum(*file));
         else
-            return refuse(reply, file.error());
-    default: return refuse(reply, MAV_FTP_ERR_UNKNOWNCOMMAND);
+            refuse(reply, file.error());
+        return;
+    default: return reply.refuse(MAV_FTP_ERR_UNKNOWNCOMMAND);
     }
 }
 
@@ -156,7 +129,7 @@ void FtpServer::rename(const FtpMessage &request, FtpMessage &reply)
     const std::string_view from = asText(content).substr(0, asText(content).find('\0'));
     const std::string_view to = pathIn(content.subspan(std::min(from.size() + 1, content.size())));
     if (from.empty() || to.empty())
-        return refuse(reply, MAV_FTP_ERR_INVALIDDATASIZE);
+        return reply.refuse(MAV_FTP_ERR_INVALIDDATASIZE);
     if (const auto done = m_files.rename(from, to); !done)
         refuse(reply, done.error());
 }
@@ -177,21 +150,21 @@ void FtpServer::listDirectory(std::string_view path, std::uint32_t first, FtpMes
             break;
     }
     if (reply.size == 0)
-        refuse(reply, MAV_FTP_ERR_EOF);
+        reply.refuse(MAV_FTP_ERR_EOF);
 }
 
 void FtpServer::openFile(TimePoint now, const FrameSender &peer, const FtpMessage &request, FtpMessage &reply)
 {
     const std::string_view path = pathIn(request.content());
     if (path.empty())
-        return refuse(reply, MAV_FTP_ERR_INVALIDDATASIZE);
+        return reply.refuse(MAV_FTP_ERR_INVALIDDATASIZE);
     Session *session = find(peer, request.session);
     if (session && now - session->lastUse <= kReusable)
-        return refuse(reply, MAV_FTP_ERR_FAIL); // one file a session
+        return reply.refuse(MAV_FTP_ERR_FAIL); // one file a session
     if (!session)
         session = allocate(now);
     if (!session)
-        return refuse(reply, MAV_FTP_ERR_NOSESSIONSAVAILABLE);
+        return reply.refuse(MAV_FTP_ERR_NOSESSIONSAVAILABLE);
     Session opened;
     opened.peer = peer;
     opened.id = request.session;
@@ -204,7 +177,7 @@ void FtpServer::openFile(TimePoint now, const FrameSender &peer, const FtpMessag
             return refuse(reply, content.error());
         opened.content = std::move(*content);
         opened.mode = Mode::Read;
-        appendNumber(reply, static_cast<std::uint32_t>(opened.content.size()));
+        reply.appendNumber(static_cast<std::uint32_t>(opened.content.size()));
     } else if (VehicleFiles::isParameterFile(path)) {
         opened.mode = Mode::Upload;
     } else {
@@ -218,13 +191,13 @@ void FtpServer::openFile(TimePoint now, const FrameSender &peer, const FtpMessag
 void FtpServer::readFile(const Session *session, const FtpMessage &request, FtpMessage &reply)
 {
     if (!session)
-        return refuse(reply, MAV_FTP_ERR_FILENOTFOUND);
+        return reply.refuse(MAV_FTP_ERR_FILENOTFOUND);
     if (session->mode != Mode::Read)
-        return refuse(reply, MAV_FTP_ERR_FAIL);
+        return reply.refuse(MAV_FTP_ERR_FAIL);
     const ByteView content(session->content);
     reply.offset = request.offset;
     if (request.offset >= content.size() || request.size == 0)
-        return refuse(reply, MAV_FTP_ERR_EOF);
+        return reply.refuse(MAV_FTP_ERR_EOF);
     const ByteView rest = content.subspan(request.offset);
     reply.append(rest.first(std::min<std::size_t>(request.size, rest.size())));
 }
@@ -232,7 +205,7 @@ void FtpServer::readFile(const Session *session, const FtpMessage &request, FtpM
 void FtpServer::writeFile(Session *session, const FtpMessage &request, FtpMessage &reply)
 {
     if (!session)
-        return refuse(reply, MAV_FTP_ERR_FILENOTFOUND);
+        return reply.refuse(MAV_FTP_ERR_FILENOTFOUND);
     reply.offset = request.offset;
     const ByteView bytes = request.content();
     if (session->mode == Mode::Write) {
@@ -245,7 +218,7 @@ void FtpServer::writeFile(Session *session, const FtpMessage &request, FtpMessag
         upload.resize(std::max<std::size_t>(upload.size(), request.offset + bytes.size()));
         std::copy(bytes.begin(), bytes.end(), upload.begin() + request.offset);
     } else {
-        refuse(reply, MAV_FTP_ERR_FAIL);
+        reply.refuse(MAV_FTP_ERR_FAIL);
     }
 }
 
@@ -263,11 +236,11 @@ void FtpServer::terminate(Session *session, FtpMessage &reply)
 bool FtpServer::beginBurst(TimePoint now, Session *session, const FtpMessage &request, FtpMessage &reply)
 {
     if (!session) {
-        refuse(reply, MAV_FTP_ERR_FILENOTFOUND);
+        reply.refuse(MAV_FTP_ERR_FILENOTFOUND);
         return false;
     }
     if (session->mode != Mode::Read) {
-        refuse(reply, MAV_FTP_ERR_FAIL);
+        reply.refuse(MAV_FTP_ERR_FAIL);
         return false;
     }
     session->burstLeft = kBurst;
@@ -306,10 +279,10 @@ void FtpServer::sendBurst(TimePoint now, Session &session)
     message.sequence = session.burstSequence++;
     message.session = session.id;
     message.opcode = MAV_FTP_OPCODE_ACK;
-    message.requestOpcode = MAV_FTP_OPCODE_BURSTREADFILE;
+    message.requested = MAV_FTP_OPCODE_BURSTREADFILE;
     message.offset = session.burstOffset;
     if (session.burstOffset >= session.content.size()) {
-        refuse(message, MAV_FTP_ERR_EOF);
+        message.refuse(MAV_FTP_ERR_EOF);
         message.burstComplete = true;
         session.burstLeft = 0;
     } else {

@@ -3,15 +3,17 @@
 #pragma once
 
 #include "core/base/clock.h"
+#include "core/mavlink/ftp_message.h"
 #include "core/sim/frame_queue.h"
 #include "core/sim/frame_sender.h"
-#include "core/sim/ftp_message.h"
 #include "core/sim/vehicle_files.h"
 
 #include <array>
 #include <string>
 
 namespace skyseal::sim {
+
+using mavlink::FtpMessage;
 
 class FtpServer
 {

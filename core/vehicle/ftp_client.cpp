@@ -1,5 +1,7 @@
 #include "core/vehicle/ftp_client.h"
 
+#include "core/vehicle/ftp_listing.h"
+
 #include <algorithm>
 
 namespace skyseal::vehicle {
@@ -8,10 +10,10 @@ bool FtpClient::perform(TimePoint now, RequestId id, const Request &request)
 {
     if (const auto *list = std::get_if<ListFolder>(&request)) {
         if (begin(now, id, FileAction::List, list->path))
-            stepWithPath(now, Phase::Listing, FtpOpcode::ListDirectory);
+            stepWithPath(now, Phase::Listing, mavlink::MAV_FTP_OPCODE_LISTDIRECTORY);
     } else if (const auto *read = std::get_if<vehicle::ReadFile>(&request)) {
         if (begin(now, id, FileAction::Read, read->path))
-            stepWithPath(now, Phase::Opening, FtpOpcode::OpenFileRO);
+            stepWithPath(now, Phase::Opening, mavlink::MAV_FTP_OPCODE_OPENFILERO);
     } else if (const auto *write = std::get_if<vehicle::WriteFile>(&request)) {
         if (!begin(now, id, FileAction::Write, write->path))
             return true;
@@ -21,15 +23,15 @@ bool FtpClient::perform(TimePoint now, RequestId id, const Request &request)
         }
         m_source = write->content;
         m_size = m_source->size();
-        stepWithPath(now, Phase::Creating, FtpOpcode::CreateFile);
+        stepWithPath(now, Phase::Creating, mavlink::MAV_FTP_OPCODE_CREATEFILE);
     } else if (const auto *remove = std::get_if<vehicle::RemoveFile>(&request)) {
         if (begin(now, id, FileAction::Remove, remove->path))
-            stepWithPath(now, Phase::Removing, FtpOpcode::RemoveFile);
+            stepWithPath(now, Phase::Removing, mavlink::MAV_FTP_OPCODE_REMOVEFILE);
     } else if (const auto *cancel = std::get_if<CancelTransfer>(&request)) {
         if (m_phase == Phase::Idle || cancel->transfer != m_request)
             return false;
         FtpMessage message;
-        message.opcode = FtpOpcode::TerminateSession;
+        message.opcode = mavlink::MAV_FTP_OPCODE_TERMINATESESSION;
         message.session = m_session;
         transmit(now, message);
         finish(false, "cancelled");
@@ -47,7 +49,7 @@ bool FtpClient::handleFrame(TimePoint now, const mavlink::Frame &frame)
     if (m_phase == Phase::Idle || !addressing().isForUs(m.target_system, m.target_component))
         return true;
     const FtpMessage answer = FtpMessage::decode(m.payload);
-    if (answer.opcode != FtpOpcode::Ack && answer.opcode != FtpOpcode::Nak)
+    if (answer.opcode != mavlink::MAV_FTP_OPCODE_ACK && answer.opcode != mavlink::MAV_FTP_OPCODE_NAK)
         return true;
     if (m_phase == Phase::Bursting)
         handleBurst(now, answer);
@@ -129,12 +131,12 @@ void FtpClient::step(TimePoint now, Phase phase, FtpMessage message)
     transmit(now, message);
 }
 
-void FtpClient::stepWithPath(TimePoint now, Phase phase, FtpOpcode opcode, std::uint32_t offset)
+void FtpClient::stepWithPath(TimePoint now, Phase phase, std::uint8_t opcode, std::uint32_t offset)
 {
     FtpMessage message;
     message.opcode = opcode;
     message.offset = offset;
-    message.setData(asBytes(m_path));
+    message.append(asBytes(m_path));
     step(now, phase, message);
 }
 
@@ -152,17 +154,17 @@ void FtpClient::handleStepAnswer(TimePoint now, const FtpMessage &answer)
 {
     if (m_attempts == 1)
         m_window.rtt().measure(now - m_sent);
-    if (answer.opcode == FtpOpcode::Nak)
+    if (answer.opcode == mavlink::MAV_FTP_OPCODE_NAK)
         return handleStepRefusal(now, answer);
     switch (m_phase) {
     case Phase::Listing: return handleListing(now, answer);
     case Phase::Opening:
-        if (answer.requested == FtpOpcode::ResetSessions)
-            return stepWithPath(now, Phase::Opening, FtpOpcode::OpenFileRO);
+        if (answer.requested == mavlink::MAV_FTP_OPCODE_RESETSESSION)
+            return stepWithPath(now, Phase::Opening, mavlink::MAV_FTP_OPCODE_OPENFILERO);
         return handleOpened(now, answer);
     case Phase::Creating:
-        if (answer.requested == FtpOpcode::ResetSessions)
-            return stepWithPath(now, Phase::Creating, FtpOpcode::CreateFile);
+        if (answer.requested == mavlink::MAV_FTP_OPCODE_RESETSESSION)
+            return stepWithPath(now, Phase::Creating, mavlink::MAV_FTP_OPCODE_CREATEFILE);
         m_session = answer.session;
         if (m_size == 0)
             return close(now);
@@ -173,10 +175,9 @@ void FtpClient::handleStepAnswer(TimePoint now, const FtpMessage &answer)
     case Phase::Closing: return check(now);
     case Phase::Checking: {
         const Bytes &content = m_action == FileAction::Write ? *m_source : m_content;
-        const std::uint32_t theirs = answer.data[0] | answer.data[1] << 8 | answer.data[2] << 16
-            | static_cast<std::uint32_t>(answer.data[3]) << 24;
-        m_verified = answer.size >= 4 && theirs == ftpChecksum(content);
-        return m_verified || answer.size < 4 ? finish(true) : finish(false, "the checksums of both ends differ");
+        const auto theirs = answer.number();
+        m_verified = theirs == mavlink::ftpChecksum(content);
+        return m_verified || !theirs ? finish(true) : finish(false, "the checksums of both ends differ");
     }
     case Phase::Removing: return finish(true);
     default: return;
@@ -185,25 +186,25 @@ void FtpClient::handleStepAnswer(TimePoint now, const FtpMessage &answer)
 
 void FtpClient::handleStepRefusal(TimePoint now, const FtpMessage &nak)
 {
-    const FtpError error = *nak.error();
+    const std::uint8_t error = *nak.error();
     switch (m_phase) {
     case Phase::Listing:
-        if (error == FtpError::EndOfFile)
+        if (error == mavlink::MAV_FTP_ERR_EOF)
             return finish(true);
         break;
     case Phase::Opening:
     case Phase::Creating:
-        if (error == FtpError::NoSessionsAvailable && !m_wasReset) {
+        if (error == mavlink::MAV_FTP_ERR_NOSESSIONSAVAILABLE && !m_wasReset) {
             m_wasReset = true;
             FtpMessage reset;
-            reset.opcode = FtpOpcode::ResetSessions;
+            reset.opcode = mavlink::MAV_FTP_OPCODE_RESETSESSION;
             return step(now, m_phase, reset);
         }
         break;
     case Phase::Closing: return check(now); // it is closed
     case Phase::Checking: return finish(true);
     case Phase::Removing:
-        if (error == FtpError::FileNotFound && m_attempts > 1)
+        if (error == mavlink::MAV_FTP_ERR_FILENOTFOUND && m_attempts > 1)
             return finish(true); // the lost answer said that it was removed
         break;
     default: break;
@@ -213,22 +214,23 @@ void FtpClient::handleStepRefusal(TimePoint now, const FtpMessage &nak)
 
 void FtpClient::handleListing(TimePoint now, const FtpMessage &answer)
 {
-    FtpListing part = parseListing(answer.view());
+    FtpListing part = parseListing(answer.content());
     if (part.count == 0)
         return finish(true);
     m_listed += part.count;
     if (m_listed > kMostEntries)
         return finish(false, "the folder has more than " + std::to_string(kMostEntries) + " entries");
     std::ranges::move(part.entries, std::back_inserter(m_entries));
-    stepWithPath(now, Phase::Listing, FtpOpcode::ListDirectory, m_listed);
+    stepWithPath(now, Phase::Listing, mavlink::MAV_FTP_OPCODE_LISTDIRECTORY, m_listed);
 }
 
 void FtpClient::handleOpened(TimePoint now, const FtpMessage &answer)
 {
     m_session = answer.session;
-    m_size = answer.data[0] | answer.data[1] << 8 | answer.data[2] << 16 | static_cast<std::size_t>(answer.data[3]) << 24;
-    if (answer.size < 4)
+    const auto size = answer.number();
+    if (!size)
         return finish(false, "the vehicle does not tell the size of the file");
+    m_size = *size;
     if (m_size > kMostBytes)
         return finish(false, "the file is larger than " + std::to_string(kMostBytes) + " bytes");
     if (m_size == 0)
@@ -243,7 +245,7 @@ void FtpClient::burst(TimePoint now)
     if (m_reached >= m_window.count())
         return fillGaps(now);
     FtpMessage message;
-    message.opcode = FtpOpcode::BurstReadFile;
+    message.opcode = mavlink::MAV_FTP_OPCODE_BURSTREADFILE;
     message.session = m_session;
     message.offset = static_cast<std::uint32_t>(m_reached * kChunk);
     message.size = kChunk;
@@ -253,13 +255,13 @@ void FtpClient::burst(TimePoint now)
 
 void FtpClient::handleBurst(TimePoint now, const FtpMessage &answer)
 {
-    if (answer.requested != FtpOpcode::BurstReadFile)
+    if (answer.requested != mavlink::MAV_FTP_OPCODE_BURSTREADFILE)
         return;
     if (const auto error = answer.error()) {
         // Of this burst: an earlier one may have been answered twice.
         if (answer.session != m_session)
             return;
-        if (*error == FtpError::EndOfFile || *error == FtpError::UnknownCommand)
+        if (*error == mavlink::MAV_FTP_ERR_EOF || *error == mavlink::MAV_FTP_ERR_UNKNOWNCOMMAND)
             return fillGaps(now);
         return finish(false, ftpErrorText(answer));
     }
@@ -276,7 +278,7 @@ void FtpClient::handleBurst(TimePoint now, const FtpMessage &answer)
     if (m_latest != TimePoint{})
         m_pace.measure(now - m_latest);
     m_latest = now;
-    if (!takeChunk(now, answer.offset, answer.view()))
+    if (!takeChunk(now, answer.offset, answer.content()))
         return;
     m_reached = std::max(m_reached, index + 1);
     m_attempts = 0;
@@ -304,10 +306,10 @@ void FtpClient::requestChunks(TimePoint now)
         message.session = m_session;
         message.offset = static_cast<std::uint32_t>(*index * kChunk);
         if (m_phase == Phase::Writing) {
-            message.opcode = FtpOpcode::WriteFile;
-            message.setData(ByteView(*m_source).subspan(message.offset, std::min(kChunk, m_size - message.offset)));
+            message.opcode = mavlink::MAV_FTP_OPCODE_WRITEFILE;
+            message.append(ByteView(*m_source).subspan(message.offset, std::min(kChunk, m_size - message.offset)));
         } else {
-            message.opcode = FtpOpcode::ReadFile;
+            message.opcode = mavlink::MAV_FTP_OPCODE_READFILE;
             message.size = kChunk;
         }
         m_chunks[message.sequence & 0xFF] = static_cast<std::uint32_t>(*index);
@@ -331,10 +333,10 @@ void FtpClient::handleChunkAnswer(TimePoint now, const FtpMessage &answer)
 {
     const bool isWrite = m_phase == Phase::Writing;
     const auto index = chunkOf(answer.sequence);
-    if (answer.requested != (isWrite ? FtpOpcode::WriteFile : FtpOpcode::ReadFile) || !index || answer.session != m_session
-        || *index >= m_window.count())
+    if (answer.requested != (isWrite ? mavlink::MAV_FTP_OPCODE_WRITEFILE : mavlink::MAV_FTP_OPCODE_READFILE) || !index
+        || answer.session != m_session || *index >= m_window.count())
         return;
-    if (answer.error() == FtpError::EndOfFile && !isWrite) {
+    if (answer.error() == mavlink::MAV_FTP_ERR_EOF && !isWrite) {
         if (!endAt(*index * kChunk))
             return;
     } else if (answer.error()) {
@@ -342,7 +344,7 @@ void FtpClient::handleChunkAnswer(TimePoint now, const FtpMessage &answer)
     } else if (isWrite) {
         if (m_window.arrived(now, *index))
             m_deadline = now + kGiveUp;
-    } else if (!takeChunk(now, static_cast<std::uint32_t>(*index * kChunk), answer.view())) {
+    } else if (!takeChunk(now, static_cast<std::uint32_t>(*index * kChunk), answer.content())) {
         return;
     }
     if (m_window.isComplete() || m_window.count() == 0)
@@ -382,7 +384,7 @@ bool FtpClient::endAt(std::size_t bytes)
 void FtpClient::close(TimePoint now)
 {
     FtpMessage message;
-    message.opcode = FtpOpcode::TerminateSession;
+    message.opcode = mavlink::MAV_FTP_OPCODE_TERMINATESESSION;
     message.session = m_session;
     step(now, Phase::Closing, message);
 }
@@ -392,7 +394,7 @@ void FtpClient::check(TimePoint now)
 {
     if (m_path.starts_with('@'))
         return finish(true);
-    stepWithPath(now, Phase::Checking, FtpOpcode::CalcFileCRC32);
+    stepWithPath(now, Phase::Checking, mavlink::MAV_FTP_OPCODE_CALCFILECRC);
 }
 
 void FtpClient::finish(bool ok, std::string reason, bool changeUnanswered)

@@ -12,7 +12,7 @@
 // passed without an answer. Sizes, folders and jumps in a file are bounded, whatever the vehicle sends.
 #pragma once
 
-#include "core/vehicle/ftp_message.h"
+#include "core/mavlink/ftp_message.h"
 #include "core/vehicle/micro_protocol.h"
 #include "core/vehicle/request_window.h"
 
@@ -21,6 +21,8 @@
 #include <string>
 
 namespace skyseal::vehicle {
+
+using mavlink::FtpMessage;
 
 class FtpClient : public MicroProtocol
 {
@@ -64,7 +66,7 @@ private:
 
     bool begin(TimePoint now, RequestId id, FileAction action, const std::string &path);
     void step(TimePoint now, Phase phase, FtpMessage message);
-    void stepWithPath(TimePoint now, Phase phase, FtpOpcode opcode, std::uint32_t offset = 0);
+    void stepWithPath(TimePoint now, Phase phase, std::uint8_t opcode, std::uint32_t offset = 0);
     void transmit(TimePoint now, FtpMessage message);
     void handleStepAnswer(TimePoint now, const FtpMessage &answer);
     void handleStepRefusal(TimePoint now, const FtpMessage &nak);

@@ -27,7 +27,7 @@ void checkAnswers(FrameQueue &outbox)
         expect(reply.size <= FtpMessage::kMostData);
         expect(reply.opcode == mavlink::MAV_FTP_OPCODE_ACK
                || (reply.opcode == mavlink::MAV_FTP_OPCODE_NAK && (reply.size == 1 || reply.size == 2)));
-        expect(reply.requestOpcode != mavlink::MAV_FTP_OPCODE_ACK && reply.requestOpcode != mavlink::MAV_FTP_OPCODE_NAK);
+        expect(reply.requested != mavlink::MAV_FTP_OPCODE_ACK && reply.requested != mavlink::MAV_FTP_OPCODE_NAK);
     }
 }
 

@@ -25,7 +25,7 @@ public:
             m_station.run(0.1);
             for (const auto &received : m_station.all<mavlink::FileTransferProtocol>()) {
                 const FtpMessage reply = FtpMessage::decode(received.payload);
-                if (reply.sequence == static_cast<std::uint16_t>(message.sequence + 1) && reply.requestOpcode == opcode)
+                if (reply.sequence == static_cast<std::uint16_t>(message.sequence + 1) && reply.requested == opcode)
                     return reply;
             }
         }

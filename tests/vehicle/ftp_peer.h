@@ -2,13 +2,15 @@
 // request by its sequence number, and sends bursts at a steady pace.
 #pragma once
 
-#include "core/vehicle/ftp_message.h"
+#include "core/mavlink/ftp_message.h"
 #include "lossy_link.h"
 
 #include <map>
 #include <string>
 
 namespace skyseal::vehicle {
+
+using mavlink::FtpMessage;
 
 class FtpPeer : public ScriptedPeer
 {
@@ -37,18 +39,16 @@ public:
         answer.sequence = static_cast<std::uint16_t>(request.sequence + 1);
         answer.session = request.session;
         answer.requested = request.opcode;
-        answer.opcode = FtpOpcode::Ack;
+        answer.opcode = mavlink::MAV_FTP_OPCODE_ACK;
         answer.offset = request.offset;
-        if (request.opcode == FtpOpcode::BurstReadFile && knowsBursts) {
+        if (request.opcode == mavlink::MAV_FTP_OPCODE_BURSTREADFILE && knowsBursts) {
             m_burst = answer;
             m_sentInBurst = 0;
             m_due = now;
             return;
         }
         if (const auto error = serve(request, answer)) {
-            answer.opcode = FtpOpcode::Nak;
-            answer.data[0] = static_cast<std::uint8_t>(*error);
-            answer.size = 1;
+            answer.refuse(static_cast<mavlink::MAV_FTP_ERR>(*error));
         }
         m_last = answer;
         reply(answer, out);
@@ -59,14 +59,13 @@ public:
         const Bytes &content = files[m_open];
         if (m_burst.offset >= content.size()) {
             FtpMessage end = m_burst;
-            end.opcode = FtpOpcode::Nak;
-            end.data[0] = static_cast<std::uint8_t>(FtpError::EndOfFile);
-            end.size = 1;
+            end.refuse(mavlink::MAV_FTP_ERR_EOF);
             reply(end, out);
             m_due = kNever;
             return;
         }
-        m_burst.setData(chunkAt(content, m_burst.offset));
+        m_burst.size = 0;
+        m_burst.append(chunkAt(content, m_burst.offset));
         m_burst.burstComplete = ++m_sentInBurst == burstLength;
         reply(m_burst, out);
         m_burst.offset += m_burst.size;
@@ -81,58 +80,52 @@ private:
         return ByteView(content).subspan(offset, std::min(FtpMessage::kMostData, content.size() - offset));
     }
 
-    static void putNumber(FtpMessage &answer, std::uint32_t number)
+    std::optional<std::uint8_t> serve(const FtpMessage &request, FtpMessage &answer)
     {
-        for (std::size_t i = 0; i < 4; ++i)
-            answer.data[i] = static_cast<std::uint8_t>(number >> (8 * i));
-        answer.size = 4;
-    }
-
-    std::optional<FtpError> serve(const FtpMessage &request, FtpMessage &answer)
-    {
-        const std::string path(asText(request.view()));
+        const std::string path(asText(request.content()));
         switch (request.opcode) {
-        case FtpOpcode::ListDirectory: return list(request.offset, answer);
-        case FtpOpcode::OpenFileRO:
+        case mavlink::MAV_FTP_OPCODE_LISTDIRECTORY: return list(request.offset, answer);
+        case mavlink::MAV_FTP_OPCODE_OPENFILERO:
             if (busy > 0 && busy--)
-                return FtpError::NoSessionsAvailable;
+                return mavlink::MAV_FTP_ERR_NOSESSIONSAVAILABLE;
             if (!files.contains(path))
-                return FtpError::FileNotFound;
+                return mavlink::MAV_FTP_ERR_FILENOTFOUND;
             m_open = path;
             ++sessions;
             answer.session = 7;
-            putNumber(answer, static_cast<std::uint32_t>(files[path].size()) + announcedMore);
+            answer.appendNumber(static_cast<std::uint32_t>(files[path].size()) + announcedMore);
             return std::nullopt;
-        case FtpOpcode::CreateFile:
+        case mavlink::MAV_FTP_OPCODE_CREATEFILE:
             m_open = path;
             files[path].clear();
             ++sessions;
             answer.session = 7;
             return std::nullopt;
-        case FtpOpcode::ReadFile:
+        case mavlink::MAV_FTP_OPCODE_READFILE:
             if (request.offset >= files[m_open].size())
-                return FtpError::EndOfFile;
-            answer.setData(chunkAt(files[m_open], request.offset));
+                return mavlink::MAV_FTP_ERR_EOF;
+            answer.append(chunkAt(files[m_open], request.offset));
             return std::nullopt;
-        case FtpOpcode::WriteFile: {
+        case mavlink::MAV_FTP_OPCODE_WRITEFILE: {
             Bytes &content = files[m_open];
             content.resize(std::max<std::size_t>(content.size(), request.offset + request.size));
-            std::ranges::copy(request.view(), content.begin() + request.offset);
+            std::ranges::copy(request.content(), content.begin() + request.offset);
             return std::nullopt;
         }
-        case FtpOpcode::RemoveFile: return files.erase(path) ? std::nullopt : std::optional(FtpError::FileNotFound);
-        case FtpOpcode::CalcFileCRC32:
+        case mavlink::MAV_FTP_OPCODE_REMOVEFILE:
+            return files.erase(path) ? std::nullopt : std::optional<std::uint8_t>(mavlink::MAV_FTP_ERR_FILENOTFOUND);
+        case mavlink::MAV_FTP_OPCODE_CALCFILECRC:
             if (!knowsChecksums)
-                return FtpError::UnknownCommand;
-            putNumber(answer, ftpChecksum(files[path]) + spoilsChecksums);
+                return mavlink::MAV_FTP_ERR_UNKNOWNCOMMAND;
+            answer.appendNumber(mavlink::ftpChecksum(files[path]) + spoilsChecksums);
             return std::nullopt;
-        case FtpOpcode::TerminateSession: --sessions; return std::nullopt;
-        case FtpOpcode::ResetSessions: ++resets; return std::nullopt;
-        default: return FtpError::UnknownCommand;
+        case mavlink::MAV_FTP_OPCODE_TERMINATESESSION: --sessions; return std::nullopt;
+        case mavlink::MAV_FTP_OPCODE_RESETSESSION: ++resets; return std::nullopt;
+        default: return mavlink::MAV_FTP_ERR_UNKNOWNCOMMAND;
         }
     }
 
-    std::optional<FtpError> list(std::uint32_t offset, FtpMessage &answer)
+    std::optional<std::uint8_t> list(std::uint32_t offset, FtpMessage &answer)
     {
         std::string text;
         std::size_t index = 0;
@@ -141,8 +134,8 @@ private:
                 text += "F" + path + "\t" + std::to_string(content.size()) + '\0';
         }
         if (text.empty())
-            return FtpError::EndOfFile;
-        answer.setData(asBytes(text));
+            return mavlink::MAV_FTP_ERR_EOF;
+        answer.append(asBytes(text));
         return std::nullopt;
     }
 

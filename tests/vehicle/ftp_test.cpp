@@ -1,5 +1,6 @@
 // MAVLink FTP against a small server, clean and through a radio that drops and reorders, and against hostile answers.
 #include "core/vehicle/ftp_client.h"
+#include "core/vehicle/ftp_listing.h"
 #include "ftp_peer.h"
 #include "tests/support/test_runner.h"
 
@@ -76,17 +77,10 @@ std::pair<FtpMessage, FtpMessage> sentAndAnswer(Harness &h)
     FtpMessage answer;
     answer.sequence = static_cast<std::uint16_t>(request.sequence + 1);
     answer.session = request.session;
-    answer.opcode = FtpOpcode::Ack;
+    answer.opcode = mavlink::MAV_FTP_OPCODE_ACK;
     answer.requested = request.opcode;
     answer.offset = request.offset;
     return {request, answer};
-}
-
-void putSize(FtpMessage &answer, std::uint32_t size)
-{
-    for (std::size_t i = 0; i < 4; ++i)
-        answer.data[i] = static_cast<std::uint8_t>(size >> (8 * i));
-    answer.size = 4;
 }
 
 } // namespace
@@ -94,8 +88,8 @@ void putSize(FtpMessage &answer, std::uint32_t size)
 void FtpTest::checksumIsThatOfTheProtocol()
 {
     // CRC-32 with the initial value 0 and no final inversion ("CRC-32/JAMCRC" begins with ones).
-    QCOMPARE(ftpChecksum(asBytes("123456789")), 0x2DFD2D88u);
-    QCOMPARE(ftpChecksum(asBytes("56789"), ftpChecksum(asBytes("1234"))), 0x2DFD2D88u);
+    QCOMPARE(mavlink::ftpChecksum(asBytes("123456789")), 0x2DFD2D88u);
+    QCOMPARE(mavlink::ftpChecksum(asBytes("56789"), mavlink::ftpChecksum(asBytes("1234"))), 0x2DFD2D88u);
 }
 
 void FtpTest::folderIsListedInParts()
@@ -234,13 +228,13 @@ void FtpTest::transferIsCancelled()
     h.vehicle.perform(h.now, RequestId{1}, vehicle::ReadFile{"/a"});
     auto [request, answer] = sentAndAnswer(h);
     answer.session = 3;
-    putSize(answer, 100'000);
+    answer.appendNumber(100'000);
     h.feed(toUs(answer));
     QCOMPARE(h.vehicle.state(h.now).transfers.at(0).total, std::uint64_t(100'000));
     h.sent();
     h.vehicle.perform(h.now, RequestId{2}, CancelTransfer{RequestId{1}});
     const auto [last, unused] = sentAndAnswer(h);
-    QCOMPARE(int(last.opcode), int(FtpOpcode::TerminateSession));
+    QCOMPARE(int(last.opcode), int(mavlink::MAV_FTP_OPCODE_TERMINATESESSION));
     QCOMPARE(last.session, std::uint8_t(3));
     const auto result = h.poll<FileResult>();
     QVERIFY(result && !result->ok && result->id == RequestId{1} && result->reason == "cancelled");
@@ -326,7 +320,7 @@ void FtpTest::endlessFolderIsBounded()
         std::string names;
         for (int i = 0; i < 100; ++i)
             names += std::string("S\0", 2); // skipped entries count as well
-        answer.setData(asBytes(names));
+        answer.append(asBytes(names));
         h.feed(toUs(answer));
     }
     QFAIL("an endless folder was read without end");
@@ -337,7 +331,7 @@ void FtpTest::giantFileIsRefused()
     Harness h = Harness::copter();
     h.vehicle.perform(h.now, RequestId{1}, vehicle::ReadFile{"/a"});
     auto [request, answer] = sentAndAnswer(h);
-    putSize(answer, 0xFFFFFFFF);
+    answer.appendNumber(0xFFFFFFFF);
     h.feed(toUs(answer));
     QCOMPARE(h.poll<FileResult>()->reason, std::string("the file is larger than 268435456 bytes"));
 }
@@ -347,11 +341,11 @@ void FtpTest::farChunkIsNotKept()
     Harness h = Harness::copter();
     h.vehicle.perform(h.now, RequestId{1}, vehicle::ReadFile{"/a"});
     auto [open, opened] = sentAndAnswer(h);
-    putSize(opened, static_cast<std::uint32_t>(FtpClient::kMostBytes));
+    opened.appendNumber(static_cast<std::uint32_t>(FtpClient::kMostBytes));
     h.feed(toUs(opened));
     auto [request, answer] = sentAndAnswer(h);
-    QCOMPARE(int(request.opcode), int(FtpOpcode::BurstReadFile));
-    answer.setData(noise(FtpClient::kChunk));
+    QCOMPARE(int(request.opcode), int(mavlink::MAV_FTP_OPCODE_BURSTREADFILE));
+    answer.append(noise(FtpClient::kChunk));
     answer.offset = static_cast<std::uint32_t>(1'000'000 * FtpClient::kChunk); // would need memory for all before it
     h.feed(toUs(answer));
     QCOMPARE(h.vehicle.state(h.now).transfers.at(0).done, std::uint64_t(0));
@@ -425,7 +419,7 @@ void FtpTest::anyAnswersAreBounded()
         const TimePoint end = h.now + std::chrono::hours(1);
         auto [sent, answer] = sentAndAnswer(h);
         for (int i = 0; i < 200 && !result; ++i) {
-            answer.opcode = *rc::gen::arbitrary<bool>() ? FtpOpcode::Ack : FtpOpcode::Nak;
+            answer.opcode = *rc::gen::arbitrary<bool>() ? mavlink::MAV_FTP_OPCODE_ACK : mavlink::MAV_FTP_OPCODE_NAK;
             answer.size = *rc::gen::element<std::uint8_t>(0, 1, 4, 239, 255);
             answer.offset = static_cast<std::uint32_t>(*rc::gen::inRange(0, 10)) * 239u
                 + static_cast<std::uint32_t>(*rc::gen::inRange(0, 2));
@@ -436,7 +430,7 @@ void FtpTest::anyAnswersAreBounded()
             h.feed(toUs(answer));
             h.runUntil(h.now + std::chrono::milliseconds(*rc::gen::inRange(0, 700)));
             const auto next = sentAndAnswer(h);
-            if (next.first.opcode != FtpOpcode{})
+            if (next.first.opcode != mavlink::MAV_FTP_OPCODE_NONE)
                 answer = next.second;
             result = h.poll<FileResult>();
         }
