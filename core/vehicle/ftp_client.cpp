@@ -27,9 +27,7 @@ bool FtpClient::perform(TimePoint now, RequestId id, const Request &request)
     } else if (const auto *remove = std::get_if<vehicle::RemoveFile>(&request)) {
         if (begin(now, id, FileAction::Remove, remove->path))
             stepWithPath(now, Phase::Removing, mavlink::MAV_FTP_OPCODE_REMOVEFILE);
-    } else if (const auto *cancel = std::get_if<CancelTransfer>(&request)) {
-        if (m_phase == Phase::Idle || cancel->transfer != m_request)
-            return false;
+    } else if (m_phase != Phase::Idle && isCancelOf(request, m_request)) {
         FtpMessage message;
         message.opcode = mavlink::MAV_FTP_OPCODE_TERMINATESESSION;
         message.session = m_session;
@@ -65,12 +63,12 @@ void FtpClient::handleDeadline(TimePoint now)
     if (m_phase == Phase::Idle)
         return;
     if (isTransferring())
-        return now >= m_deadline ? giveUp() : requestChunks(now);
-    if (now < m_repeat)
+        return now >= m_deadline ? giveUp(now) : requestChunks(now);
+    if (now < m_repetition.due())
         return;
-    if (now >= m_deadline && m_attempts >= kAttempts)
-        return giveUp();
-    if (m_phase == Phase::Bursting && m_attempts == 0)
+    if (now >= m_deadline && m_repetition.attempts() >= kAttempts)
+        return giveUp(now);
+    if (m_phase == Phase::Bursting && m_repetition.attempts() == 0)
         return burst(now); // it has paused: its end was lost
     transmit(now, m_message);
 }
@@ -79,7 +77,7 @@ TimePoint FtpClient::nextDeadline() const
 {
     if (m_phase == Phase::Idle)
         return kNever;
-    return isTransferring() ? std::min(m_window.nextDeadline(), m_deadline) : m_repeat;
+    return isTransferring() ? std::min(m_window.nextDeadline(), m_deadline) : m_repetition.due();
 }
 
 std::optional<TransferProgress> FtpClient::progress() const
@@ -124,7 +122,7 @@ bool FtpClient::begin(TimePoint now, RequestId id, FileAction action, const std:
 void FtpClient::step(TimePoint now, Phase phase, FtpMessage message)
 {
     m_phase = phase;
-    m_attempts = 0;
+    m_repetition.begin();
     m_deadline = now + kGiveUp;
     message.sequence = ++m_sequence;
     m_message = message;
@@ -145,15 +143,12 @@ void FtpClient::transmit(TimePoint now, FtpMessage message)
     mavlink::FileTransferProtocol out;
     out.payload = message.encode();
     send(out);
-    if (m_attempts++ == 0)
-        m_sent = now;
-    m_repeat = now + patience();
+    m_repetition.sent(now, m_window.rtt());
 }
 
 void FtpClient::handleStepAnswer(TimePoint now, const FtpMessage &answer)
 {
-    if (m_attempts == 1)
-        m_window.rtt().measure(now - m_sent);
+    m_repetition.measure(now, m_window.rtt());
     if (answer.opcode == mavlink::MAV_FTP_OPCODE_NAK)
         return handleStepRefusal(now, answer);
     switch (m_phase) {
@@ -204,7 +199,7 @@ void FtpClient::handleStepRefusal(TimePoint now, const FtpMessage &nak)
     case Phase::Closing: return check(now); // it is closed
     case Phase::Checking: return finish(true);
     case Phase::Removing:
-        if (error == mavlink::MAV_FTP_ERR_FILENOTFOUND && m_attempts > 1)
+        if (error == mavlink::MAV_FTP_ERR_FILENOTFOUND && m_repetition.isRepeated())
             return finish(true); // the lost answer said that it was removed
         break;
     default: break;
@@ -273,16 +268,16 @@ void FtpClient::handleBurst(TimePoint now, const FtpMessage &answer)
     const std::uint32_t place = (answer.offset - m_message.offset) / kChunk;
     if (static_cast<std::uint16_t>(answer.sequence - m_message.sequence - 1) != static_cast<std::uint16_t>(place))
         return;
-    if (m_attempts == 1 && index == m_message.offset / kChunk)
-        m_window.rtt().measure(now - m_sent);
+    if (index == m_message.offset / kChunk)
+        m_repetition.measure(now, m_window.rtt());
     if (m_latest != TimePoint{})
         m_pace.measure(now - m_latest);
     m_latest = now;
     if (!takeChunk(now, answer.offset, answer.content()))
         return;
     m_reached = std::max(m_reached, index + 1);
-    m_attempts = 0;
-    m_repeat = now + std::max({m_pace.timeout() * 2, m_window.rtt().timeout(), kLeastPause});
+    m_repetition.begin();
+    m_repetition.postpone(now + std::max({m_pace.timeout() * 2, m_window.rtt().timeout(), kLeastPause}));
     if (answer.burstComplete || m_window.isComplete())
         burst(now);
 }
@@ -411,14 +406,15 @@ void FtpClient::finish(bool ok, std::string reason, bool changeUnanswered)
     m_content = {};
     m_source.reset();
     m_phase = Phase::Idle;
-    m_deadline = m_repeat = kNever;
+    m_deadline = kNever;
+    m_repetition.stop();
     report(std::move(result));
 }
 
-void FtpClient::giveUp()
+void FtpClient::giveUp(TimePoint now)
 {
     switch (m_phase) {
-    case Phase::Closing: return check(m_repeat); // what was to be transferred is there
+    case Phase::Closing: return check(now); // what was to be transferred is there
     case Phase::Checking: return finish(true);
     case Phase::Reading:
     case Phase::Bursting:
@@ -428,16 +424,7 @@ void FtpClient::giveUp()
     default: break;
     }
     const bool isChange = m_action == FileAction::Write || m_action == FileAction::Remove;
-    finish(false, "no answer to " + std::to_string(m_attempts) + " attempts", isChange);
-}
-
-/// Of the message sent last: the same for the first attempts, then doubled again and again.
-Duration FtpClient::patience() const
-{
-    Duration out = m_window.rtt().timeout();
-    for (int i = kQuickAttempts; i < m_attempts && out < RttEstimator::kMostTimeout; ++i)
-        out *= 2;
-    return std::min(out, RttEstimator::kMostTimeout);
+    finish(false, "no answer to " + std::to_string(m_repetition.attempts()) + " attempts", isChange);
 }
 
 } // namespace skyseal::vehicle

@@ -14,6 +14,7 @@
 
 #include "core/mavlink/ftp_message.h"
 #include "core/vehicle/micro_protocol.h"
+#include "core/vehicle/repetition.h"
 #include "core/vehicle/request_window.h"
 
 #include <array>
@@ -28,8 +29,7 @@ class FtpClient : public MicroProtocol
 {
 public:
     static constexpr std::size_t kChunk = FtpMessage::kMostData;
-    static constexpr int kQuickAttempts = 3; ///< at the same pace, then at half the pace again and again
-    static constexpr int kAttempts = 8;
+    static constexpr int kAttempts = 8;                           ///< of a request, then it fails
     static constexpr Duration kGiveUp = std::chrono::seconds(12); ///< without progress
     static constexpr std::size_t kMostBytes = 256u << 20;         ///< of a file
     static constexpr std::size_t kMostEntries = 10'000;           ///< of a folder
@@ -84,8 +84,7 @@ private:
     void close(TimePoint now);
     void check(TimePoint now);
     void finish(bool ok, std::string reason = {}, bool changeUnanswered = false);
-    void giveUp();
-    Duration patience() const;
+    void giveUp(TimePoint now);
     std::size_t chunksOf(std::size_t bytes) const { return (bytes + kChunk - 1) / kChunk; }
     bool isTransferring() const { return m_phase == Phase::Reading || m_phase == Phase::Writing; }
 
@@ -108,10 +107,8 @@ private:
     TimePoint m_latest{};                         ///< arrival of the latest one
     FtpMessage m_message;                         ///< sent last, except those of the window
     std::uint16_t m_sequence = 0;                 ///< of the request sent last
-    int m_attempts = 0;
-    TimePoint m_sent{};
-    TimePoint m_repeat = kNever;
-    TimePoint m_deadline = kNever; ///< without progress, the transfer fails
+    Repetition m_repetition;                      ///< of m_message; during a burst, of its pause
+    TimePoint m_deadline = kNever;                ///< without progress, the transfer fails
     bool m_verified = false;
 };
 

@@ -18,9 +18,7 @@ bool LogClient::perform(TimePoint now, RequestId id, const Request &request)
         send(mavlink::LogErase{});
         m_deadline = now + kEraseTimeout;
         requestList(now);
-    } else if (const auto *cancel = std::get_if<CancelTransfer>(&request)) {
-        if (m_phase == Phase::Idle || cancel->transfer != m_request)
-            return false;
+    } else if (m_phase != Phase::Idle && isCancelOf(request, m_request)) {
         finish(false, "cancelled");
     } else {
         return false;

@@ -70,6 +70,12 @@ protected:
     VehicleKind kind() const { return m_context.kind(); }
     template<typename Message> void send(const Message &message, bool urgent = true) { m_context.send(message, urgent); }
     void report(Event event) { m_context.events.push_back(std::move(event)); }
+    /// True if the request cancels the transfer that `current` started.
+    static bool isCancelOf(const Request &request, RequestId current)
+    {
+        const auto *cancel = std::get_if<CancelTransfer>(&request);
+        return cancel && cancel->transfer == current;
+    }
 
     VehicleContext &m_context;
 };

@@ -87,11 +87,11 @@ void MissionClient::handleDeadline(TimePoint now)
     case Phase::Announcing:
     case Phase::RequestingCount:
     case Phase::Clearing:
-        if (now >= m_repeat && now >= m_deadline && m_attempts >= kAttempts)
+        if (now >= m_repetition.due() && now >= m_deadline && m_repetition.attempts() >= kAttempts)
             return giveUp();
         break;
     }
-    if (now >= m_repeat)
+    if (now >= m_repetition.due())
         transmit(now);
 }
 
@@ -100,8 +100,8 @@ TimePoint MissionClient::nextDeadline() const
     switch (m_phase) {
     case Phase::Idle: return kNever;
     case Phase::Downloading: return std::min(m_window.nextDeadline(), m_deadline);
-    case Phase::Uploading: return std::min(m_repeat, m_deadline);
-    default: return m_repeat;
+    case Phase::Uploading: return std::min(m_repetition.due(), m_deadline);
+    default: return m_repetition.due();
     }
 }
 
@@ -131,12 +131,12 @@ void MissionClient::handleCount(TimePoint now, std::uint16_t count)
 {
     if (m_phase != Phase::RequestingCount)
         return;
-    measure(now);
+    m_repetition.measure(now, m_window.rtt());
     m_items.assign(count, {});
     if (count == 0)
         return finish(true);
     m_phase = Phase::Downloading;
-    m_sent = now;
+    m_floatsDue = now + kFloatsAfter;
     m_deadline = now + kGiveUp;
     m_window.setMost(kind().isArduPilot() ? RequestWindow::kMost : 1);
     m_window.begin();
@@ -159,9 +159,9 @@ void MissionClient::handleItem(TimePoint now, const MissionItem &item)
 void MissionClient::requestItems(TimePoint now)
 {
     const bool knowsIntegers = (state().capabilities & mavlink::MAV_PROTOCOL_CAPABILITY_MISSION_INT) != 0;
-    if (!knowsIntegers && m_window.received() == 0 && now >= m_sent + kFloatsAfter) {
+    if (!knowsIntegers && m_window.received() == 0 && now >= m_floatsDue) {
         m_requestFloats = !m_requestFloats;
-        m_sent = now;
+        m_floatsDue = now + kFloatsAfter;
     }
     while (const auto index = m_window.poll(now)) {
         const auto request = [&](auto message) {
@@ -182,14 +182,15 @@ void MissionClient::handleItemRequest(TimePoint now, std::uint16_t sequence, boo
     if (sequence >= m_items.size())
         return; // the vehicle ends the transfer or runs into its own time-out
     const bool asksAgain = m_phase == Phase::Uploading && sequence == m_offered;
-    if (asksAgain && now < m_sent + m_window.rtt().shortest())
+    if (asksAgain && now < m_repetition.first() + m_window.rtt().shortest())
         return; // asked before the item arrived that is on its way
-    if (!asksAgain)
-        measure(now);
+    if (!asksAgain) {
+        m_repetition.measure(now, m_window.rtt());
+        m_repetition.begin();
+    }
     m_phase = Phase::Uploading;
     m_offerIntegers = asInteger || (state().capabilities & mavlink::MAV_PROTOCOL_CAPABILITY_MISSION_INT) != 0;
     m_inferred = 0;
-    m_attempts = asksAgain ? m_attempts : 0;
     m_deadline = now + (sequence + 1u == m_items.size() ? kUploadedTimeout : kRequestTimeout);
     offer(now, sequence);
 }
@@ -228,14 +229,14 @@ void MissionClient::handleAck(TimePoint now, std::uint8_t result)
 
 void MissionClient::handleUploadAck(TimePoint now, std::uint8_t result)
 {
-    const bool repeated = m_attempts > 1;
+    const bool repeated = m_repetition.isRepeated();
     const bool last = m_offered + 1 == m_items.size();
     switch (result) {
     case mavlink::MAV_MISSION_ACCEPTED: return finish(true);
     case mavlink::MAV_MISSION_INVALID_SEQUENCE:
         if (repeated && !last && m_inferred < kInferred) {
             ++m_inferred;
-            m_attempts = 0;
+            m_repetition.begin();
             offer(now, m_offered + 1);
         }
         return;
@@ -268,7 +269,7 @@ bool MissionClient::begin(RequestId id, MissionTransfer transfer, MissionType ty
 void MissionClient::enter(TimePoint now, Phase phase)
 {
     m_phase = phase;
-    m_attempts = 0;
+    m_repetition.begin();
     m_deadline = now + kGiveUp;
     transmit(now);
 }
@@ -288,9 +289,7 @@ void MissionClient::transmit(TimePoint now)
     case Phase::Idle:
     case Phase::Downloading: return;
     }
-    if (m_attempts++ == 0)
-        m_sent = now;
-    m_repeat = now + patience();
+    m_repetition.sent(now, m_window.rtt());
 }
 
 void MissionClient::offer(TimePoint now, std::size_t sequence)
@@ -304,22 +303,6 @@ void MissionClient::restart(TimePoint now, std::string reason)
     if (++m_rounds >= kRounds)
         return finish(false, std::move(reason));
     enter(now, m_transfer == MissionTransfer::Upload ? Phase::Announcing : Phase::RequestingCount);
-}
-
-/// Of the message sent last: the same for the first attempts, then doubled again and again.
-Duration MissionClient::patience() const
-{
-    Duration out = m_window.rtt().timeout();
-    for (int i = kQuickAttempts; i < m_attempts && out < RttEstimator::kMostTimeout; ++i)
-        out *= 2;
-    return std::min(out, RttEstimator::kMostTimeout);
-}
-
-/// The message sent last was answered.
-void MissionClient::measure(TimePoint now)
-{
-    if (m_attempts == 1)
-        m_window.rtt().measure(now - m_sent);
 }
 
 void MissionClient::sendItem(const MissionItem &item)
@@ -364,7 +347,8 @@ void MissionClient::finish(bool ok, std::string reason, bool changeUnanswered)
     }
     m_items.clear();
     m_phase = Phase::Idle;
-    m_deadline = m_repeat = kNever;
+    m_deadline = kNever;
+    m_repetition.stop();
     report(std::move(result));
 }
 
@@ -372,7 +356,8 @@ void MissionClient::giveUp()
 {
     if (m_phase == Phase::Downloading)
         return finish(false, "the vehicle does not send item " + std::to_string(m_window.firstMissing()));
-    finish(false, "no answer to " + std::to_string(m_attempts) + " attempts", m_transfer != MissionTransfer::Download);
+    finish(false, "no answer to " + std::to_string(m_repetition.attempts()) + " attempts",
+           m_transfer != MissionTransfer::Download);
 }
 
 } // namespace skyseal::vehicle

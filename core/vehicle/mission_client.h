@@ -17,6 +17,7 @@
 #pragma once
 
 #include "core/vehicle/micro_protocol.h"
+#include "core/vehicle/repetition.h"
 #include "core/vehicle/request_window.h"
 
 #include <cstdint>
@@ -29,8 +30,6 @@ namespace skyseal::vehicle {
 class MissionClient : public MicroProtocol
 {
 public:
-    /// A message is repeated at the same pace so often, then at half the pace again and again.
-    static constexpr int kQuickAttempts = 3;
     /// A step fails after so many attempts without an answer, and not before kGiveUp.
     static constexpr int kAttempts = 8;
     static constexpr Duration kGiveUp = std::chrono::seconds(12);
@@ -77,8 +76,6 @@ private:
     void sendItem(const MissionItem &item);
     void finish(bool ok, std::string reason = {}, bool changeUnanswered = false);
     void giveUp();
-    void measure(TimePoint now);
-    Duration patience() const;
     /// The message with the type of this transfer.
     template<typename Message> void sendTyped(Message message)
     {
@@ -96,10 +93,9 @@ private:
     bool m_offerIntegers = true;   ///< the vehicle asks for integer items
     std::size_t m_offered = 0;     ///< the item sent last
     int m_inferred = 0;            ///< items sent since the vehicle asked for one
-    int m_attempts = 0;            ///< of the message sent last
     int m_rounds = 0;              ///< the transfer has begun again so often
-    TimePoint m_sent{};            ///< the message was first sent
-    TimePoint m_repeat = kNever;   ///< the message is due again
+    Repetition m_repetition;       ///< of the message sent last
+    TimePoint m_floatsDue{};       ///< without an item until then, the other form of items is requested
     TimePoint m_deadline = kNever; ///< the transfer fails, or begins again
     std::shared_ptr<const std::vector<MissionItem>> m_mission;
 };
