@@ -79,7 +79,10 @@ void MissionClient::handleDeadline(TimePoint now)
 {
     switch (m_phase) {
     case Phase::Idle: return;
-    case Phase::Downloading: return now >= m_deadline ? giveUp() : requestItems(now);
+    case Phase::Downloading:
+        if (now < m_deadline)
+            return requestItems(now);
+        return kind().isArduPilot() ? giveUp() : restart(now, missingItem());
     case Phase::Uploading:
         if (now >= m_deadline)
             return restart(now, "the vehicle stopped asking for items");
@@ -137,7 +140,7 @@ void MissionClient::handleCount(TimePoint now, std::uint16_t count)
         return finish(true);
     m_phase = Phase::Downloading;
     m_floatsDue = now + kFloatsAfter;
-    m_deadline = now + kGiveUp;
+    awaitItem(now);
     m_window.setMost(kind().isArduPilot() ? RequestWindow::kMost : 1);
     m_window.begin();
     m_window.setCount(count);
@@ -150,7 +153,7 @@ void MissionClient::handleItem(TimePoint now, const MissionItem &item)
     if (m_phase != Phase::Downloading || !m_window.arrived(now, item.sequence))
         return; // a repeated answer to an earlier request
     m_items[item.sequence] = item;
-    m_deadline = now + kGiveUp;
+    awaitItem(now);
     if (m_window.isComplete())
         return finish(true);
     requestItems(now);
@@ -200,16 +203,19 @@ void MissionClient::handleAck(TimePoint now, std::uint8_t result)
     const bool accepted = result == mavlink::MAV_MISSION_ACCEPTED;
     // Caused by a repeated item, perhaps of the transfer before.
     const bool otherExpected = result == mavlink::MAV_MISSION_INVALID_SEQUENCE;
+    const bool timedOut = result == mavlink::MAV_MISSION_OPERATION_CANCELLED;
     switch (m_phase) {
     case Phase::Idle: return;
     case Phase::Announcing:
-        // Acceptance of an earlier upload, unless this one is empty.
-        if (otherExpected || (accepted && !m_items.empty()))
+        // The end of an earlier upload: its acceptance, unless this one is empty, or its time-out.
+        if (otherExpected || timedOut || (accepted && !m_items.empty()))
             return;
+        if (result == mavlink::MAV_MISSION_ERROR && kind().isPx4() && m_releases < kReleases)
+            return release(now);
         break;
     case Phase::Uploading: return handleUploadAck(now, result);
     case Phase::RequestingCount:
-        if (otherExpected || accepted)
+        if (otherExpected || timedOut || accepted)
             return;
         break;
     case Phase::Downloading:
@@ -220,7 +226,7 @@ void MissionClient::handleAck(TimePoint now, std::uint8_t result)
             return restart(now, missionResultText(result));
         break;
     case Phase::Clearing:
-        if (otherExpected)
+        if (otherExpected || timedOut)
             return;
         break;
     }
@@ -232,7 +238,10 @@ void MissionClient::handleUploadAck(TimePoint now, std::uint8_t result)
     const bool repeated = m_repetition.isRepeated();
     const bool last = m_offered + 1 == m_items.size();
     switch (result) {
-    case mavlink::MAV_MISSION_ACCEPTED: return finish(true);
+    case mavlink::MAV_MISSION_ACCEPTED:
+        // Of an item before the last one: PX4 has ended the upload, and takes the repetition for that of the last item.
+        return m_furthest + 1 >= m_items.size() ? finish(true) : restart(now, "the vehicle ended the upload early");
+    case mavlink::MAV_MISSION_OPERATION_CANCELLED: return restart(now, missionResultText(result));
     case mavlink::MAV_MISSION_INVALID_SEQUENCE:
         if (repeated && !last && m_inferred < kInferred) {
             ++m_inferred;
@@ -241,8 +250,8 @@ void MissionClient::handleUploadAck(TimePoint now, std::uint8_t result)
         }
         return;
     case mavlink::MAV_MISSION_ERROR:
-        // ArduPilot no longer expects an item. The lost answer was its acceptance of the last one, or a refusal.
-        if (repeated && last)
+        // The vehicle no longer expects an item. The lost answer was its acceptance, a refusal, or the end by time-out.
+        if (repeated)
             return restart(now, missionResultText(result));
         break;
     default: break;
@@ -260,7 +269,8 @@ bool MissionClient::begin(RequestId id, MissionTransfer transfer, MissionType ty
     m_transfer = transfer;
     m_type = type;
     m_items.clear();
-    m_rounds = 0;
+    m_rounds = m_releases = 0;
+    m_furthest = 0;
     m_requestFloats = false;
     return true;
 }
@@ -285,7 +295,11 @@ void MissionClient::transmit(TimePoint now)
     }
     case Phase::RequestingCount: sendTyped(mavlink::MissionRequestList{}); break;
     case Phase::Clearing: sendTyped(mavlink::MissionClearAll{}); break;
-    case Phase::Uploading: sendItem(m_items[m_offered]); break;
+    case Phase::Uploading:
+        sendItem(m_items[m_offered]);
+        if (kind().isPx4() && m_repetition.attempts() > 0 && m_offered + 1 < m_items.size())
+            sendItem(m_items[m_offered + 1]);
+        break;
     case Phase::Idle:
     case Phase::Downloading: return;
     }
@@ -298,15 +312,38 @@ void MissionClient::offer(TimePoint now, std::size_t sequence)
     transmit(now);
 }
 
+/// Tells the vehicle that no earlier transfer with this station is under way, and announces the upload again.
+void MissionClient::release(TimePoint now)
+{
+    ++m_releases;
+    for (const MissionType type : {MissionType::Mission, MissionType::Fence, MissionType::Rally})
+        send(mavlink::MissionAck{.type = mavlink::MAV_MISSION_OPERATION_CANCELLED,
+                                 .mission_type = static_cast<std::uint8_t>(type)});
+    enter(now, Phase::Announcing);
+}
+
 void MissionClient::restart(TimePoint now, std::string reason)
 {
     if (++m_rounds >= kRounds)
         return finish(false, std::move(reason));
+    m_furthest = 0;
     enter(now, m_transfer == MissionTransfer::Upload ? Phase::Announcing : Phase::RequestingCount);
+}
+
+/// The download is given up, or begins again, if none comes.
+void MissionClient::awaitItem(TimePoint now)
+{
+    m_deadline = now + (kind().isArduPilot() ? kGiveUp : kDownloadStalled);
+}
+
+std::string MissionClient::missingItem() const
+{
+    return "the vehicle does not send item " + std::to_string(m_window.firstMissing());
 }
 
 void MissionClient::sendItem(const MissionItem &item)
 {
+    m_furthest = std::max<std::size_t>(m_furthest, item.sequence);
     const auto fill = [&](auto message) {
         message.seq = item.sequence;
         message.frame = item.frame;
@@ -355,7 +392,7 @@ void MissionClient::finish(bool ok, std::string reason, bool changeUnanswered)
 void MissionClient::giveUp()
 {
     if (m_phase == Phase::Downloading)
-        return finish(false, "the vehicle does not send item " + std::to_string(m_window.firstMissing()));
+        return finish(false, missingItem());
     finish(false, "no answer to " + std::to_string(m_repetition.attempts()) + " attempts",
            m_transfer != MissionTransfer::Download);
 }

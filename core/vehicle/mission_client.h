@@ -5,12 +5,21 @@
 //     Download: MISSION_REQUEST_LIST → MISSION_COUNT → (MISSION_REQUEST_INT n → MISSION_ITEM_INT n)* → our MISSION_ACK
 //     Clear:    MISSION_CLEAR_ALL → MISSION_ACK
 //
-// Every message of this end is repeated when it or its answer was lost, judging by the measured round trip. ArduPilot answers
-// requests for items in any order, so that a window of them is under way; other autopilots expect them one by one, in order.
+// Every message of this end is repeated when it or its answer was lost, judging by the measured round trip. What follows holds
+// of ArduPilot as in its GCS_MAVLink/MissionItemProtocol.cpp and GCS_Common.cpp, and of PX4 as in its mavlink_mission.cpp.
 //
-// During an upload the vehicle asks, and repeats its requests only after a second (ArduPilot). So the item sent last is
-// repeated: the vehicle then takes it, or asks for the next one again (PX4), or says that it expects another one
-// (MAV_MISSION_INVALID_SEQUENCE, ArduPilot), in which case the lost request was for the next one.
+// Download: ArduPilot answers requests for items in any order, so that a window of them is under way. PX4 takes the expected
+// request and the one before: another one ends the download with MAV_MISSION_ERROR, after which further requests get no answer;
+// so does a silence of 5 s, without a word.
+//
+// Upload: the vehicle asks, and repeats a request after 1 s (ArduPilot) or 250 ms (PX4). So the item sent last is repeated.
+// If it had arrived, ArduPilot says that it expects another one (MAV_MISSION_INVALID_SEQUENCE): the lost request was for the
+// next one. PX4 ignores an item that it does not expect: it is sent the next one as well, which it takes if the lost request
+// was for that. Without an item for 8 s ArduPilot ends the upload with MAV_MISSION_OPERATION_CANCELLED, and then answers an
+// item with MAV_MISSION_ERROR. PX4 ends it silently after 5 s, and then accepts a repetition of the item that it took last as
+// if that had been the end: acceptance counts only after the last item was sent.
+//
+// PX4 refuses a new upload (MAV_MISSION_ERROR) while it serves a transfer whose end was lost. Any acknowledgement ends that.
 //
 // Older firmware requests items by MISSION_REQUEST; it gets float items unless its capabilities name integer items.
 // On ArduPilot item 0 of a mission is the home position: downloads contain it, and an upload must begin with it.
@@ -33,15 +42,20 @@ public:
     /// A step fails after so many attempts without an answer, and not before kGiveUp.
     static constexpr int kAttempts = 8;
     static constexpr Duration kGiveUp = std::chrono::seconds(12);
+    /// A download begins again after so long without an item, except from ArduPilot, which knows no downloads to end. PX4's
+    /// MAVLINK_MISSION_PROTOCOL_TIMEOUT_DEFAULT is 5 s.
+    static constexpr Duration kDownloadStalled = std::chrono::seconds(6);
     /// Firmware that sends no item for so long, and does not claim to know integer items, is asked for float items.
     static constexpr Duration kFloatsAfter = std::chrono::seconds(2);
-    /// For the next request of the vehicle; then the upload starts again.
+    /// For the next request of the vehicle; then the upload starts again. ArduPilot's upload_timeout_ms.
     static constexpr Duration kRequestTimeout = std::chrono::seconds(8);
     /// For the acknowledgement after the last item. If it is lost, the vehicle may send nothing more.
     static constexpr Duration kUploadedTimeout = std::chrono::seconds(3);
     static constexpr int kRounds = 5; ///< how often a transfer begins
     /// So many requests of the vehicle in a row may be replaced by what its refusals of repeated items say.
     static constexpr int kInferred = 4;
+    /// So often PX4 is told during an upload that earlier transfers are over.
+    static constexpr int kReleases = 3;
     static constexpr std::size_t kMaxItems = 65535;
 
     using MicroProtocol::MicroProtocol;
@@ -71,6 +85,9 @@ private:
     void enter(TimePoint now, Phase phase);
     void transmit(TimePoint now);
     void restart(TimePoint now, std::string reason);
+    void release(TimePoint now);
+    void awaitItem(TimePoint now);
+    std::string missingItem() const;
     void requestItems(TimePoint now);
     void offer(TimePoint now, std::size_t sequence);
     void sendItem(const MissionItem &item);
@@ -88,12 +105,14 @@ private:
     MissionTransfer m_transfer{};
     MissionType m_type{};
     std::vector<MissionItem> m_items;
-    RequestWindow m_window;        ///< of a download; its round trip serves all transfers
-    bool m_requestFloats = false;  ///< the vehicle does not answer MISSION_REQUEST_INT
-    bool m_offerIntegers = true;   ///< the vehicle asks for integer items
-    std::size_t m_offered = 0;     ///< the item sent last
-    int m_inferred = 0;            ///< items sent since the vehicle asked for one
-    int m_rounds = 0;              ///< the transfer has begun again so often
+    RequestWindow m_window;       ///< of a download; its round trip serves all transfers
+    bool m_requestFloats = false; ///< the vehicle does not answer MISSION_REQUEST_INT
+    bool m_offerIntegers = true;  ///< the vehicle asks for integer items
+    std::size_t m_offered = 0;    ///< the item that the vehicle was sent last because it asked, or seemed to ask, for it
+    std::size_t m_furthest = 0;   ///< the last one that was sent in this round
+    int m_inferred = 0;           ///< items sent since the vehicle asked for one
+    int m_rounds = 0;             ///< the transfer has begun again so often
+    int m_releases = 0;
     Repetition m_repetition;       ///< of the message sent last
     TimePoint m_floatsDue{};       ///< without an item until then, the other form of items is requested
     TimePoint m_deadline = kNever; ///< the transfer fails, or begins again

@@ -4,6 +4,7 @@
 
 #include "vehicle_harness.h"
 
+#include <algorithm>
 #include <functional>
 #include <random>
 
@@ -33,6 +34,8 @@ protected:
 class LossyLink
 {
 public:
+    enum class Direction : std::uint8_t { Both, Up, Down };
+
     LossyLink(Harness &harness, ScriptedPeer &peer, double loss, unsigned seed, Duration delay = std::chrono::milliseconds(20))
         : m_harness(harness), m_peer(peer), m_random(seed), m_lost(loss), m_delay(delay)
     {}
@@ -43,7 +46,8 @@ public:
         const TimePoint end = m_harness.now + limit;
         for (;;) {
             for (const OutMessage &message : m_harness.sent())
-                carry([this, message](std::vector<ToStation> &out) { m_peer.handle(m_harness.now, message, out); });
+                carry(Direction::Up,
+                      [this, message](std::vector<ToStation> &out) { m_peer.handle(m_harness.now, message, out); });
             if (done())
                 return true;
             const TimePoint next = std::min(
@@ -61,17 +65,40 @@ public:
                 event.mapped()(out);
             }
             for (const ToStation &message : out)
-                carry([this, message](std::vector<ToStation> &) { message(m_harness); });
+                carry(Direction::Down, [this, message](std::vector<ToStation> &) { message(m_harness); });
         }
     }
+
+    /// Nothing that is sent in this direction from `begin` to `end` arrives.
+    void addOutage(TimePoint begin, TimePoint end, Direction direction = Direction::Both)
+    {
+        m_outages.push_back({begin, end, direction});
+    }
+
+    /// What was sent and has not arrived yet is lost.
+    void loseAllUnderWay() { m_events.clear(); }
 
     int dropped() const { return m_dropped; }
     int carried() const { return m_carried; }
 
 private:
-    void carry(std::function<void(std::vector<ToStation> &)> arrival)
+    struct Outage
     {
-        if (m_lost(m_random)) {
+        TimePoint begin, end;
+        Direction direction;
+    };
+
+    bool isDown(Direction direction) const
+    {
+        return std::ranges::any_of(m_outages, [&](const Outage &outage) {
+            return m_harness.now >= outage.begin && m_harness.now < outage.end
+                && (outage.direction == Direction::Both || outage.direction == direction);
+        });
+    }
+
+    void carry(Direction direction, std::function<void(std::vector<ToStation> &)> arrival)
+    {
+        if (isDown(direction) || m_lost(m_random)) {
             ++m_dropped;
             return;
         }
@@ -85,6 +112,7 @@ private:
     std::bernoulli_distribution m_lost;
     const Duration m_delay;
     std::multimap<TimePoint, std::function<void(std::vector<ToStation> &)>> m_events;
+    std::vector<Outage> m_outages;
     int m_dropped = 0;
     int m_carried = 0;
 };

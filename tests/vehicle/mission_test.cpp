@@ -1,6 +1,6 @@
 // Missions against a scripted autopilot, by hand and through a radio that drops.
 #include "core/vehicle/mission_client.h"
-#include "lossy_link.h"
+#include "mission_peers.h"
 #include "tests/support/test_runner.h"
 
 using namespace skyseal;
@@ -29,6 +29,13 @@ private Q_SLOTS:
     void uploadAndDownloadThroughABadRadio();
     void lossCostsLittleTime_data();
     void lossCostsLittleTime();
+    void acceptanceBeforeTheLastItemIsNone();
+    void outagesDuringTransfers_data();
+    void outagesDuringTransfers();
+    void px4IsReleasedFromTheTransferBefore();
+    void persistentRefusalIsReported();
+    void px4IsSentTheNextItemAsWell();
+    void timeOutOfTheUploadBeforeIsNoRefusal();
 };
 
 namespace {
@@ -46,18 +53,6 @@ std::vector<MissionItem> plan(std::size_t count)
     return out;
 }
 
-template<typename Message> Message toUs(std::uint16_t sequence = 0)
-{
-    Message out;
-    out.target_system = 255;
-    out.target_component = 190;
-    if constexpr (requires { out.seq; })
-        out.seq = sequence;
-    if constexpr (requires { out.count; })
-        out.count = sequence;
-    return out;
-}
-
 Harness px4()
 {
     VehicleConfig config;
@@ -69,108 +64,15 @@ Harness px4()
     return out;
 }
 
-mavlink::MissionAck acknowledgement(std::uint8_t result)
-{
-    auto out = toUs<mavlink::MissionAck>();
-    out.type = result;
-    return out;
-}
-
-/// An autopilot's side of the protocol, with its own slow repetition of requests.
-class MissionPeer : public ScriptedPeer
-{
-public:
-    explicit MissionPeer(bool isPx4 = false) : m_isPx4(isPx4) {}
-
-    void handle(TimePoint now, const OutMessage &message, std::vector<ToStation> &out) override
-    {
-        if (const auto count = as<mavlink::MissionCount>(message)) {
-            m_receiving.assign(count->count, {});
-            m_next = 0;
-            m_active = true;
-            ask(now, out);
-        }
-        if (const auto item = as<mavlink::MissionItemInt>(message))
-            take(now, *item, out);
-        if (as<mavlink::MissionRequestList>(message)) {
-            m_asked = 0;
-            out.push_back(send(toUs<mavlink::MissionCount>(static_cast<std::uint16_t>(stored.size()))));
-        }
-        if (const auto request = as<mavlink::MissionRequestInt>(message))
-            answer(request->seq, out);
-        if (as<mavlink::MissionClearAll>(message)) {
-            stored.clear();
-            out.push_back(send(acknowledgement(0)));
-        }
-    }
-
-    void handleDeadline(TimePoint now, std::vector<ToStation> &out) override { ask(now, out); }
-    TimePoint nextDeadline() const override { return m_active ? m_repeat : kNever; }
-
-    std::vector<mavlink::MissionItemInt> stored;
-
-private:
-    void take(TimePoint now, const mavlink::MissionItemInt &item, std::vector<ToStation> &out)
-    {
-        if (m_active && item.seq == m_next) {
-            m_receiving[m_next++] = item;
-            ask(now, out);
-        } else if (m_active && m_isPx4) {
-            ask(now, out);
-        } else if (m_active) {
-            out.push_back(send(acknowledgement(mavlink::MAV_MISSION_INVALID_SEQUENCE)));
-        } else if (m_isPx4 && item.seq + std::size_t(1) == m_next) {
-            out.push_back(send(acknowledgement(0)));
-        } else if (!m_isPx4) {
-            out.push_back(send(acknowledgement(mavlink::MAV_MISSION_ERROR)));
-        }
-    }
-
-    void answer(std::uint16_t sequence, std::vector<ToStation> &out)
-    {
-        if (sequence >= stored.size())
-            return;
-        if (m_isPx4 && sequence != m_asked && sequence + 1 != m_asked)
-            return out.push_back(send(acknowledgement(mavlink::MAV_MISSION_ERROR)));
-        m_asked = sequence + 1;
-        auto item = stored[sequence];
-        item.target_system = 255;
-        item.target_component = 190;
-        out.push_back(send(item));
-    }
-
-    void ask(TimePoint now, std::vector<ToStation> &out)
-    {
-        m_repeat = now + std::chrono::seconds(1);
-        if (m_next < m_receiving.size()) {
-            out.push_back(send(toUs<mavlink::MissionRequestInt>(static_cast<std::uint16_t>(m_next))));
-            return;
-        }
-        m_active = false;
-        stored = m_receiving;
-        out.push_back(send(acknowledgement(0))); // once: it may get lost
-    }
-
-    const bool m_isPx4;
-    std::vector<mavlink::MissionItemInt> m_receiving;
-    std::size_t m_next = 0;
-    int m_asked = 0;
-    bool m_active = false;
-    TimePoint m_repeat = kNever;
-};
-
 /// Seconds of a transfer of 500 items over 25 ms each way.
 double transferTime(bool isPx4, bool isUpload, double loss, unsigned seed)
 {
     constexpr Duration kLimit = std::chrono::seconds(600);
     Harness h = isPx4 ? px4() : Harness::copter();
-    MissionPeer peer(isPx4);
-    peer.stored.resize(isUpload ? 0 : 500);
-    for (std::size_t i = 0; i < peer.stored.size(); ++i) {
-        peer.stored[i].seq = static_cast<std::uint16_t>(i);
-        peer.stored[i].x = static_cast<std::int32_t>(i);
-    }
-    LossyLink link(h, peer, loss, seed, std::chrono::milliseconds(25));
+    const auto peer = missionPeer(isPx4);
+    if (!isUpload)
+        peer->fill(500);
+    LossyLink link(h, *peer, loss, seed, std::chrono::milliseconds(25));
     const TimePoint begin = h.now;
     if (isUpload)
         h.vehicle.perform(h.now, RequestId{1}, WriteMission{plan(500)});
@@ -180,7 +82,7 @@ double transferTime(bool isPx4, bool isUpload, double loss, unsigned seed)
     if (!link.run(kLimit, [&] { return (result = h.poll<MissionResult>()).has_value(); }) || !result->ok)
         return seconds(kLimit);
     for (std::size_t i = 0; i < 500; ++i) {
-        if (isUpload ? peer.stored[i].seq != i : std::llround(result->items->at(i).latitude * 1e7) != int(i))
+        if (isUpload ? peer->stored[i].seq != i : std::llround(result->items->at(i).latitude * 1e7) != int(i))
             return seconds(kLimit);
     }
     return seconds(h.now - begin);
@@ -450,9 +352,12 @@ void MissionTest::uploadAndDownloadThroughABadRadio_data()
 {
     QTest::addColumn<double>("loss");
     QTest::addColumn<int>("seed");
+    QTest::addColumn<bool>("isPx4");
     for (int seed = 1; seed <= 10; ++seed) {
-        for (const double loss : {0.0, 0.05, 0.2})
-            QTest::addRow("loss %.2f, seed %d", loss, seed) << loss << seed;
+        for (const double loss : {0.0, 0.05, 0.2}) {
+            QTest::addRow("ArduPilot, loss %.2f, seed %d", loss, seed) << loss << seed << false;
+            QTest::addRow("PX4, loss %.2f, seed %d", loss, seed) << loss << seed << true;
+        }
     }
 }
 
@@ -460,17 +365,18 @@ void MissionTest::uploadAndDownloadThroughABadRadio()
 {
     QFETCH(double, loss);
     QFETCH(int, seed);
-    Harness h = Harness::copter();
-    MissionPeer peer;
-    LossyLink link(h, peer, loss, static_cast<unsigned>(seed));
+    QFETCH(bool, isPx4);
+    Harness h = isPx4 ? px4() : Harness::copter();
+    const auto peer = missionPeer(isPx4);
+    LossyLink link(h, *peer, loss, static_cast<unsigned>(seed));
     std::optional<MissionResult> result;
     const auto ended = [&] { return (result = h.poll<MissionResult>()).has_value(); };
 
     h.vehicle.perform(h.now, RequestId{1}, WriteMission{plan(50)});
     QVERIFY(link.run(std::chrono::seconds(180), ended));
     QVERIFY2(result->ok, result->reason.c_str());
-    QCOMPARE(peer.stored.size(), std::size_t(50));
-    QCOMPARE(peer.stored[49].x, 480049000);
+    QCOMPARE(peer->stored.size(), std::size_t(50));
+    QCOMPARE(peer->stored[49].x, 480049000);
 
     h.vehicle.perform(h.now, RequestId{1}, ReadMission{});
     QVERIFY(link.run(std::chrono::seconds(180), ended));
@@ -481,7 +387,7 @@ void MissionTest::uploadAndDownloadThroughABadRadio()
 
     h.vehicle.perform(h.now, RequestId{1}, ClearMission{});
     QVERIFY(link.run(std::chrono::seconds(60), ended));
-    QVERIFY(result->ok && peer.stored.empty() && h.vehicle.mission()->empty());
+    QVERIFY(result->ok && peer->stored.empty() && h.vehicle.mission()->empty());
 }
 
 void MissionTest::lossCostsLittleTime_data()
@@ -516,6 +422,130 @@ void MissionTest::lossCostsLittleTime()
         qInfo("%s", said.c_str());
         QVERIFY2(sum / kSeeds <= factor * clean, said.c_str());
     }
+}
+
+void MissionTest::acceptanceBeforeTheLastItemIsNone()
+{
+    Harness h = px4();
+    h.vehicle.perform(h.now, RequestId{1}, WriteMission{plan(5)});
+    h.feed(toUs<mavlink::MissionRequestInt>(0));
+    h.sent();
+    h.feed(acknowledgement(mavlink::MAV_MISSION_ACCEPTED)); // of a repeated item, after the vehicle's time-out
+    QVERIFY(!h.poll<MissionResult>());
+    QCOMPARE(h.sentOf<mavlink::MissionCount>().size(), std::size_t(1));
+    for (std::uint16_t sequence = 0; sequence < 5; ++sequence)
+        h.feed(toUs<mavlink::MissionRequestInt>(sequence));
+    h.feed(acknowledgement(mavlink::MAV_MISSION_ACCEPTED));
+    QVERIFY(h.poll<MissionResult>()->ok);
+}
+
+void MissionTest::outagesDuringTransfers_data()
+{
+    QTest::addColumn<bool>("isPx4");
+    QTest::addColumn<bool>("isUpload");
+    QTest::addColumn<double>("length");
+    for (const double length : {2., 5.5, 7., 8.5}) {
+        for (const bool isPx4 : {false, true}) {
+            for (const bool isUpload : {false, true})
+                QTest::addRow("%s %s, %.1f s", isUpload ? "upload to" : "download from", isPx4 ? "PX4" : "ArduPilot", length)
+                    << isPx4 << isUpload << length;
+        }
+    }
+}
+
+/// The link is down in the middle of a transfer, at several places of the exchange, in both directions or in one.
+void MissionTest::outagesDuringTransfers()
+{
+    QFETCH(bool, isPx4);
+    QFETCH(bool, isUpload);
+    QFETCH(double, length);
+    for (const auto direction : {LossyLink::Direction::Both, LossyLink::Direction::Up, LossyLink::Direction::Down}) {
+        for (int start = 0; start < 12; ++start) {
+            Harness h = isPx4 ? px4() : Harness::copter();
+            const auto peer = missionPeer(isPx4);
+            if (!isUpload)
+                peer->fill(100);
+            LossyLink link(h, *peer, 0, 1);
+            const TimePoint begin = h.now + std::chrono::milliseconds(100 + 7 * start);
+            link.addOutage(begin, begin + std::chrono::duration_cast<Duration>(std::chrono::duration<double>(length)),
+                           direction);
+            if (isUpload)
+                h.vehicle.perform(h.now, RequestId{1}, WriteMission{plan(100)});
+            else
+                h.vehicle.perform(h.now, RequestId{1}, ReadMission{});
+            std::optional<MissionResult> result;
+            QVERIFY(link.run(std::chrono::minutes(2), [&] { return (result = h.poll<MissionResult>()).has_value(); }));
+            QVERIFY2(result->ok, result->reason.c_str());
+            QCOMPARE(peer->stored.size(), std::size_t(100));
+            QCOMPARE(result->items->size(), std::size_t(100));
+            for (std::size_t i = 0; i < 100; ++i)
+                QCOMPARE(std::llround(result->items->at(i).latitude * 1e7), std::int64_t(peer->stored[i].x));
+        }
+    }
+}
+
+void MissionTest::px4IsReleasedFromTheTransferBefore()
+{
+    Harness h = px4();
+    Px4MissionPeer peer;
+    peer.fill(3);
+    LossyLink link(h, peer, 0, 1);
+    std::optional<MissionResult> result;
+    const auto ended = [&] { return (result = h.poll<MissionResult>()).has_value(); };
+    h.vehicle.perform(h.now, RequestId{1}, ReadMission{});
+    QVERIFY(link.run(std::chrono::seconds(10), ended));
+    QVERIFY(result->ok);
+    link.loseAllUnderWay(); // the acknowledgement of the last item is lost: the vehicle waits for 5 s
+    const TimePoint begin = h.now;
+    h.vehicle.perform(h.now, RequestId{2}, WriteMission{plan(4), MissionType::Fence});
+    QVERIFY(link.run(std::chrono::seconds(30), ended));
+    QVERIFY2(result->ok, result->reason.c_str());
+    QVERIFY(h.now < begin + std::chrono::seconds(2));
+    QCOMPARE(peer.stored.size(), std::size_t(4));
+}
+
+void MissionTest::persistentRefusalIsReported()
+{
+    Harness h = px4(); // which another station uses by another link
+    h.vehicle.perform(h.now, RequestId{1}, WriteMission{plan(4)});
+    for (int i = 0; i <= MissionClient::kReleases; ++i) {
+        QVERIFY(!h.poll<MissionResult>());
+        QVERIFY(!h.sentOf<mavlink::MissionCount>().empty());
+        h.feed(acknowledgement(mavlink::MAV_MISSION_ERROR));
+    }
+    QCOMPARE(h.poll<MissionResult>()->reason, std::string("the vehicle reports an error"));
+    Harness copter = Harness::copter(); // ArduPilot has other reasons
+    copter.vehicle.perform(copter.now, RequestId{1}, WriteMission{plan(4)});
+    copter.feed(acknowledgement(mavlink::MAV_MISSION_ERROR));
+    QVERIFY(!copter.poll<MissionResult>()->ok);
+}
+
+void MissionTest::px4IsSentTheNextItemAsWell()
+{
+    Harness h = px4();
+    h.vehicle.perform(h.now, RequestId{1}, WriteMission{plan(3)});
+    h.now += std::chrono::milliseconds(50);
+    h.feed(toUs<mavlink::MissionRequestInt>(0));
+    h.sent();
+    const auto again = h.nextSent<mavlink::MissionItemInt>(at(110));
+    QVERIFY(again && again->second.seq == 0);
+    QVERIFY(again->first < h.now + std::chrono::milliseconds(200));
+    const auto next = h.nextSent<mavlink::MissionItemInt>(h.now);
+    QVERIFY(next && next->second.seq == 1);
+}
+
+void MissionTest::timeOutOfTheUploadBeforeIsNoRefusal()
+{
+    Harness h = Harness::copter();
+    h.vehicle.perform(h.now, RequestId{1}, WriteMission{plan(3)});
+    h.feed(toUs<mavlink::MissionRequestInt>(0));
+    h.sent();
+    h.feed(acknowledgement(mavlink::MAV_MISSION_OPERATION_CANCELLED)); // of this upload: it begins again
+    QCOMPARE(h.sentOf<mavlink::MissionCount>().size(), std::size_t(1));
+    h.feed(acknowledgement(mavlink::MAV_MISSION_OPERATION_CANCELLED)); // of the one before
+    QVERIFY(!h.poll<MissionResult>());
+    h.feed(toUs<mavlink::MissionRequestInt>(0));
+    QCOMPARE(h.sentOf<mavlink::MissionItemInt>().size(), std::size_t(1));
 }
 
 SKYSEAL_TEST_APPLESS(MissionTest)
