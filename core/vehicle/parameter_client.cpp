@@ -59,15 +59,14 @@ void ParameterClient::handleDeadline(TimePoint now)
         handleListDeadline(now);
     else if (isReading())
         requestGaps(now);
-    if (!m_exchanges.empty() && now >= m_exchanges.front().deadline)
+    if (now >= m_repetition.due())
         handleExchangeDeadline(now);
 }
 
 TimePoint ParameterClient::nextDeadline() const
 {
     const TimePoint gaps = isReading() ? m_window.nextDeadline() : kNever;
-    return std::min(
-        {m_publishDue, m_listDeadline, m_giveUp, gaps, m_exchanges.empty() ? kNever : m_exchanges.front().deadline});
+    return std::min({m_publishDue, m_listDeadline, m_giveUp, gaps, m_repetition.due()});
 }
 
 std::shared_ptr<const std::vector<Parameter>> ParameterClient::parameters() const
@@ -132,7 +131,7 @@ void ParameterClient::exchange(TimePoint now, RequestId id, const std::string &n
     }
     m_exchanges.push_back({id, name, value});
     if (m_exchanges.size() == 1)
-        sendExchange(now);
+        beginExchange(now);
 }
 
 void ParameterClient::handleValue(TimePoint now, const mavlink::ParamValue &value)
@@ -278,7 +277,8 @@ std::optional<TransferProgress> ParameterClient::progress() const
 void ParameterClient::handleExchangeDeadline(TimePoint now)
 {
     const Exchange &front = m_exchanges.front();
-    if (front.attempts < kExchangeAttempts)
+    const bool answers = front.reports >= kReports;
+    if (m_repetition.attempts() < kExchangeAttempts || (now < m_exchangeGiveUp && !answers))
         return sendExchange(now);
     ParameterResult result{.id = front.id, .systemId = addressing().system};
     if (front.reported) {
@@ -286,10 +286,17 @@ void ParameterClient::handleExchangeDeadline(TimePoint now)
         result.reason = "the vehicle keeps " + shortNumber(front.reported->value, 6);
     } else {
         result.parameter = {front.name, front.value.value_or(0)};
-        result.reason = "no answer to " + std::to_string(kExchangeAttempts) + " attempts";
+        result.reason = "no answer to " + std::to_string(m_repetition.attempts()) + " attempts";
         result.changeUnanswered = front.value.has_value();
     }
     finishExchange(now, std::move(result));
+}
+
+void ParameterClient::beginExchange(TimePoint now)
+{
+    m_repetition.begin();
+    m_exchangeGiveUp = now + kExchangeGiveUp;
+    sendExchange(now);
 }
 
 void ParameterClient::sendExchange(TimePoint now)
@@ -308,8 +315,7 @@ void ParameterClient::sendExchange(TimePoint now)
         mavlink::setText(message.param_id, front.name);
         send(message);
     }
-    ++front.attempts;
-    front.deadline = now + kExchangeTimeout;
+    m_repetition.sent(now, m_window.rtt());
 }
 
 /// Returns true if the value answers the exchange in progress.
@@ -318,10 +324,13 @@ bool ParameterClient::checkExchange(TimePoint now, const Parameter &parameter)
     if (m_exchanges.empty() || m_exchanges.front().name != parameter.name)
         return false;
     Exchange &front = m_exchanges.front();
-    if (!front.value || sameValue(*front.value, parameter.value))
+    m_repetition.measure(now, m_window.rtt());
+    if (!front.value || sameValue(*front.value, parameter.value)) {
         finishExchange(now, {front.id, addressing().system, parameter, true});
-    else
+    } else {
         front.reported = parameter; // perhaps sent before the write took effect, so the write is repeated
+        ++front.reports;
+    }
     return true;
 }
 
@@ -330,8 +339,9 @@ void ParameterClient::finishExchange(TimePoint now, ParameterResult result)
     result.action = m_exchanges.front().value ? ParameterAction::Write : ParameterAction::Read;
     report(std::move(result));
     m_exchanges.pop_front();
+    m_repetition.stop();
     if (!m_exchanges.empty())
-        sendExchange(now);
+        beginExchange(now);
 }
 
 } // namespace skyseal::vehicle

@@ -1,9 +1,11 @@
 // Client of the parameter protocol: reads the whole list, requests lost parameters by index while the others still arrive
-// (RequestWindow), and checks each write by the value that the vehicle reports.
+// (RequestWindow), and checks each write by the value that the vehicle reports. Single reads and writes are repeated when the
+// measured round trip has passed without an answer.
 // https://mavlink.io/en/services/parameter.html
 #pragma once
 
 #include "core/vehicle/micro_protocol.h"
+#include "core/vehicle/repetition.h"
 #include "core/vehicle/request_window.h"
 
 #include <cstdint>
@@ -27,8 +29,12 @@ public:
     static constexpr std::size_t kReordered = 8;
     /// The list has ended when nothing came for several of its intervals, and at least for so long.
     static constexpr Duration kLeastPause = std::chrono::milliseconds(50);
-    static constexpr Duration kExchangeTimeout = std::chrono::seconds(1);
+    /// A single read or write fails after so many attempts without the answer, and not before so long.
     static constexpr int kExchangeAttempts = 5;
+    static constexpr Duration kExchangeGiveUp = std::chrono::seconds(12);
+    /// The vehicle keeps its own value when it has reported it so often. The first report may be from before the write.
+    static constexpr int kReports = 3;
+    static constexpr Duration kSlowestPace = std::chrono::seconds(1); ///< of its messages
     /// Names kept in all, and beyond the number that the vehicle announces: a write can make further parameters visible.
     static constexpr std::size_t kMostNames = 8192;
     static constexpr std::size_t kNamesBeyondCount = 64;
@@ -56,8 +62,7 @@ private:
         RequestId id{};
         std::string name;
         std::optional<double> value{}; ///< to write
-        int attempts = 0;
-        TimePoint deadline = kNever;
+        int reports = 0;
         std::optional<Parameter> reported{}; ///< the vehicle's parameter, while its value differs from the request
     };
 
@@ -79,6 +84,7 @@ private:
     void handleListDeadline(TimePoint now);
     void giveUp();
     void handleExchangeDeadline(TimePoint now);
+    void beginExchange(TimePoint now);
     void sendExchange(TimePoint now);
     bool checkExchange(TimePoint now, const Parameter &parameter);
     void finishExchange(TimePoint now, ParameterResult result);
@@ -91,9 +97,11 @@ private:
     TimePoint m_latest{};      ///< arrival of the latest value
     Duration m_interval{};     ///< between values of the list: the mean and its variation, as of round trips
     Duration m_variation{};
-    TimePoint m_listDeadline = kNever;                              ///< the list has paused, or is not answered
-    TimePoint m_giveUp = kNever;                                    ///< kNever while nothing is read
-    std::deque<Exchange> m_exchanges;                               ///< the first one is in progress
+    TimePoint m_listDeadline = kNever;     ///< the list has paused, or is not answered
+    TimePoint m_giveUp = kNever;           ///< kNever while nothing is read
+    std::deque<Exchange> m_exchanges;      ///< the first one is in progress
+    Repetition m_repetition{kSlowestPace}; ///< of its message
+    TimePoint m_exchangeGiveUp = kNever;
     mutable std::shared_ptr<const std::vector<Parameter>> m_shared; ///< built on demand
     TimePoint m_published = TimePoint::min();                       ///< time of the latest change of the shared list
     TimePoint m_publishDue = kNever;                                ///< there are collected changes

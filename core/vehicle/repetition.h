@@ -13,6 +13,9 @@ class Repetition
 public:
     static constexpr int kQuickAttempts = 3; ///< at the same pace
 
+    /// `slowest`: the pace slows down to this, or to that of the round trip if that is longer.
+    explicit Repetition(Duration slowest = RttEstimator::kMostTimeout) : m_slowest(slowest) {}
+
     /// Another message takes the place of the one before.
     void begin() { m_attempts = 0; }
     /// The message was sent, for the first time or again.
@@ -20,10 +23,11 @@ public:
     {
         if (m_attempts++ == 0)
             m_first = now;
+        const Duration most = std::max(m_slowest, rtt.timeout());
         Duration patience = rtt.timeout();
-        for (int i = kQuickAttempts; i < m_attempts && patience < RttEstimator::kMostTimeout; ++i)
+        for (int i = kQuickAttempts; i < m_attempts && patience < most; ++i)
             patience *= 2;
-        m_due = now + std::min(patience, RttEstimator::kMostTimeout);
+        m_due = now + std::min(patience, most);
     }
     /// Nothing is to be repeated.
     void stop() { m_due = kNever; }
@@ -45,6 +49,7 @@ public:
     TimePoint due() const { return m_due; }
 
 private:
+    Duration m_slowest;
     int m_attempts = 0;
     TimePoint m_first{};
     TimePoint m_due = kNever;
