@@ -22,7 +22,7 @@ bool FtpClient::perform(TimePoint now, RequestId id, const Request &request)
             return true;
         }
         m_source = write->content;
-        m_size = m_source->size();
+        m_size = m_announced = m_source->size();
         stepWithPath(now, Phase::Creating, mavlink::MAV_FTP_OPCODE_CREATEFILE);
     } else if (const auto *remove = std::get_if<vehicle::RemoveFile>(&request)) {
         if (begin(now, id, FileAction::Remove, remove->path))
@@ -85,8 +85,10 @@ std::optional<TransferProgress> FtpClient::progress() const
     switch (m_phase) {
     case Phase::Idle: return std::nullopt;
     case Phase::Listing: return TransferProgress{m_request, m_listed, 0};
-    default: return TransferProgress{m_request, std::min(m_window.received() * kChunk, m_size), m_size};
+    default: break;
     }
+    const std::size_t done = std::min(m_window.received() * kChunk, m_size);
+    return TransferProgress{m_request, done, std::max(done, m_announced)};
 }
 
 bool FtpClient::begin(TimePoint now, RequestId id, FileAction action, const std::string &path)
@@ -109,7 +111,12 @@ bool FtpClient::begin(TimePoint now, RequestId id, FileAction action, const std:
     m_source.reset();
     m_size = m_listed = 0;
     m_reached = 0;
-    m_session = 0;
+    m_session = kSession;
+    m_isEstimate = false;
+    m_announced = 0;
+    if (m_sequence == 0)
+        m_sequence = static_cast<std::uint16_t>(
+            std::chrono::duration_cast<std::chrono::milliseconds>(now.time_since_epoch()).count());
     m_pace = {};
     m_chunks.fill(kNoChunk);
     m_window.setMost(action == FileAction::Write ? kWritesUnderWay : RequestWindow::kMost);
@@ -132,6 +139,7 @@ void FtpClient::step(TimePoint now, Phase phase, FtpMessage message)
 void FtpClient::stepWithPath(TimePoint now, Phase phase, std::uint8_t opcode, std::uint32_t offset)
 {
     FtpMessage message;
+    message.session = kSession;
     message.opcode = opcode;
     message.offset = offset;
     message.append(asBytes(m_path));
@@ -151,15 +159,12 @@ void FtpClient::handleStepAnswer(TimePoint now, const FtpMessage &answer)
     m_repetition.measure(now, m_window.rtt());
     if (answer.opcode == mavlink::MAV_FTP_OPCODE_NAK)
         return handleStepRefusal(now, answer);
+    if (answer.requested == mavlink::MAV_FTP_OPCODE_RESETSESSION)
+        return step(now, m_phase, m_refused);
     switch (m_phase) {
     case Phase::Listing: return handleListing(now, answer);
-    case Phase::Opening:
-        if (answer.requested == mavlink::MAV_FTP_OPCODE_RESETSESSION)
-            return stepWithPath(now, Phase::Opening, mavlink::MAV_FTP_OPCODE_OPENFILERO);
-        return handleOpened(now, answer);
+    case Phase::Opening: return handleOpened(now, answer);
     case Phase::Creating:
-        if (answer.requested == mavlink::MAV_FTP_OPCODE_RESETSESSION)
-            return stepWithPath(now, Phase::Creating, mavlink::MAV_FTP_OPCODE_CREATEFILE);
         m_session = answer.session;
         if (m_size == 0)
             return close(now);
@@ -182,19 +187,12 @@ void FtpClient::handleStepAnswer(TimePoint now, const FtpMessage &answer)
 void FtpClient::handleStepRefusal(TimePoint now, const FtpMessage &nak)
 {
     const std::uint8_t error = *nak.error();
+    if (resetSessions(now, error))
+        return;
     switch (m_phase) {
     case Phase::Listing:
         if (error == mavlink::MAV_FTP_ERR_EOF)
             return finish(true);
-        break;
-    case Phase::Opening:
-    case Phase::Creating:
-        if (error == mavlink::MAV_FTP_ERR_NOSESSIONSAVAILABLE && !m_wasReset) {
-            m_wasReset = true;
-            FtpMessage reset;
-            reset.opcode = mavlink::MAV_FTP_OPCODE_RESETSESSION;
-            return step(now, m_phase, reset);
-        }
         break;
     case Phase::Closing: return check(now); // it is closed
     case Phase::Checking: return finish(true);
@@ -205,6 +203,22 @@ void FtpClient::handleStepRefusal(TimePoint now, const FtpMessage &nak)
     default: break;
     }
     finish(false, ftpErrorText(nak));
+}
+
+/// Makes room once, and repeats the request then, if the vehicle has no session for it: in use by transfers of this station
+/// that ended without a word, for which ArduPilot answers opening a file with MAV_FTP_ERR_FAIL, or by others.
+bool FtpClient::resetSessions(TimePoint now, std::uint8_t error)
+{
+    const bool opens = m_phase == Phase::Opening || m_phase == Phase::Creating;
+    if (m_wasReset || !(error == mavlink::MAV_FTP_ERR_NOSESSIONSAVAILABLE || (opens && error == mavlink::MAV_FTP_ERR_FAIL)))
+        return false;
+    m_wasReset = true;
+    m_refused = m_message;
+    FtpMessage reset;
+    reset.session = kSession;
+    reset.opcode = mavlink::MAV_FTP_OPCODE_RESETSESSION;
+    step(now, m_phase, reset);
+    return true;
 }
 
 void FtpClient::handleListing(TimePoint now, const FtpMessage &answer)
@@ -225,7 +239,9 @@ void FtpClient::handleOpened(TimePoint now, const FtpMessage &answer)
     const auto size = answer.number();
     if (!size)
         return finish(false, "the vehicle does not tell the size of the file");
-    m_size = *size;
+    m_announced = *size;
+    m_isEstimate = m_path.starts_with('@');
+    m_size = m_isEstimate ? std::min(kMostBytes, kLeastRoom + m_announced * 4) : m_announced;
     if (m_size > kMostBytes)
         return finish(false, "the file is larger than " + std::to_string(kMostBytes) + " bytes");
     if (m_size == 0)
@@ -256,6 +272,8 @@ void FtpClient::handleBurst(TimePoint now, const FtpMessage &answer)
         // Of this burst: an earlier one may have been answered twice.
         if (answer.session != m_session)
             return;
+        if (*error == mavlink::MAV_FTP_ERR_EOF && m_isEstimate && answer.offset > 0 && answer.offset >= m_content.size())
+            endAt(answer.offset); // both autopilots name the offset that is the end
         if (*error == mavlink::MAV_FTP_ERR_EOF || *error == mavlink::MAV_FTP_ERR_UNKNOWNCOMMAND)
             return fillGaps(now);
         return finish(false, ftpErrorText(answer));
@@ -371,6 +389,8 @@ bool FtpClient::endAt(std::size_t bytes)
         return false;
     }
     m_size = std::min(m_size, bytes);
+    m_announced = m_size;
+    m_isEstimate = false;
     m_window.setCount(chunksOf(m_size));
     m_window.openUpTo(m_window.count());
     return true;
@@ -384,7 +404,7 @@ void FtpClient::close(TimePoint now)
     step(now, Phase::Closing, message);
 }
 
-/// Files that the vehicle makes up while they are read have no checksum.
+/// Files that ArduPilot makes up while they are read would be made up a second time for a checksum.
 void FtpClient::check(TimePoint now)
 {
     if (m_path.starts_with('@'))

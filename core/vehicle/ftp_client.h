@@ -6,10 +6,16 @@
 //     Write:  CreateFile → WriteFile of every chunk, in a window → TerminateSession → CalcFileCRC32
 //     Remove: RemoveFile
 //
-// A file is a row of chunks of 239 bytes. The size that the vehicle announces is an upper limit, since files that it makes up
-// while they are read (ArduPilot's @PARAM and @SYS) are announced too large: a short chunk or the answer "end of file" ends it.
+// A file is a row of chunks of 239 bytes. Of files that the vehicle makes up while they are read (ArduPilot's @PARAM and @SYS)
+// the announced size is an estimate (AP_Filesystem_Param::stat(): twelve bytes a parameter): a short chunk or the answer "end
+// of file" ends them. All their chunks must be read with the same size (AP_Filesystem_Param::read()).
 // Requests are repeated with their sequence number, by which the vehicle recognises them, when the measured round trip has
 // passed without an answer. Sizes, folders and jumps in a file are bounded, whatever the vehicle sends.
+//
+// As in ArduPilot's GCS_FTP.cpp and PX4's mavlink_ftp.cpp, a request with the sequence number of the one before gets the answer
+// to that one, whatever it requests and whoever of this system id sent it: the first number depends on the time, so that a
+// program that starts does not repeat the numbers of the one before. ArduPilot takes a session for each request whose session
+// is 0, and has few: requests about paths name one. PX4 has one session, with the number 0, and says so when it opens a file.
 #pragma once
 
 #include "core/mavlink/ftp_message.h"
@@ -32,8 +38,11 @@ public:
     static constexpr int kAttempts = 8;                           ///< of a request, then it fails
     static constexpr Duration kGiveUp = std::chrono::seconds(12); ///< without progress
     static constexpr std::size_t kMostBytes = 256u << 20;         ///< of a file
+    static constexpr std::size_t kLeastRoom = 64u << 10;          ///< for a file whose size is an estimate
     static constexpr std::size_t kMostEntries = 10'000;           ///< of a folder
     static constexpr std::size_t kMostPath = kChunk - 1;
+    /// Of requests about a path; the file that is opened may get another one.
+    static constexpr std::uint8_t kSession = 1;
     /// A chunk of a burst may be so many chunks ahead of the ones before.
     static constexpr std::size_t kMostJump = 4096;
     static constexpr std::size_t kWritesUnderWay = 8;
@@ -70,6 +79,7 @@ private:
     void transmit(TimePoint now, FtpMessage message);
     void handleStepAnswer(TimePoint now, const FtpMessage &answer);
     void handleStepRefusal(TimePoint now, const FtpMessage &nak);
+    bool resetSessions(TimePoint now, std::uint8_t error);
     void handleListing(TimePoint now, const FtpMessage &answer);
     void handleOpened(TimePoint now, const FtpMessage &answer);
     void burst(TimePoint now);
@@ -93,7 +103,10 @@ private:
     FileAction m_action{};
     std::string m_path;
     std::uint8_t m_session = 0;
-    bool m_wasReset = false; ///< the sessions of the vehicle were closed to make room
+    bool m_wasReset = false;     ///< the sessions of the vehicle were closed to make room
+    FtpMessage m_refused;        ///< for which they were closed
+    bool m_isEstimate = false;   ///< m_size is an upper limit
+    std::size_t m_announced = 0; ///< size of the file as the vehicle says, for people
     std::vector<RemoteFile> m_entries;
     Bytes m_content;                              ///< read so far
     std::shared_ptr<const Bytes> m_source;        ///< to be written

@@ -1,6 +1,7 @@
 #include "core/vehicle/log_client.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace skyseal::vehicle {
 
@@ -10,7 +11,11 @@ bool LogClient::perform(TimePoint now, RequestId id, const Request &request)
         if (begin(now, id, LogAction::List, 0))
             requestList(now);
     } else if (const auto *read = std::get_if<ReadLog>(&request)) {
-        if (begin(now, id, LogAction::Read, read->log))
+        if (!begin(now, id, LogAction::Read, read->log))
+            return true;
+        if (read->log == 0 && kind().isArduPilot())
+            finish(false, "the vehicle has no such log");
+        else
             requestList(now); // for its size
     } else if (std::holds_alternative<EraseLogs>(request)) {
         if (!begin(now, id, LogAction::Erase, 0))
@@ -49,7 +54,9 @@ void LogClient::handleDeadline(TimePoint now)
         if (m_action == LogAction::Erase)
             return finish(false, "the vehicle still has logs, or does not answer", true);
         if (m_phase == Phase::Listing)
-            return finish(false, "the vehicle does not list its logs");
+            return finish(false,
+                          kind().isArduPilot() && state().armed ? "the vehicle does not list its logs while it is armed"
+                                                                : "the vehicle does not list its logs");
         return finish(false, "the vehicle does not send byte " + std::to_string(m_begin * kChunk) + " and following");
     }
     if (now < m_repeat)
@@ -95,6 +102,7 @@ bool LogClient::begin(TimePoint now, RequestId id, LogAction action, std::uint16
     m_content.clear();
     m_pace = {};
     m_silent = 0;
+    suppose(m_rtt);
     m_deadline = now + kGiveUp;
     return true;
 }
@@ -102,18 +110,21 @@ bool LogClient::begin(TimePoint now, RequestId id, LogAction action, std::uint16
 void LogClient::requestList(TimePoint now)
 {
     mavlink::LogRequestList request;
-    // Of a log to be read only its own entry is needed.
-    request.start = m_action == LogAction::Read ? m_log : 0;
-    request.end = m_action == LogAction::Read ? m_log : 0xFFFF;
+    // Of a log to be read only its own entry is needed; whether there is one shows the whole list.
+    const bool one = m_action == LogAction::Read && m_silent == 0;
+    request.start = one ? m_log : 0;
+    request.end = one ? m_log : 0xFFFF;
     send(request);
     m_latest = {};
+    m_firstRequested.reset();
     rest(now);
 }
 
 /// Waits for the answer to a request, longer after each one that got none.
 void LogClient::rest(TimePoint now)
 {
-    const Duration first = std::max(RttEstimator::kFirstTimeout, m_pace.timeout());
+    m_requested = now;
+    const Duration first = m_rtt.timeout();
     m_repeat = now + std::min(first * (1 << std::min(m_silent, 3)), RttEstimator::kMostTimeout);
 }
 
@@ -121,6 +132,8 @@ void LogClient::handleEntry(TimePoint now, const mavlink::LogEntry &entry)
 {
     if (m_latest != TimePoint{})
         m_pace.measure(now - m_latest);
+    else if (m_silent == 0)
+        m_rtt.measure(now - m_requested);
     m_latest = now;
     m_silent = 0;
     if (entry.num_logs == 0) {
@@ -129,6 +142,8 @@ void LogClient::handleEntry(TimePoint now, const mavlink::LogEntry &entry)
         return handleListed(now);
     }
     m_announced = entry.num_logs;
+    if (m_action == LogAction::Read && entry.last_log_num < m_log && !(entry.id == m_log && entry.size > 0))
+        return finish(false, "the vehicle has no such log");
     if (m_entries.size() < kMostLogs && m_entries.emplace(entry.id, OnboardLog{entry.id, entry.size, entry.time_utc}).second
         && m_action != LogAction::Erase)
         m_deadline = now + kGiveUp;
@@ -169,24 +184,42 @@ void LogClient::handleListed(TimePoint now)
 /// Requests what is missing of the piece, as runs of chunks.
 void LogClient::requestPiece(TimePoint now)
 {
-    std::size_t runs = 0;
-    for (std::size_t i = 0; i < m_piece.size() && runs < kMostRuns; ++i) {
+    const std::size_t most = kind().isArduPilot() ? kMostRuns : 1;
+    std::vector<std::pair<std::size_t, std::size_t>> runs; // begin and end, within the piece
+    for (std::size_t i = 0; i < m_piece.size() && runs.size() < most; ++i) {
         if (m_piece[i])
             continue;
-        std::size_t end = i;
-        while (end < m_piece.size() && !m_piece[end])
-            ++end;
-        requestRun(m_begin + i, end - i);
-        ++runs;
-        i = end;
+        runs.emplace_back(i, endOfRun(i));
+        i = runs.back().second;
     }
+    const bool isWhole = runs.size() == 1 && runs[0].second - runs[0].first > kSpanned;
+    const int copies = kind().isArduPilot() && runs.size() <= kAskedTwice && !isWhole ? 2 : 1;
+    for (int copy = 0; copy < copies; ++copy) {
+        for (const auto &[begin, end] : runs)
+            requestRun(m_begin + begin, end - begin);
+    }
+    m_firstRequested = m_silent == 0 && !runs.empty() ? std::optional(m_begin + runs[0].first) : std::nullopt;
     m_latest = {};
     rest(now);
+}
+
+/// Of a run that begins at a missing chunk of the piece: where the next one is there, or, in a run that is requested alone, a
+/// long row of them.
+std::size_t LogClient::endOfRun(std::size_t first) const
+{
+    const std::size_t spanned = kind().isArduPilot() ? 0 : kSpanned;
+    std::size_t end = first + 1;
+    for (std::size_t i = end; i < m_piece.size() && i <= end + spanned; ++i) {
+        if (!m_piece[i])
+            end = i + 1;
+    }
+    return end;
 }
 
 void LogClient::requestRun(std::size_t first, std::size_t chunks)
 {
     mavlink::LogRequestData request;
+    m_lastRequested = first + chunks - 1;
     request.id = m_log;
     request.ofs = static_cast<std::uint32_t>(first * kChunk);
     request.count = static_cast<std::uint32_t>(std::min(chunks * kChunk, m_size - first * kChunk));
@@ -201,9 +234,11 @@ void LogClient::handleData(TimePoint now, const mavlink::LogData &data)
         return;
     if (m_latest != TimePoint{})
         m_pace.measure(now - m_latest);
+    else if (index == m_firstRequested)
+        m_rtt.measure(now - m_requested);
     m_latest = now;
     m_silent = 0;
-    m_repeat = now + std::max(m_pace.timeout() * 2, kLeastPause);
+    m_repeat = now + std::max({m_pace.timeout() * 2, m_rtt.timeout(), kLeastPause});
     if (count < kChunk && data.ofs + count < m_size) {
         // The log ends sooner than it was listed.
         if (m_content.size() > data.ofs + count)
@@ -211,7 +246,8 @@ void LogClient::handleData(TimePoint now, const mavlink::LogData &data)
         m_size = data.ofs + count;
         m_piece.resize((m_size + kChunk - 1) / kChunk - m_begin);
     }
-    if (index < m_begin + m_piece.size() && !m_piece[index - m_begin]) {
+    const bool isNew = index < m_begin + m_piece.size() && !m_piece[index - m_begin];
+    if (isNew) {
         m_piece[index - m_begin] = true;
         ++m_pieceReceived;
         m_deadline = now + kGiveUp;
@@ -219,8 +255,11 @@ void LogClient::handleData(TimePoint now, const mavlink::LogData &data)
         m_content.resize(std::max(m_content.size(), end));
         std::copy_n(data.data.begin(), end - data.ofs, m_content.begin() + data.ofs);
     }
-    if (!isPieceComplete())
+    if (!isPieceComplete()) {
+        if (isNew && index == m_lastRequested)
+            requestPiece(now);
         return;
+    }
     m_begin += m_piece.size();
     if (m_begin * kChunk >= m_size)
         return finish(true);
@@ -242,7 +281,7 @@ void LogClient::finish(bool ok, std::string reason, bool changeUnanswered)
     }
     if (ok && m_action == LogAction::Read)
         result.content = std::make_shared<const Bytes>(std::move(m_content));
-    if (m_phase == Phase::Reading)
+    if (m_phase == Phase::Reading || (m_action == LogAction::Read && !ok))
         send(mavlink::LogRequestEnd{});
     m_entries.clear();
     m_content = {};

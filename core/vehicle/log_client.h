@@ -4,6 +4,12 @@
 // A log is a row of chunks of 90 bytes; a shorter one ends it. Its data is requested in pieces, which the vehicle sends at
 // its own pace; what was lost of a piece is requested in runs when it has paused, and the next piece follows when it is
 // complete. The size that the vehicle announces is bounded, and so is what can arrive ahead.
+//
+// As in ArduPilot's AP_Logger_MAVLinkLogTransfer.cpp and PX4's mavlink_log_handler.cpp: ArduPilot drops requests for data while
+// it answers one, so that the first of several runs is answered, and the others as far as it has ended by then. In PX4 a request
+// replaces the one before: it is asked for one run at a time, which spans small gaps. ArduPilot numbers logs from 1; it answers
+// a list that begins after the last one, or ends before the first one, with entries of no logs up to 65535. It serves logs only
+// while disarmed.
 #pragma once
 
 #include "core/vehicle/micro_protocol.h"
@@ -19,14 +25,16 @@ namespace skyseal::vehicle {
 class LogClient : public MicroProtocol
 {
 public:
-    static constexpr std::size_t kChunk = 90;    ///< bytes of a LOG_DATA
-    static constexpr std::size_t kPiece = 1024;  ///< chunks that are requested at a time
-    static constexpr std::size_t kMostRuns = 16; ///< lost runs that are requested again at a time
+    static constexpr std::size_t kChunk = 90;      ///< bytes of a LOG_DATA
+    static constexpr std::size_t kPiece = 4096;    ///< chunks that are requested at a time
+    static constexpr std::size_t kMostRuns = 48;   ///< lost runs that are requested again at a time
+    static constexpr std::size_t kAskedTwice = 16; ///< so few runs are requested twice at a time: the last ones decide
+    static constexpr std::size_t kSpanned = 64;    ///< chunks that are sent again rather than waited for in another run
     static constexpr std::size_t kMostBytes = 512u << 20;
     static constexpr std::size_t kMostLogs = 2048;                ///< of a list
     static constexpr Duration kGiveUp = std::chrono::seconds(12); ///< without progress
     /// A piece has ended when nothing came for several of its intervals, and at least for so long.
-    static constexpr Duration kLeastPause = std::chrono::milliseconds(100);
+    static constexpr Duration kLeastPause = std::chrono::milliseconds(50);
     /// The vehicle may erase for so long before its list is empty.
     static constexpr Duration kEraseTimeout = std::chrono::seconds(30);
 
@@ -48,6 +56,7 @@ private:
     void handleData(TimePoint now, const mavlink::LogData &data);
     void requestList(TimePoint now);
     void requestPiece(TimePoint now);
+    std::size_t endOfRun(std::size_t first) const;
     void requestRun(std::size_t first, std::size_t chunks);
     void rest(TimePoint now);
     bool isPieceComplete() const { return m_pieceReceived == m_piece.size(); }
@@ -64,9 +73,13 @@ private:
     std::size_t m_begin = 0;                  ///< the first chunk of the piece
     std::vector<bool> m_piece;                ///< the chunks that have arrived
     std::size_t m_pieceReceived = 0;
-    RttEstimator m_pace;  ///< intervals between messages of an answer
-    TimePoint m_latest{}; ///< arrival of the latest one; zero after a request
-    int m_silent = 0;     ///< requests in a row without an answer
+    std::size_t m_lastRequested = 0; ///< the chunk that ends the run requested last
+    RttEstimator m_rtt;
+    RttEstimator m_pace;                         ///< intervals between messages of an answer
+    TimePoint m_latest{};                        ///< arrival of the latest one; zero after a request
+    TimePoint m_requested{};                     ///< time of the request
+    std::optional<std::size_t> m_firstRequested; ///< the chunk that begins the answer to it, if it was not requested before
+    int m_silent = 0;                            ///< requests in a row without an answer
     TimePoint m_repeat = kNever;
     TimePoint m_deadline = kNever;
 };

@@ -8,9 +8,11 @@
 #include "core/vehicle/flight_modes.h"
 #include "core/vehicle/message_io.h"
 #include "core/vehicle/request.h"
+#include "core/vehicle/rtt_estimator.h"
 #include "core/vehicle/vehicle_config.h"
 #include "core/vehicle/vehicle_state.h"
 
+#include <cmath>
 #include <deque>
 #include <optional>
 #include <vector>
@@ -70,6 +72,12 @@ protected:
     VehicleKind kind() const { return m_context.kind(); }
     template<typename Message> void send(const Message &message, bool urgent = true) { m_context.send(message, urgent); }
     void report(Event event) { m_context.events.push_back(std::move(event)); }
+    /// Lets an estimator that has measured nothing begin with the round trip that TIMESYNC measures.
+    void suppose(RttEstimator &rtt) const
+    {
+        if (!std::isnan(state().latency))
+            rtt.suppose(std::chrono::duration_cast<Duration>(std::chrono::duration<double>(state().latency)));
+    }
     /// True if the request cancels the transfer that `current` started.
     static bool isCancelOf(const Request &request, RequestId current)
     {

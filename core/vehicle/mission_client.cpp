@@ -272,6 +272,7 @@ bool MissionClient::begin(RequestId id, MissionTransfer transfer, MissionType ty
     m_rounds = m_releases = 0;
     m_furthest = 0;
     m_requestFloats = false;
+    suppose(m_window.rtt());
     return true;
 }
 

@@ -13,6 +13,8 @@ class RttEstimator
 public:
     static constexpr Duration kFirstTimeout = std::chrono::milliseconds(500), kLeastTimeout = std::chrono::milliseconds(20),
                               kMostTimeout = std::chrono::seconds(3);
+    /// Servers may need longer than the answer that was measured.
+    static constexpr Duration kLeastSupposed = std::chrono::milliseconds(100);
 
     void measure(Duration roundTrip)
     {
@@ -26,6 +28,13 @@ public:
         }
         m_shortest = std::min(m_shortest, roundTrip);
         m_timeout = std::clamp(m_smoothed + std::max(m_variation * 4, m_smoothed / 4), kLeastTimeout, kMostTimeout);
+    }
+
+    /// A round trip that others have measured on this link, until one is measured here: the timeout that would follow from it.
+    void suppose(Duration roundTrip)
+    {
+        if (m_smoothed == Duration::zero())
+            m_timeout = std::clamp(roundTrip * 3, kLeastSupposed, kMostTimeout);
     }
 
     /// Without an answer for so long, a request counts as lost.

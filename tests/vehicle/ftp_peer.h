@@ -16,7 +16,7 @@ class FtpPeer : public ScriptedPeer
 {
 public:
     std::map<std::string, Bytes> files;
-    std::uint32_t announcedMore = 0; ///< files are announced so much larger than they are
+    std::optional<std::uint32_t> announced; ///< instead of the size of a file
     bool knowsBursts = true;
     bool knowsChecksums = true;
     bool spoilsChecksums = false;
@@ -83,17 +83,17 @@ private:
     std::optional<std::uint8_t> serve(const FtpMessage &request, FtpMessage &answer)
     {
         const std::string path(asText(request.content()));
+        if (request.opcode != mavlink::MAV_FTP_OPCODE_RESETSESSION && busy > 0 && busy--)
+            return mavlink::MAV_FTP_ERR_NOSESSIONSAVAILABLE;
         switch (request.opcode) {
         case mavlink::MAV_FTP_OPCODE_LISTDIRECTORY: return list(request.offset, answer);
         case mavlink::MAV_FTP_OPCODE_OPENFILERO:
-            if (busy > 0 && busy--)
-                return mavlink::MAV_FTP_ERR_NOSESSIONSAVAILABLE;
             if (!files.contains(path))
                 return mavlink::MAV_FTP_ERR_FILENOTFOUND;
             m_open = path;
             ++sessions;
             answer.session = 7;
-            answer.appendNumber(static_cast<std::uint32_t>(files[path].size()) + announcedMore);
+            answer.appendNumber(announced.value_or(static_cast<std::uint32_t>(files[path].size())));
             return std::nullopt;
         case mavlink::MAV_FTP_OPCODE_CREATEFILE:
             m_open = path;

@@ -19,7 +19,10 @@ private Q_SLOTS:
     void checksumIsThatOfTheProtocol();
     void folderIsListedInParts();
     void fileIsReadAndChecked();
-    void fileThatEndsBeforeItsAnnouncedSize();
+    void sizeOfMadeUpFileIsAnEstimate();
+    void sequenceNumbersOfTheProgramBeforeAreNotRepeated();
+    void pathsNameASession();
+    void requestsWithoutASessionMakeRoom();
     void vehicleWithoutBurstsOrChecksums();
     void differentChecksumIsAFailure();
     void fileIsWrittenAndRemoved();
@@ -126,20 +129,65 @@ void FtpTest::fileIsReadAndChecked()
     }
 }
 
-void FtpTest::fileThatEndsBeforeItsAnnouncedSize()
+void FtpTest::sizeOfMadeUpFileIsAnEstimate()
 {
-    for (const std::size_t size : {FtpClient::kChunk * 20, FtpClient::kChunk * 20 + 11, std::size_t(0)}) {
-        for (const bool knowsBursts : {true, false}) {
-            Harness h = Harness::copter();
-            FtpPeer peer;
-            peer.knowsBursts = knowsBursts;
-            peer.announcedMore = 1 << 20;
-            peer.files["@PARAM/param.pck"] = noise(size);
-            LossyLink link(h, peer, 0.1, 3);
-            const FileResult result = resultOf(h, link, vehicle::ReadFile{"@PARAM/param.pck"});
-            QVERIFY2(result.ok && !result.verified, result.reason.c_str());
-            QCOMPARE(*result.content, peer.files["@PARAM/param.pck"]);
+    for (const std::size_t size : {FtpClient::kChunk * 60, FtpClient::kChunk * 60 + 11, std::size_t(1), std::size_t(0)}) {
+        for (const std::uint32_t announced : {0u, 2000u, 100'000u, 1u << 20}) {
+            for (const bool knowsBursts : {true, false}) {
+                Harness h = Harness::copter();
+                FtpPeer peer;
+                peer.knowsBursts = knowsBursts;
+                peer.announced = announced;
+                peer.files["@PARAM/param.pck"] = noise(size);
+                LossyLink link(h, peer, 0.1, 3);
+                const FileResult result = resultOf(h, link, vehicle::ReadFile{"@PARAM/param.pck"});
+                QVERIFY2(result.ok && !result.verified, result.reason.c_str());
+                QCOMPARE(*result.content, peer.files["@PARAM/param.pck"]);
+            }
         }
+    }
+}
+
+void FtpTest::sequenceNumbersOfTheProgramBeforeAreNotRepeated()
+{
+    FtpPeer peer; // which answers the number of the request before with the answer to that
+    peer.files["/a"] = peer.files["/b"] = noise(10);
+    for (const char *path : {"/a", "/b"}) {
+        Harness h = Harness::copter();
+        h.now = at(path[1] == 'a' ? 100 : 103); // another process
+        LossyLink link(h, peer, 0, 1);
+        const FileResult removed = resultOf(h, link, vehicle::RemoveFile{path});
+        QVERIFY2(removed.ok, removed.reason.c_str());
+        QVERIFY(!peer.files.contains(path));
+    }
+}
+
+void FtpTest::pathsNameASession()
+{
+    Harness h = Harness::copter();
+    for (const Request &request :
+         {Request(ListFolder{"/"}), Request(vehicle::ReadFile{"/a"}), Request(vehicle::RemoveFile{"/a"})}) {
+        h.vehicle.perform(h.now, RequestId{1}, request);
+        auto [sent, answer] = sentAndAnswer(h);
+        QVERIFY(sent.session != 0);
+        answer.refuse(mavlink::MAV_FTP_ERR_FILENOTFOUND);
+        h.feed(toUs(answer));
+        QVERIFY(!h.poll<FileResult>()->ok);
+    }
+}
+
+void FtpTest::requestsWithoutASessionMakeRoom()
+{
+    for (const Request &request :
+         {Request(ListFolder{"/"}), Request(vehicle::ReadFile{"/a"}), Request(vehicle::RemoveFile{"/a"})}) {
+        Harness h = Harness::copter();
+        FtpPeer peer;
+        peer.files["/a"] = noise(500);
+        peer.busy = 1;
+        LossyLink link(h, peer, 0, 1);
+        const FileResult result = resultOf(h, link, request);
+        QVERIFY2(result.ok, result.reason.c_str());
+        QCOMPARE(peer.resets, 1);
     }
 }
 

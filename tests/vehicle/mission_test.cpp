@@ -53,22 +53,11 @@ std::vector<MissionItem> plan(std::size_t count)
     return out;
 }
 
-Harness px4()
-{
-    VehicleConfig config;
-    config.streams = StreamProfile::Quiet;
-    Harness out(config);
-    out.feed(heartbeat(0, false, mavlink::MAV_TYPE_QUADROTOR, mavlink::MAV_AUTOPILOT_PX4));
-    out.feed(mavlink::AutopilotVersion{});
-    out.sent();
-    return out;
-}
-
 /// Seconds of a transfer of 500 items over 25 ms each way.
 double transferTime(bool isPx4, bool isUpload, double loss, unsigned seed)
 {
     constexpr Duration kLimit = std::chrono::seconds(600);
-    Harness h = isPx4 ? px4() : Harness::copter();
+    Harness h = isPx4 ? Harness::px4() : Harness::copter();
     const auto peer = missionPeer(isPx4);
     if (!isUpload)
         peer->fill(500);
@@ -167,7 +156,7 @@ void MissionTest::lostAcknowledgementBeginsAnew()
 
 void MissionTest::downloadAsksUntilItHasAll()
 {
-    Harness h = px4();
+    Harness h = Harness::px4();
     h.vehicle.perform(h.now, RequestId{1}, ReadMission{});
     QCOMPARE(h.sentOf<mavlink::MissionRequestList>().size(), std::size_t(1));
     h.runUntil(at(100.5));
@@ -218,7 +207,7 @@ void MissionTest::arduPilotIsAskedForSeveralAtATime()
 
 void MissionTest::downloadThatTheVehicleEndedBeginsAnew()
 {
-    Harness h = px4();
+    Harness h = Harness::px4();
     h.vehicle.perform(h.now, RequestId{1}, ReadMission{});
     h.feed(toUs<mavlink::MissionCount>(2));
     h.feed(toUs<mavlink::MissionItemInt>(0));
@@ -366,7 +355,7 @@ void MissionTest::uploadAndDownloadThroughABadRadio()
     QFETCH(double, loss);
     QFETCH(int, seed);
     QFETCH(bool, isPx4);
-    Harness h = isPx4 ? px4() : Harness::copter();
+    Harness h = isPx4 ? Harness::px4() : Harness::copter();
     const auto peer = missionPeer(isPx4);
     LossyLink link(h, *peer, loss, static_cast<unsigned>(seed));
     std::optional<MissionResult> result;
@@ -426,7 +415,7 @@ void MissionTest::lossCostsLittleTime()
 
 void MissionTest::acceptanceBeforeTheLastItemIsNone()
 {
-    Harness h = px4();
+    Harness h = Harness::px4();
     h.vehicle.perform(h.now, RequestId{1}, WriteMission{plan(5)});
     h.feed(toUs<mavlink::MissionRequestInt>(0));
     h.sent();
@@ -461,7 +450,7 @@ void MissionTest::outagesDuringTransfers()
     QFETCH(double, length);
     for (const auto direction : {LossyLink::Direction::Both, LossyLink::Direction::Up, LossyLink::Direction::Down}) {
         for (int start = 0; start < 12; ++start) {
-            Harness h = isPx4 ? px4() : Harness::copter();
+            Harness h = isPx4 ? Harness::px4() : Harness::copter();
             const auto peer = missionPeer(isPx4);
             if (!isUpload)
                 peer->fill(100);
@@ -486,7 +475,7 @@ void MissionTest::outagesDuringTransfers()
 
 void MissionTest::px4IsReleasedFromTheTransferBefore()
 {
-    Harness h = px4();
+    Harness h = Harness::px4();
     Px4MissionPeer peer;
     peer.fill(3);
     LossyLink link(h, peer, 0, 1);
@@ -506,7 +495,7 @@ void MissionTest::px4IsReleasedFromTheTransferBefore()
 
 void MissionTest::persistentRefusalIsReported()
 {
-    Harness h = px4(); // which another station uses by another link
+    Harness h = Harness::px4(); // which another station uses by another link
     h.vehicle.perform(h.now, RequestId{1}, WriteMission{plan(4)});
     for (int i = 0; i <= MissionClient::kReleases; ++i) {
         QVERIFY(!h.poll<MissionResult>());
@@ -522,7 +511,7 @@ void MissionTest::persistentRefusalIsReported()
 
 void MissionTest::px4IsSentTheNextItemAsWell()
 {
-    Harness h = px4();
+    Harness h = Harness::px4();
     h.vehicle.perform(h.now, RequestId{1}, WriteMission{plan(3)});
     h.now += std::chrono::milliseconds(50);
     h.feed(toUs<mavlink::MissionRequestInt>(0));

@@ -25,24 +25,30 @@ private Q_SLOTS:
     void transferIsCancelled();
     void everythingArrivesThroughABadRadio_data();
     void everythingArrivesThroughABadRadio();
+    void lossCostsLittleTime_data();
+    void lossCostsLittleTime();
     void anyDataIsBounded();
 };
 
 namespace {
 
-/// Sends lists and data at a steady pace; each request for data is answered in turn.
+/// Sends lists and data at a steady pace. Each request for data is answered in turn; that of PX4 replaces the one before.
 class LogPeer : public ScriptedPeer
 {
 public:
     std::map<std::uint16_t, Bytes> logs;
     std::uint32_t listedMore = 0; ///< logs are listed so much larger than they are
     bool erases = true;
+    bool isPx4 = false;
+    int ends = 0; ///< LOG_REQUEST_END that have come
 
     void handle(TimePoint now, const OutMessage &message, std::vector<ToStation> &out) override
     {
         if (const auto list = as<mavlink::LogRequestList>(message)) {
             mavlink::LogEntry entry;
             entry.num_logs = static_cast<std::uint16_t>(logs.size());
+            const std::uint16_t last = logs.empty() ? std::uint16_t(0) : logs.rbegin()->first;
+            entry.last_log_num = std::min(list->end, last);
             if (logs.empty())
                 out.push_back(send(entry));
             for (const auto &[id, content] : logs) {
@@ -51,20 +57,29 @@ public:
                 if (id >= list->start && id <= list->end)
                     out.push_back(send(entry));
             }
-            if (!logs.empty() && list->start > logs.rbegin()->first) {
-                entry.id = 0; // ArduPilot answers with an entry of no log
-                entry.num_logs = 0;
+            if (isPx4 && !logs.empty() && list->start > last) {
+                entry.id = last; // clamped
                 out.push_back(send(entry));
+            } else if (!logs.empty() && list->start > last) {
+                entry.size = 0;
+                for (std::uint16_t i = 0; i < 100; ++i) { // ArduPilot goes on to the greatest number, and from 0
+                    entry.id = static_cast<std::uint16_t>(list->start + i);
+                    out.push_back(send(entry));
+                }
             }
         }
         if (const auto data = as<mavlink::LogRequestData>(message)) {
+            if (isPx4)
+                m_runs.clear();
             m_runs.push_back(*data);
             m_due = std::min(m_due, now);
         }
         if (as<mavlink::LogErase>(message) && erases)
             logs.clear();
-        if (as<mavlink::LogRequestEnd>(message))
+        if (as<mavlink::LogRequestEnd>(message)) {
             m_runs.clear();
+            ++ends;
+        }
     }
 
     void handleDeadline(TimePoint now, std::vector<ToStation> &out) override
@@ -149,7 +164,22 @@ void OnboardLogTest::missingLogIsAFailure()
     LogPeer peer;
     peer.logs[4] = noise(100);
     LossyLink link(h, peer, 0, 1);
-    QCOMPARE(resultOf(h, link, ReadLog{9}).reason, std::string("the vehicle has no such log"));
+    for (const bool isPx4 : {false, true}) {
+        peer.isPx4 = isPx4;
+        peer.ends = 0;
+        const TimePoint begin = h.now;
+        QCOMPARE(resultOf(h, link, ReadLog{9}).reason, std::string("the vehicle has no such log"));
+        QVERIFY(h.now < begin + std::chrono::seconds(1));
+        link.run(std::chrono::milliseconds(100), [] { return false; });
+        QCOMPARE(peer.ends, 1); // what else comes is not wanted
+    }
+    h.sent();
+    QCOMPARE(resultOf(h, link, ReadLog{0}).reason, std::string("the vehicle has no such log")); // ArduPilot counts from 1
+    peer.logs.clear(); // of a vehicle that is silent about a log that it does not have
+    h.vehicle.perform(h.now, RequestId{1}, ReadLog{9});
+    QCOMPARE(h.sentOf<mavlink::LogRequestList>().at(0).start, std::uint16_t(9));
+    const auto whole = h.nextSent<mavlink::LogRequestList>(h.now + std::chrono::seconds(3));
+    QVERIFY(whole && whole->second.start == 0 && whole->second.end == 0xFFFF);
 }
 
 void OnboardLogTest::logThatEndsBeforeItsListedSize()
@@ -209,9 +239,12 @@ void OnboardLogTest::everythingArrivesThroughABadRadio_data()
 {
     QTest::addColumn<double>("loss");
     QTest::addColumn<int>("seed");
+    QTest::addColumn<bool>("isPx4");
     for (int seed = 1; seed <= 25; ++seed) {
-        for (const double loss : {0.1, 0.25})
-            QTest::addRow("loss %.2f, seed %d", loss, seed) << loss << seed;
+        for (const double loss : {0.1, 0.25}) {
+            QTest::addRow("ArduPilot, loss %.2f, seed %d", loss, seed) << loss << seed << false;
+            QTest::addRow("PX4, loss %.2f, seed %d", loss, seed) << loss << seed << true;
+        }
     }
 }
 
@@ -219,8 +252,10 @@ void OnboardLogTest::everythingArrivesThroughABadRadio()
 {
     QFETCH(double, loss);
     QFETCH(int, seed);
-    Harness h = Harness::copter();
+    QFETCH(bool, isPx4);
+    Harness h = isPx4 ? Harness::px4() : Harness::copter();
     LogPeer peer;
+    peer.isPx4 = isPx4;
     for (std::uint16_t id = 1; id < 10; ++id)
         peer.logs[id] = noise(id * 20'000u);
     LossyLink link(h, peer, loss, static_cast<unsigned>(seed));
@@ -228,6 +263,44 @@ void OnboardLogTest::everythingArrivesThroughABadRadio()
     const LogResult result = resultOf(h, link, ReadLog{9});
     QVERIFY2(result.ok, result.reason.c_str());
     QCOMPARE(*result.content, peer.logs[9]);
+}
+
+void OnboardLogTest::lossCostsLittleTime_data()
+{
+    QTest::addColumn<bool>("isPx4");
+    QTest::addColumn<double>("tenth"); // the most at 10 % loss, in times of the clean one
+    QTest::addColumn<double>("quarter");
+    QTest::newRow("ArduPilot") << false << 2. << 3.;
+    QTest::newRow("PX4, one run at a time") << true << 4. << 7.;
+}
+
+void OnboardLogTest::lossCostsLittleTime()
+{
+    QFETCH(bool, isPx4);
+    QFETCH(double, tenth);
+    QFETCH(double, quarter);
+    const auto timeToRead = [isPx4](double loss, unsigned seed) {
+        Harness h = isPx4 ? Harness::px4() : Harness::copter();
+        LogPeer peer;
+        peer.isPx4 = isPx4;
+        peer.logs[4] = noise(500'000);
+        LossyLink link(h, peer, loss, seed, std::chrono::milliseconds(25));
+        const TimePoint begin = h.now;
+        const LogResult result = resultOf(h, link, ReadLog{4});
+        return result.ok && *result.content == peer.logs[4] ? seconds(h.now - begin) : 600.;
+    };
+    const double clean = timeToRead(0, 1);
+    const std::pair<double, double> limits[] = {{0.1, tenth}, {0.25, quarter}};
+    for (const auto &[loss, factor] : limits) {
+        double sum = 0;
+        constexpr unsigned kSeeds = 50;
+        for (unsigned seed = 1; seed <= kSeeds; ++seed)
+            sum += timeToRead(loss, seed);
+        const std::string said = "loss " + std::to_string(loss) + ": mean " + std::to_string(sum / kSeeds) + " s, clean "
+            + std::to_string(clean) + " s";
+        qInfo("%s", said.c_str());
+        QVERIFY2(sum / kSeeds <= factor * clean, said.c_str());
+    }
 }
 
 void OnboardLogTest::anyDataIsBounded()

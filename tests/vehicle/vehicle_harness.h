@@ -73,16 +73,8 @@ public:
     explicit Harness(VehicleConfig config = {}) : vehicle(config, 1, 1) {}
 
     /// An ArduCopter in this mode that has said so; what the vehicle asked for at once is thrown away.
-    static Harness copter(std::uint32_t mode = 0, bool armed = false)
-    {
-        VehicleConfig config;
-        config.streams = StreamProfile::Quiet;
-        Harness out(config);
-        out.feed(heartbeat(mode, armed));
-        out.feed(mavlink::AutopilotVersion{}); // so that nothing asks for it in between
-        out.sent();
-        return out;
-    }
+    static Harness copter(std::uint32_t mode = 0, bool armed = false) { return quiet(heartbeat(mode, armed)); }
+    static Harness px4() { return quiet(heartbeat(0, false, mavlink::MAV_TYPE_QUADROTOR, mavlink::MAV_AUTOPILOT_PX4)); }
 
     template<typename Message> void feed(const Message &message) { vehicle.handleFrame(now, {}, sender.frame(message)); }
 
@@ -162,6 +154,17 @@ public:
     Sender sender;
 
 private:
+    static Harness quiet(const mavlink::Heartbeat &heartbeat)
+    {
+        VehicleConfig config;
+        config.streams = StreamProfile::Quiet;
+        Harness out(config);
+        out.feed(heartbeat);
+        out.feed(mavlink::AutopilotVersion{}); // so that nothing asks for it in between
+        out.sent();
+        return out;
+    }
+
     std::deque<Event> m_events;
 };
 
