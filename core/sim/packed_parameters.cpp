@@ -1,6 +1,6 @@
 #include "core/sim/packed_parameters.h"
 
-#include "core/base/byte_reader.h"
+#include "core/mavlink/packed_parameters.h"
 
 #include <algorithm>
 #include <bit>
@@ -11,7 +11,6 @@ namespace skyseal::sim {
 namespace {
 
 constexpr std::uint16_t kMagic = 0x671b, kMagicWithDefaults = 0x671c;
-constexpr std::size_t kLongestName = 16;
 
 /// Of ArduPilot's AP_Param, not of MAVLink.
 enum PackedType : std::uint8_t { kInt8 = 1, kInt16 = 2, kInt32 = 3, kFloat = 4 };
@@ -38,17 +37,6 @@ void appendValue(Bytes &out, PackedType type, float value)
         append(out, std::bit_cast<std::uint32_t>(value), 4);
     else
         append(out, static_cast<std::uint32_t>(static_cast<std::int32_t>(value)), std::size_t(1) << (type - 1));
-}
-
-std::optional<float> readValue(ByteReader &in, std::uint8_t type)
-{
-    switch (type) {
-    case kInt8: return in.littleEndian<std::int8_t>();
-    case kInt16: return in.littleEndian<std::int16_t>();
-    case kInt32: return static_cast<float>(in.littleEndian<std::int32_t>());
-    case kFloat: return std::bit_cast<float>(in.u32());
-    default: return std::nullopt;
-    }
 }
 
 } // namespace
@@ -110,32 +98,13 @@ Bytes packParameters(const Parameters &parameters, const PackedSelection &select
 
 bool unpackParameters(ByteView file, Parameters &parameters)
 {
-    ByteReader in(file);
-    const std::uint16_t magic = in.u16(), count = in.u16(), length = in.u16();
-    if (!in.ok() || magic != kMagic || length != file.size())
+    const auto unpacked = mavlink::parsePackedParameters(file);
+    if (!unpacked || unpacked->hasDefaults || unpacked->total != file.size())
         return false;
-    std::vector<std::pair<std::size_t, float>> values;
-    std::string name;
-    for (std::size_t i = 0; i < count; ++i) {
-        std::uint8_t type = in.u8();
-        while (type == 0 && in.ok() && !in.atEnd()) // padding
-            type = in.u8();
-        const std::uint8_t lengths = in.u8();
-        const std::size_t shared = lengths & 0xf, added = (lengths >> 4) + 1u;
-        if (shared > name.size() || shared + added > kLongestName)
-            return false;
-        name.resize(shared);
-        name += asText(in.bytes(added));
-        const auto value = readValue(in, type);
-        if (!in.ok() || !value)
-            return false;
-        if (const auto index = parameters.find(name))
-            values.emplace_back(*index, *value);
+    for (const mavlink::PackedParameter &parameter : unpacked->parameters) {
+        if (const auto index = parameters.find(parameter.name))
+            parameters.set(*index, static_cast<float>(parameter.value));
     }
-    if (!in.atEnd())
-        return false;
-    for (const auto &[index, value] : values)
-        parameters.set(index, value);
     return true;
 }
 

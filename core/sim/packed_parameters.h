@@ -1,6 +1,5 @@
-// The packed parameter file of ArduPilot, @PARAM/param.pck (AP_Filesystem_Param there): all parameters in a tenth of the time
-// of PARAM_REQUEST_LIST. A header of three 16-bit numbers (magic, parameters in the file, parameters of the vehicle), then per
-// parameter its type and flags, how much of its name repeats the name before, the rest of the name, and the value.
+// The packed parameter file of ArduPilot, as the simulated vehicle serves and takes it: all parameters in a tenth of the time
+// of PARAM_REQUEST_LIST. core/mavlink/packed_parameters.h describes the format.
 #pragma once
 
 #include "core/base/bytes.h"

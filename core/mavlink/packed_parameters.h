@@ -1,0 +1,33 @@
+// ArduPilot's packed parameter file, @PARAM/param.pck: all parameters by MAVLink FTP, or some of them to be written. The format
+// is that of AP_Filesystem_Param.cpp there ("packed format"): a header of three 16-bit numbers, then for each parameter its type
+// and flags, how much of its name repeats the one before, the rest of the name, and the value, with its default if it has one.
+// Zeros before a parameter are padding.
+#pragma once
+
+#include "core/base/bytes.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace skyseal::mavlink {
+
+struct PackedParameter
+{
+    std::string name;      ///< 1 to 16 characters, as they are in the file
+    std::uint8_t type = 0; ///< MAV_PARAM_TYPE_INT8, _INT16, _INT32 or _REAL32
+    double value = 0;
+};
+
+struct PackedParameters
+{
+    bool hasDefaults = false;                ///< which are skipped
+    std::uint16_t total = 0;                 ///< parameters of the vehicle; in a file to be written, its length
+    std::vector<PackedParameter> parameters; ///< in the order of the vehicle's list
+};
+
+/// Reads a whole file. nullopt if it is damaged: cut, longer than its header says, or with a name or type that cannot be.
+std::optional<PackedParameters> parsePackedParameters(ByteView file);
+
+} // namespace skyseal::mavlink
