@@ -9,6 +9,7 @@ namespace skyseal::sim {
 namespace {
 
 constexpr std::uint8_t kComponent = mavlink::MAV_COMP_ID_AUTOPILOT1;
+constexpr int kWithoutFtp = 2; // of BRD_OPTIONS
 
 } // namespace
 
@@ -157,6 +158,10 @@ bool FrameRouter::routeFile(TimePoint now, const FrameSender &peer, const mavlin
     case mavlink::LogErase::kId: logs.erase(); return true;
     case mavlink::LogRequestEnd::kId: logs.requestEnd(); return true;
     case mavlink::FileTransferProtocol::kId:
+        if ((autopilot.parameters().integer("BRD_OPTIONS") & kWithoutFtp) != 0) {
+            autopilot.texts().say(Severity::Info, "FTP disabled"); // and no answer
+            return true;
+        }
         ftp.handle(now, peer, FtpMessage::decode(mavlink::FileTransferProtocol::decode(frame.payload()).payload));
         return true;
     default: return false;

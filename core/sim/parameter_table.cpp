@@ -66,6 +66,7 @@ constexpr Row kRows[] = {
     {"BATT_MONITOR", Int8, 4, 0, 29},
     {"BATT_VOLT_MULT", Real32, 10.1f, 0, 100},
     {"BRD_BOOT_DELAY", Int16, 0, 0, 10000},
+    {"BRD_OPTIONS", Int32, 0, 0, 511},
     {"CIRCLE_RADIUS", Real32, 1000, 0, 200000},
     {"CIRCLE_RATE", Real32, 20, -90, 90},
     {"COMPASS_AUTODEC", Int8, 1, 0, 1},

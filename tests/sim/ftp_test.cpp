@@ -33,6 +33,7 @@ private Q_SLOTS:
     void malformedPaths_data();
     void malformedPaths();
     void sessionsAreBounded();
+    void filesCanBeSwitchedOff();
     void randomRequests();
 };
 
@@ -324,6 +325,18 @@ void SimFtpTest::malformedPaths()
             QCOMPARE(int(reply.data[0]), int(MAV_FTP_ERR_INVALIDDATASIZE));
     }
     QCOMPARE(ftp.list("/").size(), std::size_t(2));
+}
+
+void SimFtpTest::filesCanBeSwitchedOff()
+{
+    TestStation station;
+    station.run(1);
+    station.vehicle.autopilot().parameters().set("BRD_OPTIONS", 2);
+    FtpClient ftp(station);
+    QCOMPARE(int(ftp.request(MAV_FTP_OPCODE_LISTDIRECTORY, "/").opcode), int(MAV_FTP_OPCODE_NONE)); // no answer, as ArduPilot
+    QVERIFY(station.count<Statustext>() > 0);
+    station.vehicle.autopilot().parameters().set("BRD_OPTIONS", 1);
+    QVERIFY(ftp.accepted(MAV_FTP_OPCODE_LISTDIRECTORY, "/"));
 }
 
 void SimFtpTest::sessionsAreBounded()
