@@ -3,6 +3,7 @@
 #include "core/vehicle/ftp_listing.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace skyseal::vehicle {
 
@@ -27,12 +28,8 @@ bool FtpClient::perform(TimePoint now, RequestId id, const Request &request)
     } else if (const auto *remove = std::get_if<vehicle::RemoveFile>(&request)) {
         if (begin(now, id, FileAction::Remove, remove->path))
             stepWithPath(now, Phase::Removing, mavlink::MAV_FTP_OPCODE_REMOVEFILE);
-    } else if (m_phase != Phase::Idle && isCancelOf(request, m_request)) {
-        FtpMessage message;
-        message.opcode = mavlink::MAV_FTP_OPCODE_TERMINATESESSION;
-        message.session = m_session;
-        transmit(now, message);
-        finish(false, "cancelled");
+    } else if (m_phase != Phase::Idle && !m_ended && isCancelOf(request, m_request)) {
+        terminate(now);
     } else {
         return false;
     }
@@ -82,13 +79,42 @@ TimePoint FtpClient::nextDeadline() const
 
 std::optional<TransferProgress> FtpClient::progress() const
 {
-    switch (m_phase) {
-    case Phase::Idle: return std::nullopt;
-    case Phase::Listing: return TransferProgress{m_request, m_listed, 0};
-    default: break;
-    }
+    if (m_phase == Phase::Idle || m_ended)
+        return std::nullopt;
+    return transferred();
+}
+
+bool FtpClient::read(TimePoint now, const std::string &path, std::function<void(FileResult)> ended)
+{
+    if (m_phase != Phase::Idle || !begin(now, {}, FileAction::Read, path))
+        return false;
+    m_ended = std::move(ended);
+    stepWithPath(now, Phase::Opening, mavlink::MAV_FTP_OPCODE_OPENFILERO);
+    return true;
+}
+
+void FtpClient::cancelRead(TimePoint now)
+{
+    if (m_phase != Phase::Idle && m_ended)
+        terminate(now);
+}
+
+void FtpClient::terminate(TimePoint now)
+{
+    FtpMessage message;
+    message.sequence = ++m_sequence;
+    message.opcode = mavlink::MAV_FTP_OPCODE_TERMINATESESSION;
+    message.session = m_session;
+    transmit(now, message);
+    finish(false, "cancelled");
+}
+
+TransferProgress FtpClient::transferred() const
+{
+    if (m_phase == Phase::Listing)
+        return {m_request, m_listed, 0};
     const std::size_t done = std::min(m_window.received() * kChunk, m_size);
-    return TransferProgress{m_request, done, std::max(done, m_announced)};
+    return {m_request, done, std::max(done, m_announced)};
 }
 
 bool FtpClient::begin(TimePoint now, RequestId id, FileAction action, const std::string &path)
@@ -121,6 +147,7 @@ bool FtpClient::begin(TimePoint now, RequestId id, FileAction action, const std:
     m_chunks.fill(kNoChunk);
     m_window.setMost(action == FileAction::Write ? kWritesUnderWay : RequestWindow::kMost);
     m_window.begin();
+    suppose(m_window.rtt());
     m_deadline = now + kGiveUp;
     return true;
 }
@@ -428,7 +455,10 @@ void FtpClient::finish(bool ok, std::string reason, bool changeUnanswered)
     m_phase = Phase::Idle;
     m_deadline = kNever;
     m_repetition.stop();
-    report(std::move(result));
+    if (const auto ended = std::exchange(m_ended, nullptr))
+        ended(std::move(result));
+    else
+        report(std::move(result));
 }
 
 void FtpClient::giveUp(TimePoint now)

@@ -24,6 +24,7 @@
 #include "core/vehicle/request_window.h"
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -56,7 +57,17 @@ public:
     bool handleFrame(TimePoint now, const mavlink::Frame &frame) override;
     void handleDeadline(TimePoint now) override;
     TimePoint nextDeadline() const override;
+    /// Of a transfer that was requested of this client.
     std::optional<TransferProgress> progress() const override;
+
+    /// For another client of the same vehicle: reads a file, whose result goes to `ended` and is not reported. Returns false, and
+    /// does nothing, while another transfer is in progress.
+    bool read(TimePoint now, const std::string &path, std::function<void(FileResult)> ended);
+    /// Of read(): true before the vehicle has opened the file.
+    bool isOpening() const { return m_ended && m_phase == Phase::Opening; }
+    /// Ends read().
+    void cancelRead(TimePoint now);
+    TransferProgress transferred() const;
 
 private:
     static constexpr std::uint32_t kNoChunk = 0xFFFFFFFF;
@@ -93,12 +104,14 @@ private:
     std::optional<std::size_t> chunkOf(std::uint16_t sequence) const;
     void close(TimePoint now);
     void check(TimePoint now);
+    void terminate(TimePoint now);
     void finish(bool ok, std::string reason = {}, bool changeUnanswered = false);
     void giveUp(TimePoint now);
     std::size_t chunksOf(std::size_t bytes) const { return (bytes + kChunk - 1) / kChunk; }
     bool isTransferring() const { return m_phase == Phase::Reading || m_phase == Phase::Writing; }
 
     RequestId m_request{};
+    std::function<void(FileResult)> m_ended; ///< of read(); null of a transfer that was requested of this client
     Phase m_phase = Phase::Idle;
     FileAction m_action{};
     std::string m_path;

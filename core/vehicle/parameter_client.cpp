@@ -1,12 +1,14 @@
 #include "core/vehicle/parameter_client.h"
 
 #include "core/base/printable.h"
+#include "core/mavlink/packed_parameters.h"
 #include "core/vehicle/result_text.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace skyseal::vehicle {
 
@@ -53,11 +55,13 @@ void ParameterClient::handleDeadline(TimePoint now)
 {
     if (now >= m_publishDue)
         publish(now);
+    if (m_file || now >= m_openDue)
+        handleFile(now);
     if (now >= m_giveUp)
         giveUp();
     else if (now >= m_listDeadline)
         handleListDeadline(now);
-    else if (isReading())
+    else if (isReadingList())
         requestGaps(now);
     if (now >= m_repetition.due())
         handleExchangeDeadline(now);
@@ -65,8 +69,10 @@ void ParameterClient::handleDeadline(TimePoint now)
 
 TimePoint ParameterClient::nextDeadline() const
 {
-    const TimePoint gaps = isReading() ? m_window.nextDeadline() : kNever;
-    return std::min({m_publishDue, m_listDeadline, m_giveUp, gaps, m_repetition.due()});
+    if (m_file)
+        return TimePoint::min();
+    const TimePoint gaps = isReadingList() ? m_window.nextDeadline() : kNever;
+    return std::min({m_openDue, m_publishDue, m_listDeadline, m_giveUp, gaps, m_repetition.due()});
 }
 
 std::shared_ptr<const std::vector<Parameter>> ParameterClient::parameters() const
@@ -112,6 +118,62 @@ float ParameterClient::encode(double value, std::uint8_t type) const
 void ParameterClient::read(TimePoint now, RequestId id)
 {
     m_read = id;
+    if (isReadingFile() || readFile(now))
+        return;
+    beginList(now);
+}
+
+/// Returns false, and does nothing, if the vehicle does not have the file, or is busy with another one.
+bool ParameterClient::readFile(TimePoint now)
+{
+    const auto capabilities = state().capabilities;
+    const bool mayHave = kind().isArduPilot()
+        && (capabilities == 0 || (capabilities & mavlink::MAV_PROTOCOL_CAPABILITY_FTP) != 0); // 0: not known yet
+    if (!mayHave || m_hasNoFile || isReadingList()
+        || !m_files.read(now, kFile, [this](FileResult file) { m_file = std::move(file); }))
+        return false;
+    m_openDue = now + kOpenTimeout;
+    return true;
+}
+
+/// The file has arrived, failed, or should have been opened by now.
+void ParameterClient::handleFile(TimePoint now)
+{
+    m_openDue = kNever;
+    if (!m_file && !m_files.isOpening()) {
+        m_isFileOpen = true; // m_file will come
+        return;
+    }
+    m_files.cancelRead(now);
+    const auto file = std::exchange(m_file, std::nullopt);
+    const bool wasOpen = std::exchange(m_isFileOpen, false);
+    if (file && take(now, *file))
+        return reportList();
+    m_hasNoFile = !wasOpen || (file && file->ok); // not open, or damaged; a link that was down says nothing
+    beginList(now);
+}
+
+/// Returns false if the file is none, or not of all parameters.
+bool ParameterClient::take(TimePoint now, const FileResult &file)
+{
+    if (!file.ok || !file.content)
+        return false;
+    const auto packed = mavlink::parsePackedParameters(*file.content);
+    if (!packed || packed->parameters.size() != packed->total || packed->total > kMostNames)
+        return false;
+    m_expected = packed->total;
+    for (std::uint16_t index = 0; index < packed->total; ++index) {
+        const mavlink::PackedParameter &parameter = packed->parameters[index];
+        if (isPrintable(parameter.name))
+            store({parameter.name, parameter.value, parameter.type, index});
+    }
+    publish(now);
+    return true;
+}
+
+void ParameterClient::beginList(TimePoint now)
+{
+    suppose(m_window.rtt());
     m_window.begin();
     m_reached = 0;
     m_interval = m_variation = Duration::zero();
@@ -139,23 +201,25 @@ void ParameterClient::handleValue(TimePoint now, const mavlink::ParamValue &valu
     const std::string name(mavlink::textOf(value.param_id));
     if (name.empty() || !isPrintable(name))
         return;
-    const bool wasReading = isReading();
+    const bool wasReading = isReadingList();
     if (value.param_count > 0 && value.param_index < value.param_count)
         noteIndex(now, value.param_index, value.param_count);
     const Parameter parameter{name, decode(value.param_value, value.param_type), value.param_type, value.param_index};
     const bool changed = store(parameter);
     const bool answersWrite = checkExchange(now, parameter);
-    const bool readIsComplete = wasReading && !isReading();
+    const bool readIsComplete = wasReading && !isReadingList();
     if (readIsComplete || (changed && (answersWrite || m_published == TimePoint::min() || now >= m_published + kCollectFor)))
         publish(now);
     else if (changed)
         m_publishDue = m_published + kCollectFor;
     if (readIsComplete)
-        report(ParameterResult{.id = m_read,
-                               .systemId = addressing().system,
-                               .ok = true,
-                               .action = ParameterAction::ReadList,
-                               .all = parameters()});
+        reportList();
+}
+
+void ParameterClient::reportList()
+{
+    report(ParameterResult{
+        .id = m_read, .systemId = addressing().system, .ok = true, .action = ParameterAction::ReadList, .all = parameters()});
 }
 
 void ParameterClient::noteIndex(TimePoint now, std::uint16_t index, std::uint16_t count)
@@ -166,7 +230,7 @@ void ParameterClient::noteIndex(TimePoint now, std::uint16_t index, std::uint16_
         m_window.setCount(count);
     }
     const bool isNew = m_window.arrived(now, index);
-    if (!isReading())
+    if (!isReadingList())
         return;
     if (m_window.isComplete()) {
         m_giveUp = m_listDeadline = kNever;
@@ -269,7 +333,9 @@ void ParameterClient::giveUp()
 
 std::optional<TransferProgress> ParameterClient::progress() const
 {
-    if (!isReading())
+    if (isReadingFile())
+        return TransferProgress{m_read, m_files.transferred().done, m_files.transferred().total};
+    if (!isReadingList())
         return std::nullopt;
     return TransferProgress{m_read, m_window.received(), m_window.count()};
 }
@@ -294,6 +360,7 @@ void ParameterClient::handleExchangeDeadline(TimePoint now)
 
 void ParameterClient::beginExchange(TimePoint now)
 {
+    suppose(m_window.rtt());
     m_repetition.begin();
     m_exchangeGiveUp = now + kExchangeGiveUp;
     sendExchange(now);

@@ -1,9 +1,13 @@
-// Client of the parameter protocol: reads the whole list, requests lost parameters by index while the others still arrive
-// (RequestWindow), and checks each write by the value that the vehicle reports. Single reads and writes are repeated when the
+// Client of the parameter protocol: reads the whole list, and checks each write by the value that the vehicle reports.
+//
+// The list comes as one file, @PARAM/param.pck by MAVLink FTP, of an ArduPilot that does not say it lacks FTP; otherwise, or if
+// it does not open the file soon, by PARAM_REQUEST_LIST. Parameters that are lost then are requested by index while the others still
+// arrive (RequestWindow). Single reads and writes are repeated when the
 // measured round trip has passed without an answer.
 // https://mavlink.io/en/services/parameter.html
 #pragma once
 
+#include "core/vehicle/ftp_client.h"
 #include "core/vehicle/micro_protocol.h"
 #include "core/vehicle/repetition.h"
 #include "core/vehicle/request_window.h"
@@ -41,7 +45,12 @@ public:
     /// Changes that answer no write are collected for so long before parameters() shows them.
     static constexpr Duration kCollectFor = std::chrono::milliseconds(500);
 
-    using MicroProtocol::MicroProtocol;
+    /// The file of all parameters, and how long the vehicle may take to open it before the list is requested instead.
+    static constexpr const char *kFile = "@PARAM/param.pck";
+    static constexpr Duration kOpenTimeout = std::chrono::seconds(1);
+
+    /// Reads the file by `files`, which must live as long.
+    ParameterClient(VehicleContext &context, FtpClient &files) : MicroProtocol(context), m_files(files) {}
 
     /// ReadParameters, ReadParameter and WriteParameter. Writes and reads of single ones are carried out one after the other.
     bool perform(TimePoint now, RequestId id, const Request &request) override;
@@ -70,7 +79,11 @@ private:
     bool isBytewise() const;
     double decode(float raw, std::uint8_t type) const;
     float encode(double value, std::uint8_t type) const;
-    bool isReading() const { return m_giveUp != kNever; }
+    bool isReadingList() const { return m_giveUp != kNever; }
+    bool isReadingFile() const { return m_openDue != kNever || m_isFileOpen; }
+    bool readFile(TimePoint now);
+    void handleFile(TimePoint now);
+    bool take(TimePoint now, const FileResult &file);
     void read(TimePoint now, RequestId id);
     void exchange(TimePoint now, RequestId id, const std::string &name, std::optional<double> value);
     void handleValue(TimePoint now, const mavlink::ParamValue &value);
@@ -78,7 +91,9 @@ private:
     bool store(Parameter parameter);
     bool mayAdd() const;
     void publish(TimePoint now);
+    void beginList(TimePoint now);
     void requestList(TimePoint now);
+    void reportList();
     void requestGaps(TimePoint now);
     void noteInterval(TimePoint now);
     void handleListDeadline(TimePoint now);
@@ -89,6 +104,11 @@ private:
     bool checkExchange(TimePoint now, const Parameter &parameter);
     void finishExchange(TimePoint now, ParameterResult result);
 
+    FtpClient &m_files;
+    std::optional<FileResult> m_file{}; ///< has ended
+    TimePoint m_openDue = kNever;       ///< the file is not open
+    bool m_isFileOpen = false;
+    bool m_hasNoFile = false; ///< as the vehicle has shown
     std::map<std::string, Parameter, std::less<>> m_values;
     RequestId m_read{};
     RequestWindow m_window; ///< of the read in progress, or the latest one

@@ -42,9 +42,9 @@ struct Vehicle::Parts
     TimeSyncClient timeSync{context};
     FirmwareInfo firmware{context};
     Commander commander{context};
-    ParameterClient parameters{context};
-    MissionClient mission{context};
     FtpClient files{context};
+    ParameterClient parameters{context, files};
+    MissionClient mission{context};
     LogClient logs{context};
 
 private:

@@ -16,7 +16,8 @@ class FtpPeer : public ScriptedPeer
 {
 public:
     std::map<std::string, Bytes> files;
-    std::optional<std::uint32_t> announced; ///< instead of the size of a file
+    std::optional<std::uint32_t> announced;         ///< instead of the size of a file that is made up
+    Duration pace = std::chrono::microseconds(500); ///< of bursts
     bool knowsBursts = true;
     bool knowsChecksums = true;
     bool spoilsChecksums = false;
@@ -70,7 +71,7 @@ public:
         reply(m_burst, out);
         m_burst.offset += m_burst.size;
         ++m_burst.sequence;
-        m_due = m_burst.burstComplete ? kNever : now + std::chrono::microseconds(500);
+        m_due = m_burst.burstComplete ? kNever : now + pace;
     }
     TimePoint nextDeadline() const override { return m_due; }
 
@@ -93,7 +94,8 @@ private:
             m_open = path;
             ++sessions;
             answer.session = 7;
-            answer.appendNumber(announced.value_or(static_cast<std::uint32_t>(files[path].size())));
+            answer.appendNumber(path.starts_with('@') && announced ? *announced
+                                                                   : static_cast<std::uint32_t>(files[path].size()));
             return std::nullopt;
         case mavlink::MAV_FTP_OPCODE_CREATEFILE:
             m_open = path;

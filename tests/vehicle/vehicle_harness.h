@@ -160,7 +160,8 @@ private:
         config.streams = StreamProfile::Quiet;
         Harness out(config);
         out.feed(heartbeat);
-        out.feed(mavlink::AutopilotVersion{}); // so that nothing asks for it in between
+        // So that nothing asks for it in between; without MAVLink FTP, so that parameters come one by one.
+        out.feed(mavlink::AutopilotVersion{.capabilities = mavlink::MAV_PROTOCOL_CAPABILITY_MAVLINK2});
         out.sent();
         return out;
     }
