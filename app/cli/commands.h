@@ -14,6 +14,8 @@ int runParam(const QStringList &arguments);
 int runMission(const QStringList &arguments);
 int runFence(const QStringList &arguments);
 int runRally(const QStringList &arguments);
+int runFtp(const QStringList &arguments);
+int runLogs(const QStringList &arguments);
 int runDecode(const QStringList &arguments);
 int runImpair(const QStringList &arguments);
 int runKeys(const QStringList &arguments);

@@ -30,6 +30,8 @@ constexpr Command kCommands[] = {
     {"mission", "reads, writes and clears the mission", runMission},
     {"fence", "reads, writes and clears the fence", runFence},
     {"rally", "reads, writes and clears the rally points", runRally},
+    {"ftp", "lists, reads, writes and removes files on a vehicle", runFtp},
+    {"logs", "lists, reads and erases the flight logs of a vehicle", runLogs},
     {"sweep", "measures what each cipher suite costs, and compares", runSweep},
     {"bench", "measures sealing and opening on this machine, with and without AES instructions", runBench},
     {"decode", "decodes MAVLink bytes or a .tlog, one message per line", runDecode},

@@ -1,11 +1,8 @@
 // skyseal-cli param, mission, fence and rally beside the simulator, over a plain and a sealed link.
-#include "tests/support/flight.h"
-#include "tests/support/run_program.h"
 #include "tests/support/test_runner.h"
+#include "vehicle_commands.h"
 
 #include <QtCore/QFile>
-#include <QtCore/QJsonDocument>
-#include <QtCore/QJsonObject>
 #include <QtTest/QTest>
 
 using namespace skyseal::test;
@@ -20,36 +17,20 @@ private Q_SLOTS:
     void parametersAreSavedAndLoaded();
     void missionIsUploadedAndDownloaded();
     void unknownVehicleIsNotFound();
+    void placeToWriteIsCheckedFirst();
     void wrongFilesAreRefused_data();
     void wrongFilesAreRefused();
 
 private:
-    RunResult run(const QString &command, const QStringList &more = {})
-    {
-        const QStringList words = command.split(QLatin1Char(' '));
-        return runProgram("skyseal-cli", words.mid(0, 2) + m_link + words.mid(2) + more);
-    }
-    QString write(const char *name, const QByteArray &content)
-    {
-        QFile file(m_flight.path(QLatin1String(name)));
-        const bool ok = file.open(QIODevice::WriteOnly) && file.write(content) == content.size();
-        return ok ? file.fileName() : QString();
-    }
+    RunResult run(const QString &command, const QStringList &more = {}) { return m_vehicle.run(command, more); }
+    QString write(const char *name, const QByteArray &content) { return m_vehicle.write(name, content); }
 
-    Flight m_flight;
-    std::unique_ptr<Program> m_sim, m_air;
-    QStringList m_link;
+    VehicleCommands m_vehicle;
 };
 
 void TransferCommandTest::initTestCase()
 {
-    QVERIFY(m_flight.ready());
-    m_sim = std::make_unique<Program>(QStringLiteral("skyseal-sim"), m_flight.simArguments());
-    m_air = std::make_unique<Program>(QStringLiteral("skyseal-air"), m_flight.airArguments());
-    m_link = {QStringLiteral("--link"),     QStringLiteral("udpin:127.0.0.1:%1").arg(m_flight.groundPort),
-              QStringLiteral("--identity"), m_flight.path(QStringLiteral("ground.key")),
-              QStringLiteral("--peers"),    m_flight.path(QStringLiteral("ground.peers")),
-              QStringLiteral("--sysid"),    QStringLiteral("1")};
+    QVERIFY(m_vehicle.start());
 }
 
 void TransferCommandTest::parametersAreReadAndWritten()
@@ -59,12 +40,9 @@ void TransferCommandTest::parametersAreReadAndWritten()
     QCOMPARE(set.out, QByteArray("WPNAV_SPEED 625\nRTL_ALT 1700\n"));
     const RunResult get = run(QStringLiteral("param get WPNAV_SPEED --json"));
     QCOMPARE(get.status, 0);
-    QJsonObject parameter;
-    for (const QByteArray &line : get.out.split('\n')) {
-        const QJsonObject event = QJsonDocument::fromJson(line).object();
-        if (event[QLatin1String("event")].toString() == QLatin1String("parameter"))
-            parameter = event;
-    }
+    const auto parameters = eventsIn(get, QStringLiteral("parameter"));
+    QCOMPARE(parameters.size(), std::size_t(1));
+    const QJsonObject &parameter = parameters[0];
     QCOMPARE(parameter[QLatin1String("name")].toString(), QStringLiteral("WPNAV_SPEED"));
     QCOMPARE(parameter[QLatin1String("value")].toDouble(), 625.);
     const RunResult missing = run(QStringLiteral("param get NO_SUCH_THING"));
@@ -78,7 +56,7 @@ void TransferCommandTest::parametersAreReadAndWritten()
 
 void TransferCommandTest::parametersAreSavedAndLoaded()
 {
-    const QString file = m_flight.path(QStringLiteral("all.param"));
+    const QString file = m_vehicle.path(QStringLiteral("all.param"));
     QCOMPARE(run(QStringLiteral("param set RTL_ALT=1800")).status, 0);
     const RunResult saved = run(QStringLiteral("param save ") + file, {QStringLiteral("--format"), QStringLiteral("qgc")});
     QVERIFY2(saved.status == 0, saved.err.constData());
@@ -102,7 +80,7 @@ void TransferCommandTest::missionIsUploadedAndDownloaded()
                              "2\t0\t3\t16\t0\t0\t0\t0\t47.39804000\t8.54559000\t15.000\t1\n");
     const RunResult sent = run(QStringLiteral("mission upload ") + write("in.waypoints", content));
     QVERIFY2(sent.status == 0, sent.err.constData());
-    const QString back = m_flight.path(QStringLiteral("out.waypoints"));
+    const QString back = m_vehicle.path(QStringLiteral("out.waypoints"));
     QVERIFY(run(QStringLiteral("mission download ") + back).status == 0);
     QFile file(back);
     QVERIFY(file.open(QIODevice::ReadOnly));
@@ -124,6 +102,16 @@ void TransferCommandTest::unknownVehicleIsNotFound()
     QVERIFY2(result.err.contains("vehicle 9 was not heard"), result.err.constData());
 }
 
+void TransferCommandTest::placeToWriteIsCheckedFirst()
+{
+    const QString file = m_vehicle.path(QStringLiteral("no/such/folder/file"));
+    for (const char *command : {"param save ", "mission download "}) {
+        const RunResult result = run(QLatin1String(command) + file + QStringLiteral(" --find-within 1000"));
+        QCOMPARE(result.status, 3);
+        QVERIFY2(result.err.contains(file.toUtf8()), result.err.constData());
+    }
+}
+
 void TransferCommandTest::wrongFilesAreRefused_data()
 {
     QTest::addColumn<QString>("command");
@@ -142,7 +130,7 @@ void TransferCommandTest::wrongFilesAreRefused()
     const RunResult result = run(command + QLatin1Char(' ') + write("wrong", content));
     QCOMPARE(result.status, 3);
     QVERIFY2(result.err.contains(problem), result.err.constData());
-    QCOMPARE(run(command + QLatin1Char(' ') + m_flight.path(QStringLiteral("missing"))).status, 3);
+    QCOMPARE(run(command + QLatin1Char(' ') + m_vehicle.path(QStringLiteral("missing"))).status, 3);
 }
 
 SKYSEAL_TEST(TransferCommandTest)

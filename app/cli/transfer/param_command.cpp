@@ -1,5 +1,6 @@
 // skyseal-cli param: reads, writes, saves and restores the parameters of a vehicle.
 #include "app/cli/commands.h"
+#include "app/cli/transfer/actions.h"
 #include "app/cli/transfer/transfer_options.h"
 #include "app/common/exit_status.h"
 #include "app/common/format.h"
@@ -198,6 +199,8 @@ int runSave(const QString &name, const QStringList &arguments)
     const std::string form = options.text("format");
     if (form != "plain" && form != "qgc")
         options.fail("--format '" + form + "': plain or qgc is expected");
+    if (const auto status = checkTarget(name, options, file))
+        return *status;
     return runTransfer(name, options, [&](const TaskSettings &settings) {
         return std::make_shared<ReadAll>(settings, [=](const Parameters &all, const vehicle::VehicleState &vehicle) {
             const std::string text = form == "qgc" ? vehicle::qgcParameterText(all, vehicle.systemId, vehicle.componentId)
@@ -256,16 +259,9 @@ int runFile(const QString &name, const QStringList &arguments, bool writes)
     const QStringList files = options.arguments(1, 1);
     if (const auto status = options.finish())
         return *status;
-    const auto text = readWhole(files[0]);
-    if (!text) {
-        complain(name, text.error());
+    auto parameters = parseFile(name, files[0], vehicle::parseParameters);
+    if (!parameters)
         return kCannotOpen;
-    }
-    auto parameters = vehicle::parseParameters(*text, files[0].toStdString());
-    if (!parameters) {
-        complain(name, parameters.error().text());
-        return kCannotOpen;
-    }
     return runTransfer(name, options, [&](const TaskSettings &settings) {
         return std::make_shared<Restore>(settings, std::move(*parameters), writes);
     });
@@ -275,26 +271,17 @@ int runFile(const QString &name, const QStringList &arguments, bool writes)
 
 int runParam(const QStringList &arguments)
 {
-    const QString action = arguments.value(0);
-    const QString name = QStringLiteral("skyseal-cli param ") + action;
-    const QStringList rest = arguments.mid(1);
-    if (action == QLatin1String("list") || action == QLatin1String("fetch"))
-        return runList(name, rest);
-    if (action == QLatin1String("get"))
-        return runGet(name, rest);
-    if (action == QLatin1String("set"))
-        return runSet(name, rest);
-    if (action == QLatin1String("save"))
-        return runSave(name, rest);
-    if (action == QLatin1String("load") || action == QLatin1String("diff"))
-        return runFile(name, rest, action == QLatin1String("load"));
-    if (action == QLatin1String("--help") || action == QLatin1String("-h")) {
-        printOwnText("Usage: skyseal-cli param list|get NAME...|set NAME=VALUE...|save FILE|load FILE|diff FILE [options]\n"
-                     "Each command has --help.");
-        return kDone;
-    }
-    complain(QStringLiteral("skyseal-cli param"), "list, get, set, save, load or diff is expected");
-    return kUsage;
+    const auto fromFile = [](bool writes) {
+        return [writes](const QString &name, const QStringList &rest) { return runFile(name, rest, writes); };
+    };
+    return runAction(QStringLiteral("param"), arguments,
+                     {{"list", runList, "fetch"},
+                      {"get", runGet},
+                      {"set", runSet},
+                      {"save", runSave},
+                      {"load", fromFile(true)},
+                      {"diff", fromFile(false)}},
+                     "list|get NAME...|set NAME=VALUE...|save FILE|load FILE|diff FILE");
 }
 
 } // namespace skyseal::app

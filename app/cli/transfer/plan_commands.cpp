@@ -1,5 +1,7 @@
 // skyseal-cli mission, fence and rally: the plans of a vehicle, as files of the form "QGC WPL 110".
 #include "app/cli/commands.h"
+#include "app/cli/transfer/actions.h"
+#include "app/cli/transfer/request_task.h"
 #include "app/cli/transfer/transfer_options.h"
 #include "app/common/exit_status.h"
 #include "app/common/format.h"
@@ -16,27 +18,13 @@ using vehicle::MissionResult;
 using vehicle::MissionType;
 using Items = std::vector<MissionItem>;
 
-/// One transfer, whose items go to a function that returns what went wrong.
-class PlanTask : public VehicleTask
+/// A task for one request, whose items go to a function that returns what went wrong.
+std::shared_ptr<VehicleTask> planTask(const TaskSettings &settings, vehicle::Request request,
+                                      std::function<std::string(const Items &)> take)
 {
-public:
-    using Take = std::function<std::string(const Items &)>;
-
-    PlanTask(const TaskSettings &settings, vehicle::Request request, Take take)
-        : VehicleTask(settings), m_request(std::move(request)), m_take(std::move(take))
-    {}
-
-protected:
-    void start(const vehicle::VehicleState &) override { ask(std::move(m_request)); }
-    void planEnded(const MissionResult &result) override
-    {
-        finish(result.ok && result.items ? m_take(*result.items) : result.reason);
-    }
-
-private:
-    vehicle::Request m_request;
-    Take m_take;
-};
+    return std::make_shared<RequestTask<MissionResult>>(
+        settings, std::move(request), [take = std::move(take)](const MissionResult &result) { return take(*result.items); });
+}
 
 /// A sentence for people or an event for machines, of a transfer that has succeeded.
 void tell(bool json, const char *event, std::size_t items, const std::string &sentence)
@@ -75,7 +63,7 @@ int runList(const QString &name, const QStringList &arguments, MissionType type)
         return *status;
     options.arguments(0, 0);
     return runTransfer(name, options, [&](const TaskSettings &settings) {
-        return std::make_shared<PlanTask>(settings, vehicle::ReadMission{type}, [settings](const Items &items) {
+        return planTask(settings, vehicle::ReadMission{type}, [settings](const Items &items) {
             for (const MissionItem &item : items)
                 show(item, settings.json);
             return std::string();
@@ -91,8 +79,10 @@ int runDownload(const QString &name, const QStringList &arguments, MissionType t
     if (const auto status = options.parse(arguments))
         return *status;
     const QString file = options.arguments(1, 1).value(0);
+    if (const auto status = checkTarget(name, options, file))
+        return *status;
     return runTransfer(name, options, [&](const TaskSettings &settings) {
-        return std::make_shared<PlanTask>(settings, vehicle::ReadMission{type}, [=](const Items &items) {
+        return planTask(settings, vehicle::ReadMission{type}, [=](const Items &items) {
             std::string problem = writeWhole(file, vehicle::missionText(items));
             if (problem.empty())
                 tell(settings.json, "downloaded", items.size(), file.toStdString() + ": " + counted(items.size(), "item"));
@@ -114,18 +104,11 @@ int runUpload(const QString &name, const QStringList &arguments, MissionType typ
     const QStringList files = options.arguments(1, 1);
     if (const auto status = options.finish())
         return *status;
-    const auto text = readWhole(files[0]);
-    if (!text) {
-        complain(name, text.error());
+    const auto items = parseFile(name, files[0], vehicle::parseMission);
+    if (!items)
         return kCannotOpen;
-    }
-    const auto items = vehicle::parseMission(*text, files[0].toStdString());
-    if (!items) {
-        complain(name, items.error().text());
-        return kCannotOpen;
-    }
     return runTransfer(name, options, [&](const TaskSettings &settings) {
-        return std::make_shared<PlanTask>(settings, vehicle::WriteMission{*items, type}, [settings](const Items &written) {
+        return planTask(settings, vehicle::WriteMission{*items, type}, [settings](const Items &written) {
             tell(settings.json, "uploaded", written.size(), counted(written.size(), "item") + " accepted by the vehicle");
             return std::string();
         });
@@ -140,7 +123,7 @@ int runClear(const QString &name, const QStringList &arguments, MissionType type
         return *status;
     options.arguments(0, 0);
     return runTransfer(name, options, [&](const TaskSettings &settings) {
-        return std::make_shared<PlanTask>(settings, vehicle::ClearMission{type}, [settings](const Items &) {
+        return planTask(settings, vehicle::ClearMission{type}, [settings](const Items &) {
             tell(settings.json, "cleared", 0, "cleared");
             return std::string();
         });
@@ -149,25 +132,15 @@ int runClear(const QString &name, const QStringList &arguments, MissionType type
 
 int runPlan(const char *plan, const QStringList &arguments, MissionType type)
 {
-    const QString action = arguments.value(0);
-    const QString command = QStringLiteral("skyseal-cli ") + QLatin1String(plan);
-    const QString name = command + QLatin1Char(' ') + action;
-    const QStringList rest = arguments.mid(1);
-    if (action == QLatin1String("list"))
-        return runList(name, rest, type);
-    if (action == QLatin1String("download") || action == QLatin1String("read"))
-        return runDownload(name, rest, type);
-    if (action == QLatin1String("upload") || action == QLatin1String("write"))
-        return runUpload(name, rest, type);
-    if (action == QLatin1String("clear"))
-        return runClear(name, rest, type);
-    if (action == QLatin1String("--help") || action == QLatin1String("-h")) {
-        printOwnText(std::string("Usage: skyseal-cli ") + plan
-                     + " list|download FILE|upload FILE|clear [options]\nEach command has --help.");
-        return kDone;
-    }
-    complain(command, "list, download, upload or clear is expected");
-    return kUsage;
+    const auto of = [type](int (*run)(const QString &, const QStringList &, MissionType)) {
+        return [=](const QString &name, const QStringList &rest) { return run(name, rest, type); };
+    };
+    return runAction(QLatin1String(plan), arguments,
+                     {{"list", of(runList)},
+                      {"download", of(runDownload), "read"},
+                      {"upload", of(runUpload), "write"},
+                      {"clear", of(runClear)}},
+                     "list|download FILE|upload FILE|clear");
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "app/cli/people_report.h"
 #include "app/cli/station_options.h"
 #include "app/cli/station_run.h"
+#include "app/common/exit_status.h"
 #include "app/common/output.h"
 
 #include <QtCore/QFile>
@@ -107,6 +108,19 @@ std::string writeWhole(const QString &file, std::string_view content)
     if (out.open(QIODevice::WriteOnly) && out.write(content.data(), size) == size && out.commit())
         return {};
     return file.toStdString() + ": " + out.errorString().toStdString();
+}
+
+std::optional<int> checkTarget(const QString &program, const Options &options, const QString &file)
+{
+    if (const auto status = options.finish())
+        return status;
+    QSaveFile out(file);
+    if (out.open(QIODevice::WriteOnly)) {
+        out.cancelWriting();
+        return std::nullopt;
+    }
+    complain(program, file.toStdString() + ": " + out.errorString().toStdString());
+    return kCannotOpen;
 }
 
 } // namespace skyseal::app
