@@ -59,6 +59,7 @@ void declareRecording(Options &options)
 {
     options.addValue("record", "FOLDER", "Folder of the .tlog files.");
     options.addFlag("no-record", "Write no .tlog.");
+    options.addAlternatives("record", "no-record");
 }
 
 void readRecording(Options &options, engine::StationConfig &config)

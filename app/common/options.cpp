@@ -102,6 +102,12 @@ void Options::addConfig()
     addValue(kConfig, "FILE", "Read further options from a file: NAME = VALUE in each line, yes or no for a flag.");
 }
 
+void Options::addAlternatives(const char *one, const char *other)
+{
+    m_alternatives[QLatin1String(one)] = QLatin1String(other);
+    m_alternatives[QLatin1String(other)] = QLatin1String(one);
+}
+
 void Options::addLink(const char *name, const char *help, LinkFilter accepted, const char *preset)
 {
     m_links[name] = accepted;
@@ -180,7 +186,10 @@ Result<QStringList, InputError> Options::argumentsOf(const std::string &configFi
         const bool isFlag = !declared->second;
         if (isFlag && line.value != "yes" && line.value != "no")
             return wrong(line.name + " " + quoted(line.value) + ": yes or no is expected");
-        if (m_parser.isSet(name) || (isFlag && line.value == "no"))
+        const auto alternative = m_alternatives.find(name);
+        const bool isReplaced = m_parser.isSet(name)
+            || (alternative != m_alternatives.end() && m_parser.isSet(alternative->second));
+        if (isReplaced || (isFlag && line.value == "no"))
             continue;
         out << QStringLiteral("--") + name + (isFlag ? QString() : QLatin1Char('=') + QString::fromStdString(line.value));
     }

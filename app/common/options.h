@@ -32,6 +32,9 @@ public:
     void addArgument(const char *name, const char *help);
     /// --config: the other options may stand in a file (config_file.h). Those of the command line replace the file's.
     void addConfig();
+    /// One of two options on the command line replaces the other one in the file as well. Whether both may be given at one
+    /// place is for the caller to check.
+    void addAlternatives(const char *one, const char *other);
     /// The same for options that exist for comparison only. A build without research does not know them (core/base/research.h):
     /// for it, has() is false and text() the preset.
     void addResearchFlag(const char *name, const char *help);
@@ -77,6 +80,7 @@ private:
     QString m_name;
     QCommandLineParser m_parser;
     std::map<QString, bool> m_declared;        ///< option names; true if the option takes a value
+    std::map<QString, QString> m_alternatives; ///< see addAlternatives(), both ways
     std::map<std::string, LinkFilter> m_links; ///< by the name of their option
     std::map<std::string, std::string> m_left; ///< presets of the options that this build does not know
     std::string m_problem;

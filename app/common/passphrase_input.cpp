@@ -59,6 +59,7 @@ void PassphraseInput::declare(Options &options, const char *which, const char *w
     options.addValue((std::string(which) + "passphrase-file").c_str(), "FILE",
                      ("File whose first line is " + std::string(whose) + "; - for standard input.").c_str());
     options.addValue((std::string(which) + "passphrase-fd").c_str(), "N", "Open descriptor to read it from.");
+    options.addAlternatives((std::string(which) + "passphrase-file").c_str(), (std::string(which) + "passphrase-fd").c_str());
 }
 
 PassphraseInput PassphraseInput::read(Options &options, const char *which)

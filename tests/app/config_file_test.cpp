@@ -20,6 +20,9 @@ struct Command : Options
         addLink("link", "Links.");
         addValue("duration", "S", "Seconds.", "1");
         addFlag("json", "JSON.");
+        addValue("record", "FOLDER", "Record there.");
+        addFlag("no-record", "Record nothing.");
+        addAlternatives("record", "no-record");
         addConfig();
     }
 };
@@ -36,6 +39,7 @@ private Q_SLOTS:
     void wrongLinesAreNamed();
     void optionsMayStandInTheFile();
     void commandLineReplacesTheFile();
+    void commandLineReplacesTheOppositeInTheFile();
     void wrongOptionIsAUsageError_data();
     void wrongOptionIsAUsageError();
     void unreadableFileCannotBeOpened();
@@ -110,6 +114,25 @@ void ConfigFileTest::commandLineReplacesTheFile()
     QCOMPARE(command.urls("link")[0].port(), std::uint16_t(14551));
     QCOMPARE(command.number("duration", 0, 10), 3.0);
     QVERIFY(!command.has("json"));
+}
+
+void ConfigFileTest::commandLineReplacesTheOppositeInTheFile()
+{
+    Command records;
+    QVERIFY(!records.parse(
+        {QStringLiteral("--record"), QStringLiteral("/a"), QStringLiteral("--config"), written("no-record = yes\n")}));
+    QCOMPARE(records.text("record"), std::string("/a"));
+    QVERIFY(!records.has("no-record"));
+
+    Command recordsNothing;
+    QVERIFY(!recordsNothing.parse({QStringLiteral("--no-record"), QStringLiteral("--config"), written("record = /a\n")}));
+    QVERIFY(recordsNothing.has("no-record"));
+    QVERIFY(!recordsNothing.has("record"));
+
+    // At one place, the two are left to the command to judge.
+    Command both;
+    QVERIFY(!both.parse({QStringLiteral("--config"), written("record = /a\nno-record = yes\n")}));
+    QVERIFY(both.has("record") && both.has("no-record"));
 }
 
 void ConfigFileTest::wrongOptionIsAUsageError_data()
