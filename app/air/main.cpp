@@ -20,6 +20,8 @@
 #include <QtCore/QElapsedTimer>
 #include <QtCore/QTimer>
 
+#include <utility>
+
 using namespace skyseal;
 using namespace skyseal::app;
 
@@ -143,8 +145,10 @@ int main(int argc, char **argv)
     clock.start();
     const auto elapsed = [&clock] { return static_cast<double>(clock.elapsed()) / 1000; };
     QTimer everySecond;
+    ServiceManager manager;
     QObject::connect(&everySecond, &QTimer::timeout, &application, [&] {
-        started = true; // later failures of links are retried
+        if (!std::exchange(started, true)) // later failures of links are retried
+            manager.ready();
         report.stats(agent.snapshot(), elapsed());
     });
     StopSignals signals;
@@ -155,11 +159,9 @@ int main(int argc, char **argv)
         if (auto policy = reload.changedPolicy())
             agent.setPolicy(std::move(*policy));
     });
-    ServiceManager manager;
     QTimer::singleShot(0, &application, [&] {
         agent.start();
         everySecond.start(1000);
-        manager.ready();
     });
     const int ended = application.exec();
     manager.stopping();

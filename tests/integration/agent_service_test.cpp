@@ -59,6 +59,7 @@ private Q_SLOTS:
     void reloadChangesSuitesAndKeepsTheSession();
     void wrongConfigurationChangesNothing();
     void managerHearsOfReadinessLifeAndEnd();
+    void agentWithoutItsPortIsNotReady();
     void checkFindsNothingWrong();
     void checkSaysWhatIsWrong_data();
     void checkSaysWhatIsWrong();
@@ -136,6 +137,18 @@ void AgentServiceTest::managerHearsOfReadinessLifeAndEnd()
     QCOMPARE(air.terminate(), 0);
     EVENTUALLY_EQUAL(manager.count("STOPPING=1"), 1);
     QCOMPARE(manager.count("READY=1"), 1);
+}
+
+void AgentServiceTest::agentWithoutItsPortIsNotReady()
+{
+    ConfiguredFlight configured;
+    Program first(QStringLiteral("skyseal-air"), configured.arguments());
+    QVERIFY(!first.waitFor(QStringLiteral("stats")).isEmpty());
+    NotifySocket manager;
+    const RunResult second = runProgram("skyseal-air", configured.arguments());
+    QCOMPARE(second.status, 3);
+    QVERIFY2(second.err.contains("udpin:127.0.0.1"), second.err.constData());
+    QCOMPARE(manager.count("READY=1"), 0);
 }
 
 void AgentServiceTest::checkFindsNothingWrong()
