@@ -12,6 +12,11 @@ bool isIpv4(const Address &address)
     return std::equal(kMappedPrefix.begin(), kMappedPrefix.end(), address.ip.begin());
 }
 
+bool isSameHost(const Address &a, const Address &b)
+{
+    return isIpv4(a) == isIpv4(b) && std::equal(a.ip.begin(), a.ip.begin() + (isIpv4(a) ? 16 : 8), b.ip.begin());
+}
+
 bool isAnyAddress(const Address &address)
 {
     return std::all_of(address.ip.begin() + (isIpv4(address) ? 12 : 0), address.ip.end(), [](auto byte) { return byte == 0; });

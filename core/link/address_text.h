@@ -23,6 +23,8 @@ std::optional<Address> parseAddress(std::string_view text);
 std::optional<Address> parseHost(std::string_view host, std::uint16_t port);
 
 bool isIpv4(const Address &address);
+/// Ports are ignored. IPv6 addresses of one host may differ in the lower 64 bits (interface identifier, RFC 4291 2.5.1).
+bool isSameHost(const Address &a, const Address &b);
 /// 0.0.0.0 or ::.
 bool isAnyAddress(const Address &address);
 Address ipv4(std::uint32_t hostOrder, std::uint16_t port);

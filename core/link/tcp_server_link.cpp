@@ -14,12 +14,6 @@ namespace skyseal::link {
 
 static constexpr qint64 kReadBuffer = 256 << 10;
 
-/// IPv6 addresses of one host may differ in the lower 64 bits (interface identifier, RFC 4291 2.5.1).
-static bool isSameHost(const Address &a, const Address &b)
-{
-    return isIpv4(a) == isIpv4(b) && std::equal(a.ip.begin(), a.ip.begin() + (isIpv4(a) ? 16 : 8), b.ip.begin());
-}
-
 TcpServerLink::TcpServerLink(LinkUrl linkUrl, LinkId linkId, LinkListener &linkListener, LinkOptions linkOptions)
     : Link(std::move(linkUrl), linkId, linkListener, linkOptions)
 {

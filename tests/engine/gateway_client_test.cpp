@@ -1,5 +1,7 @@
 // What a client of the gateway may send, on a simulated clock.
 #include "core/engine/gateway/client.h"
+#include "core/engine/gateway/client_places.h"
+#include "core/link/address_text.h"
 #include "core/mavlink/enums.h"
 #include "core/mavlink/frame_intake.h"
 #include "core/mavlink/frame_writer.h"
@@ -63,6 +65,11 @@ mavlink::RequestDataStream stream(unsigned rate)
     return out;
 }
 
+Path at(const char *host, std::uint16_t port)
+{
+    return {LinkId{0}, *link::parseHost(host, port)};
+}
+
 } // namespace
 
 class GatewayClientTest : public QObject
@@ -81,6 +88,8 @@ private Q_SLOTS:
     void clientSpeaksAsItsSystemAlone();
     void denialIsToldOnceAMinute();
     void silentClientIsForgotten();
+    void oneHostTakesNoPlaceOfOthers();
+    void silentPlacesAreFreed();
 };
 
 void GatewayClientTest::readerAsks()
@@ -207,6 +216,42 @@ void GatewayClientTest::silentClientIsForgotten()
     reader.send(mavlink::Heartbeat{});
     QVERIFY(!reader.client.isSilent(kStart + std::chrono::seconds(59)));
     QVERIFY(reader.client.isSilent(kStart + std::chrono::seconds(60)));
+}
+
+void GatewayClientTest::oneHostTakesNoPlaceOfOthers()
+{
+    using namespace std::chrono_literals;
+    std::vector<ClientPlace> places; // one host sends from 31 ports all the time, another one only listens
+    for (std::uint16_t port = 1; port <= 31; ++port)
+        places.push_back({at("10.0.0.1", port), kStart - port * 1ms});
+    places.push_back({at("10.0.0.2", 14550), kStart - 50s});
+
+    const auto freedFor = [&](const char *host) { return placeToFree(places, at(host, 40000).remote, kStart); };
+    QCOMPARE(freedFor("10.0.0.3"), std::optional(at("10.0.0.1", 31))); // at once, the most silent of the greedy host
+    QCOMPARE(freedFor("10.0.0.1"), std::nullopt);                      // not the listener's, and its own are in use
+    places[4].heardAt = kStart - kReplaceAfter;
+    QCOMPARE(freedFor("10.0.0.1"), std::optional(at("10.0.0.1", 5)));
+
+    // A host with IPv6 chooses the lower half of its address.
+    places.clear();
+    for (std::uint16_t i = 1; i <= 31; ++i)
+        places.push_back({at(("2001:db8::" + std::to_string(i)).c_str(), 14550), kStart});
+    places.push_back({at("2001:db8:0:1::1", 14550), kStart - 50s});
+    QCOMPARE(freedFor("2001:db8::99"), std::nullopt);
+    QCOMPARE(freedFor("2001:db8:0:2::1"), std::optional(at("2001:db8::1", 14550)));
+}
+
+void GatewayClientTest::silentPlacesAreFreed()
+{
+    using namespace std::chrono_literals;
+    std::vector<ClientPlace> places;
+    for (int host = 1; host <= 32; ++host)
+        places.push_back({at(("10.0.0." + std::to_string(host)).c_str(), 14550), kStart - 4s});
+    const Address newcomer = at("10.0.1.1", 14550).remote;
+    QCOMPARE(placeToFree(places, newcomer, kStart), std::nullopt);
+    places[7].heardAt = kStart - 6s;
+    places[9].heardAt = kStart - 7s;
+    QCOMPARE(placeToFree(places, newcomer, kStart), std::optional(places[9].path));
 }
 
 SKYSEAL_TEST_APPLESS(GatewayClientTest)

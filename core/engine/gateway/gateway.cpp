@@ -136,27 +136,23 @@ Client *Gateway::clientAt(TimePoint now, const link::Link &link, const Path &pat
 {
     if (const auto known = m_clients.find(path); known != m_clients.end())
         return &known->second;
-    return makeRoom(now, link) ? &connect(now, path) : nullptr;
+    return makeRoom(now, link, path.remote) ? &connect(now, path) : nullptr;
 }
 
-/// Returns false if all places of the link are taken.
-bool Gateway::makeRoom(TimePoint now, const link::Link &link)
+/// Returns false if all places of the link are taken. Streams have no more places than their link accepts connections.
+bool Gateway::makeRoom(TimePoint now, const link::Link &link, const Address &newcomer)
 {
-    std::size_t clients = 0;
-    auto silent = m_clients.end();
-    for (auto client = m_clients.begin(); client != m_clients.end(); ++client) {
-        if (client->first.link != link.id())
-            continue;
-        ++clients;
-        if (silent == m_clients.end() || client->second.heardAt() < silent->second.heardAt())
-            silent = client;
+    std::vector<ClientPlace> places;
+    for (const auto &[path, client] : m_clients) {
+        if (path.link == link.id())
+            places.push_back({path, client.heardAt()});
     }
-    if (clients < kMostClients)
+    if (places.size() < kMostClients)
         return true;
-    if (link.isStream() || now - silent->second.heardAt() < kReplaceAfter)
-        return false;
-    disconnect(silent);
-    return true;
+    const auto freed = link.isStream() ? std::nullopt : placeToFree(places, newcomer, now);
+    if (freed)
+        disconnect(m_clients.find(*freed));
+    return freed.has_value();
 }
 
 Client &Gateway::connect(TimePoint now, const Path &path)

@@ -9,6 +9,7 @@
 
 #include "core/engine/common/link_pool.h"
 #include "core/engine/gateway/client.h"
+#include "core/engine/gateway/client_places.h"
 #include "core/engine/gateway/gateway_event.h"
 #include "core/mavlink/frame_intake.h"
 
@@ -68,7 +69,7 @@ private:
     const ServeConfig &configOf(LinkId link) const { return m_served[static_cast<std::size_t>(link)]; }
     void receive(const link::Link &link, const link::ReceivedBlock &block);
     Client *clientAt(TimePoint now, const link::Link &link, const Path &path);
-    bool makeRoom(TimePoint now, const link::Link &link);
+    bool makeRoom(TimePoint now, const link::Link &link, const Address &newcomer);
     Client &connect(TimePoint now, const Path &path);
     void disconnect(std::map<Path, Client>::iterator client);
     void takeFrame(TimePoint now, const Path &from, Client &client, const mavlink::ScanItem &item);
