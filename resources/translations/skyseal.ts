@@ -619,6 +619,18 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Not reported one by one: %1 came and went, %2 denied</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one client</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 clients</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Denied %1 of client %2 at %3, the newest one %4</source>
         <translation type="unfinished"></translation>
     </message>

@@ -149,6 +149,7 @@ struct Counted
         }
     }
     void note(ByteView datagram)
+    void denialsOfReconnectingClientsAreReportedOnlySoOften();
     {
         ++count;
         for (const std::uint8_t byte : datagram)
@@ -372,6 +373,34 @@ void GatewayTest::silentClientsKeepNobodyOut()
     const auto all = [&] {
         greetFrom(0);
         return flight.ground.ears->snapshot->clients.size() == others.size();
+/// A new connection may be denied something at once, so that the limit of one report a minute for each client limits nothing.
+void GatewayTest::denialsOfReconnectingClientsAreReportedOnlySoOften()
+{
+    constexpr int kConnections = 100;
+    ServedFlight flight("", channel::PeerRole::Pilot, "tcpin:127.0.0.1:0");
+    const double begin = flight.ground.ears->snapshot->time;
+    std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
+    const ByteView frame = mavlink::FrameWriter(255, 190).write(arm(), buffer);
+    for (int i = 0; i < kConnections; ++i) {
+        QTcpSocket program;
+        const QSignalSpy answered(&program, &QTcpSocket::readyRead);
+        program.connectToHost(QHostAddress::LocalHost, flight.port());
+        program.write(reinterpret_cast<const char *>(frame.data()), static_cast<qint64>(frame.size()));
+        EVENTUALLY(!answered.isEmpty()); // by COMMAND_ACK: denied
+        program.abort();
+    }
+    EVENTUALLY(!flight.ground.ears->all<engine::ClientsUnreported>().empty());
+    const double lasted = flight.ground.ears->snapshot->time - begin;
+    const std::size_t connected = flight.ground.ears->all<engine::ClientConnected>().size();
+    const std::size_t denied = flight.ground.ears->all<engine::ClientDenied>().size();
+    QVERIFY2(static_cast<double>(connected + denied)
+                 <= engine::Gateway::kReportsAtOnce + engine::Gateway::kReportsPerSecond * (lasted + 1),
+             (std::to_string(connected) + " and " + std::to_string(denied)).c_str());
+    QVERIFY(connected > 0 && denied > 0);
+    const engine::ClientsUnreported others = flight.ground.ears->all<engine::ClientsUnreported>()[0];
+    QVERIFY(others.clients + others.frames > 0);
+}
+
     };
     EVENTUALLY(all());
     UdpEnd late(flight.port());

@@ -52,7 +52,7 @@ public:
     TimePoint heardAt() const { return m_heard; }
     /// Whether its coming was reported, so that its going will be.
     bool isReported() const { return m_reported; }
-    void setReported(bool reported) { m_reported = reported; }
+    void setReported() { m_reported = true; }
     const ServeConfig &config() const { return m_config; }
     const ClientCounters &counters() const { return m_counters; }
 
@@ -63,7 +63,7 @@ private:
     QuestionBudget &m_questions;
     ClientCounters m_counters;
     TimePoint m_heard{};
-    bool m_reported = true;
+    bool m_reported = false;
     TimePoint m_tellAt = TimePoint::min();
     std::uint64_t m_told = 0; ///< denied frames that the client was told of
 };

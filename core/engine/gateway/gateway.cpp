@@ -8,6 +8,7 @@
 #include "core/mavlink/messages.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace skyseal::engine {
 
@@ -57,12 +58,14 @@ void Gateway::everySecond(TimePoint now)
 {
     for (auto client = m_clients.begin(); client != m_clients.end();) {
         const auto current = client++;
+        reportComing(now, current->first, current->second);
         const link::Link *link = m_links.find(current->first.link);
         if (link->isStream())
             m_links.noteUse(current->first); // also of a client that only listens
         else if (!link->traits().isDatagramClient() && current->second.isSilent(now))
             disconnect(current);
     }
+    reportUnreported(now);
 }
 
 std::vector<ClientSnapshot> Gateway::clients() const
@@ -160,9 +163,7 @@ Client &Gateway::connect(TimePoint now, const Path &path)
     const auto link = static_cast<std::size_t>(path.link);
     Client &client = m_clients.try_emplace(path, m_served[link], m_budgets[link]).first->second;
     client.noteHeard(now);
-    client.setReported(m_reports.take(now, kReportsPerSecond, kReportsAtOnce));
-    if (client.isReported())
-        m_notify(ClientConnected{client.config().name, addressOf(path), client.config().write.toText()});
+    reportComing(now, path, client);
     return client;
 }
 
@@ -173,6 +174,24 @@ void Gateway::disconnect(std::map<Path, Client>::iterator client)
     m_clients.erase(client);
     if (reported)
         m_notify(std::move(gone));
+    else
+        ++m_unreported.clients;
+}
+
+void Gateway::reportComing(TimePoint now, const Path &path, Client &client)
+{
+    if (client.isReported() || !mayReport(now))
+        return;
+    client.setReported();
+    m_notify(ClientConnected{client.config().name, addressOf(path), client.config().write.toText()});
+}
+
+void Gateway::reportUnreported(TimePoint now)
+{
+    if ((m_unreported.clients == 0 && m_unreported.frames == 0) || now < m_reportUnreportedAt)
+        return;
+    m_reportUnreportedAt = now + kReportUnreportedEvery;
+    m_notify(std::exchange(m_unreported, {}));
 }
 
 void Gateway::takeFrame(TimePoint now, const Path &from, Client &client, const mavlink::ScanItem &item)
@@ -197,7 +216,10 @@ void Gateway::deny(TimePoint now, const Path &to, Client &client, const mavlink:
         return;
     if (item.frame)
         answer(to, *item.frame, kGatewayComponent, textOf(*denial));
-    m_notify(ClientDenied{client.config().name, addressOf(to), denial->message, denial->frames});
+    if (mayReport(now))
+        m_notify(ClientDenied{client.config().name, addressOf(to), denial->message, denial->frames});
+    else
+        m_unreported.frames += denial->frames;
 }
 
 void Gateway::answerCommand(const Path &to, const mavlink::Frame &frame)

@@ -37,12 +37,10 @@ public:
 
     /// Clients whose addresses are not configured, for each link.
     static constexpr std::size_t kMostClients = 32;
-    /// On UDP, where all places are taken, a new client replaces the one that was silent the longest, and at least for so long:
-    /// programs send a heartbeat each second, so that a burst of datagrams from many ports keeps none of them out.
-    static constexpr Duration kReplaceAfter = std::chrono::seconds(5);
-    /// Clients that are reported to come and go: so many at once, then one a second, since anyone who reaches the port can
-    /// connect again and again.
+    /// Reports of clients that come, go or are denied something: so many at once, then one a second, since anyone who reaches
+    /// the port can connect again and again. The others are counted and reported together.
     static constexpr double kReportsAtOnce = 64, kReportsPerSecond = 1;
+    static constexpr Duration kReportUnreportedEvery = std::chrono::minutes(1);
 
     /// `vehicles` must outlive this object.
     Gateway(std::vector<ServeConfig> served, Vehicles &vehicles, Notify notify);
@@ -53,7 +51,7 @@ public:
     void sendToClients(ByteView frame);
     /// Sends what was queued.
     void flush() { m_links.flush(); }
-    /// Forgets clients that are silent. Call about once a second.
+    /// Forgets clients that are silent, and reports what was not reported at once. Call about once a second.
     void everySecond(TimePoint now);
     void close();
 
@@ -72,6 +70,9 @@ private:
     bool makeRoom(TimePoint now, const link::Link &link, const Address &newcomer);
     Client &connect(TimePoint now, const Path &path);
     void disconnect(std::map<Path, Client>::iterator client);
+    bool mayReport(TimePoint now) { return m_reports.take(now, kReportsPerSecond, kReportsAtOnce); }
+    void reportComing(TimePoint now, const Path &path, Client &client);
+    void reportUnreported(TimePoint now);
     void takeFrame(TimePoint now, const Path &from, Client &client, const mavlink::ScanItem &item);
     void deny(TimePoint now, const Path &to, Client &client, const mavlink::ScanItem &item);
     void answerCommand(const Path &to, const mavlink::Frame &frame);
@@ -87,6 +88,8 @@ private:
     mavlink::FrameIntake m_frames;
     std::map<Path, Client> m_clients;
     channel::TokenBucket m_reports;
+    ClientsUnreported m_unreported;
+    TimePoint m_reportUnreportedAt = TimePoint::min();
 };
 
 } // namespace skyseal::engine

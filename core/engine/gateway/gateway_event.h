@@ -29,7 +29,13 @@ struct ClientDenied
     std::string message; ///< the newest one's name; its number if no definition is known
     std::uint64_t frames = 0;
 };
+/// Clients came, went and were denied frames more often than is reported one by one.
+struct ClientsUnreported
+{
+    std::uint64_t clients = 0; ///< that came and went
+    std::uint64_t frames = 0;  ///< that were not forwarded
+};
 
-using GatewayEvent = std::variant<ServedLinkChanged, ClientConnected, ClientGone, ClientDenied>;
+using GatewayEvent = std::variant<ServedLinkChanged, ClientConnected, ClientGone, ClientDenied, ClientsUnreported>;
 
 } // namespace skyseal::engine

@@ -115,6 +115,13 @@ std::string clientDeniedEvent(const ClientDenied &denied)
     return endEvent(json);
 }
 
+std::string clientsUnreportedEvent(const ClientsUnreported &unreported)
+{
+    JsonWriter json = beginEvent("clients_unreported");
+    json.field("clients", unreported.clients).field("frames", unreported.frames);
+    return endEvent(json);
+}
+
 std::string brokerEvent(const std::string &url, const mqtt::PublisherStatus &broker)
 {
     JsonWriter json = beginEvent("mqtt");
@@ -140,6 +147,7 @@ std::string eventJson(const Event &event, const PeerNames &names)
                           [](const ClientConnected &e) { return clientEvent(e); },
                           [](const ClientGone &e) { return clientEvent(e); },
                           [](const ClientDenied &e) { return clientDeniedEvent(e); },
+                          [](const ClientsUnreported &e) { return clientsUnreportedEvent(e); },
                           [](const vehicle::MissionResult &) { return std::string(); },
                           [](const vehicle::ParameterResult &) { return std::string(); },
                           [](const vehicle::FileResult &) { return std::string(); },

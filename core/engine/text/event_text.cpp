@@ -106,6 +106,13 @@ public:
                     .arg(counted(e.frames, tr("one frame"), tr("%1 frames")), qt(e.name), qt(e.address), qt(e.message)),
                 kWarning};
     }
+    EventText operator()(const ClientsUnreported &e) const
+    {
+        return {tr("Not reported one by one: %1 came and went, %2 denied")
+                    .arg(counted(e.clients, tr("one client"), tr("%1 clients")),
+                         counted(e.frames, tr("one frame"), tr("%1 frames"))),
+                kWarning};
+    }
     EventText operator()(const vehicle::MissionResult &e) const
     {
         return e.ok ? EventText{missionDone(e.transfer).arg(planName(e.type)), kInfo, e.systemId}
