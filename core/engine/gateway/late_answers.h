@@ -1,6 +1,6 @@
-// Messages of conversations, which clients receive although a newer one of their kind overtook them: each names what it answers
-// (a parameter, an item, a command, an offset), so that its place does not matter, and without it the client asks again.
-// Telemetry is not among them, since it would set a display back.
+// Messages of conversations and events, which clients receive although a newer one of their kind overtook them: each names what
+// it answers (a parameter, an item, a command, an offset) or what happened, so that its place does not matter, and without it
+// the client asks again or never learns of it. Telemetry is not among them, since it would set a display back.
 #pragma once
 
 #include "core/mavlink/message_ids.h"
@@ -24,6 +24,29 @@ constexpr bool isLateAnswer(std::uint32_t messageId)
     case mavlink::MAVLINK_MSG_ID_LOG_ENTRY:
     case mavlink::MAVLINK_MSG_ID_LOG_DATA:
     case mavlink::MAVLINK_MSG_ID_AUTOPILOT_VERSION:
+    case mavlink::MAVLINK_MSG_ID_PROTOCOL_VERSION:
+    case mavlink::MAVLINK_MSG_ID_MESSAGE_INTERVAL:
+    case mavlink::MAVLINK_MSG_ID_AVAILABLE_MODES:
+    case mavlink::MAVLINK_MSG_ID_COMPONENT_INFORMATION_BASIC:
+    case mavlink::MAVLINK_MSG_ID_COMPONENT_METADATA:
+    case mavlink::MAVLINK_MSG_ID_PARAM_EXT_VALUE:
+    case mavlink::MAVLINK_MSG_ID_PARAM_EXT_ACK:
+    case mavlink::MAVLINK_MSG_ID_FENCE_POINT:
+    case mavlink::MAVLINK_MSG_ID_RALLY_POINT:
+    case mavlink::MAVLINK_MSG_ID_REMOTE_LOG_DATA_BLOCK:
+    case mavlink::MAVLINK_MSG_ID_LOGGING_DATA:
+    case mavlink::MAVLINK_MSG_ID_LOGGING_DATA_ACKED:
+    case mavlink::MAVLINK_MSG_ID_DEVICE_OP_READ_REPLY:
+    case mavlink::MAVLINK_MSG_ID_DEVICE_OP_WRITE_REPLY:
+    case mavlink::MAVLINK_MSG_ID_SERIAL_CONTROL:
+    case mavlink::MAVLINK_MSG_ID_PING:
+    case mavlink::MAVLINK_MSG_ID_TIMESYNC:
+    case mavlink::MAVLINK_MSG_ID_EVENT:
+    case mavlink::MAVLINK_MSG_ID_RESPONSE_EVENT_ERROR:
+    case mavlink::MAVLINK_MSG_ID_MISSION_ITEM_REACHED:
+    case mavlink::MAVLINK_MSG_ID_MAG_CAL_REPORT:
+    case mavlink::MAVLINK_MSG_ID_CAMERA_FEEDBACK:
+    case mavlink::MAVLINK_MSG_ID_CAMERA_IMAGE_CAPTURED:
     case mavlink::MAVLINK_MSG_ID_STATUSTEXT: return true;
     default: return false;
     }
