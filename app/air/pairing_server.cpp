@@ -159,7 +159,6 @@ static const char *textOf(engine::PairingRefusal refusal)
     switch (refusal) {
     case engine::PairingRefusal::Armed: return "the vehicle is armed";
     case engine::PairingRefusal::OpenAlready: return "the pairing window is already open";
-    case engine::PairingRefusal::OnlyListens: return "the agent only listens; pair over a --ground that leads to the station";
     }
     return "";
 }

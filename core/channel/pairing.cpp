@@ -132,6 +132,8 @@ void Pairing::State::handleDeadline(TimePoint at)
         talk.reset();
     if (!over && !talk && agent)
         agent->call(at);
+    if (!over && !talk && station)
+        station->request(at);
     sendRefusal(at);
 }
 
@@ -143,7 +145,7 @@ TimePoint Pairing::State::deadline() const
     if (!over && !talk && agent)
         due = std::min(due, agent->callDue());
     if (!over && !talk && station)
-        due = std::min(due, station->deadline());
+        due = std::min({due, station->deadline(), station->requestDue()});
     if (refusal)
         due = std::min(due, refusal->due);
     return due;
@@ -201,6 +203,8 @@ void Pairing::handleDatagram(TimePoint now, const Path &from, ByteView datagram)
         state.handleWord(now, from, datagram);
     } else if (state.over) {
         return;
+    } else if (state.agent && !state.talk && isPairingRequest(datagram)) {
+        state.agent->handleRequest(from);
     } else if (state.agent && message == PairingMessage::First) {
         state.agent->handleFirst(now, from, datagram);
     } else if (state.agent && isOpening(datagram)) {
@@ -221,6 +225,11 @@ void Pairing::handleDeadline(TimePoint now)
 }
 
 // ---- command
+
+void Pairing::setCallTo(std::vector<Path> paths)
+{
+    m_state->core.config.callTo = std::move(paths);
+}
 
 void Pairing::confirm(TimePoint now, const PublicKey &key)
 {

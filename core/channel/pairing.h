@@ -3,6 +3,7 @@
 // pairing window is open, and stores nothing: the owner stores the result from the event `Paired`.
 //
 //   station                                    agent
+//     request ->                                 only to an agent that listens, on a link on which it does
 //     <- call                                    the window is open (twice a second, no key in it)
 //     first ->      <- answer                    shares of CPace, and the agent's commitment to its opening
 //     opening ->    <- opening                   keys, names and nonces: once in a window
@@ -107,6 +108,8 @@ public:
     void handleDeadline(TimePoint now);
 
     // command
+    /// Replaces PairingConfig::callTo.
+    void setCallTo(std::vector<Path> paths);
     /// The person confirmed this key. Ignored unless it is that of peer().
     void confirm(TimePoint now, const PublicKey &key);
     /// The person refused the peer that is shown: closes the window, and notifies the other end.

@@ -28,12 +28,18 @@ PairingAgent::PairingAgent(PairingCore &core, TimePoint now)
 
 void PairingAgent::call(TimePoint now)
 {
-    if (now < m_callDue)
+    if (now < m_callDue || m_core.config.callTo.empty())
         return;
     const PairingDatagram datagram = pairingCall(m_token);
     for (const Path &path : m_core.config.callTo)
         m_core.outgoing.push(path, datagram);
     m_callDue = now + m_core.jittered(kCallEvery);
+}
+
+void PairingAgent::handleRequest(const Path &from)
+{
+    if (!hasOpened() && std::ranges::find(m_core.config.listensOn, from.link) != m_core.config.listensOn.end())
+        m_core.outgoing.push(from, pairingCall(m_token));
 }
 
 bool PairingAgent::mayCompute(TimePoint now, const Path &from)

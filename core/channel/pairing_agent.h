@@ -15,12 +15,14 @@ class PairingAgent
 public:
     PairingAgent(PairingCore &core, TimePoint now);
 
+    /// Of a station that calls an agent which only listens: answered by a call, until an opening was right.
+    void handleRequest(const Path &from);
     /// Answered until the opening of a station was right; reported afterwards, whatever its sender knows.
     void handleFirst(TimePoint now, const Path &from, ByteView datagram);
     /// The station's opening. The first right one of a window is answered by our own, as are its copies; others are ignored.
     std::optional<PairingConfirmation> handleOpening(TimePoint now, const Path &from, ByteView datagram);
     void call(TimePoint now);
-    TimePoint callDue() const { return m_callDue; }
+    TimePoint callDue() const { return m_core.config.callTo.empty() ? kNever : m_callDue; }
 
 private:
     /// An answered first message. Only a few are kept; a new one replaces the oldest.

@@ -27,7 +27,9 @@ struct PairingConfig
     std::uint8_t systemId = 0;                             ///< our MAVLink system id, an agent's vehicle's; 0 = unknown
     /// A passphrase for this pairing, the same at both ends; null = none, then the people must compare the code.
     std::shared_ptr<const crypto::Passphrase> passphrase;
-    std::vector<Path> callTo; ///< an agent's: targets of its calls; an all-zero address is the only peer of a link
+    /// Targets of an agent's calls, or of a station's requests for one; an all-zero address is the only peer of a link.
+    std::vector<Path> callTo = {};
+    std::vector<LinkId> listensOn = {}; ///< an agent's: where it calls those who request it
     Duration window = kPairingWindow;
 };
 

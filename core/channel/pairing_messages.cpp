@@ -103,6 +103,11 @@ std::optional<Word> Word::fromNumber(std::uint8_t number)
     return word;
 }
 
+PairingDatagram pairingRequest()
+{
+    return pairingCall({});
+}
+
 PairingDatagram pairingCall(const PairingToken &token)
 {
     PairingDatagram out{};
@@ -143,9 +148,19 @@ std::array<std::uint8_t, kSealedHead> sealedHead(PairingId id, std::uint8_t numb
     return out;
 }
 
+static bool isCallOrRequest(ByteView datagram)
+{
+    return datagram.size() == kPairingLength && datagram[0] == firstByte(PairingMessage::Call);
+}
+
+bool isPairingRequest(ByteView datagram)
+{
+    return isCallOrRequest(datagram) && std::ranges::all_of(datagram.subspan(1), [](std::uint8_t byte) { return byte == 0; });
+}
+
 std::optional<PairingToken> calledToken(ByteView datagram)
 {
-    if (datagram.size() != kPairingLength || datagram[0] != firstByte(PairingMessage::Call))
+    if (!isCallOrRequest(datagram) || isPairingRequest(datagram))
         return std::nullopt;
     PairingToken token;
     std::copy_n(datagram.begin() + 1, token.size(), token.begin());

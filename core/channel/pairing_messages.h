@@ -1,5 +1,6 @@
 // The bytes of the pairing messages (PROTOCOL.md, section 13).
 //
+//   request   station -> agent   0x5C | zeros 126                                                            127 bytes
 //   call      agent -> station   0x5C | token 16 | zeros 110                                                 127 bytes
 //   first     station -> agent   0x5D | id 4 | token 16 | share 32 | zeros 74                                127 bytes
 //   answer    agent -> station   0x5E | id 4 | share 32 | commitment 32                                       69 bytes
@@ -22,7 +23,7 @@ namespace skyseal::channel {
 enum class PairingMessage : std::uint8_t { Call = 0, First = 1, Answer = 2, Sealed = 3 };
 enum class PairingId : std::uint32_t {};
 
-inline constexpr std::size_t kPairingLength = 127; ///< of call and first: no end sends more than it received
+inline constexpr std::size_t kPairingLength = 127; ///< of request, call and first: no end sends more than it received
 inline constexpr std::size_t kPairingAnswerLength = 69;
 inline constexpr std::size_t kOpeningLength = 95;
 inline constexpr std::size_t kWordLength = 22;
@@ -88,12 +89,14 @@ struct PairingHello
     Commitment commitment{}; ///< of an answer
 };
 
+PairingDatagram pairingRequest();
 PairingDatagram pairingCall(const PairingToken &token);
 PairingDatagram pairingFirst(const PairingHello &hello);
 PairingAnswer pairingAnswer(const PairingHello &hello);
 std::array<std::uint8_t, kSealedHead> sealedHead(PairingId id, std::uint8_t number);
 
 // Of messages whose length is right; nullopt for others.
+bool isPairingRequest(ByteView datagram);
 std::optional<PairingToken> calledToken(ByteView datagram);
 std::optional<PairingHello> readFirst(ByteView datagram);
 std::optional<PairingHello> readAnswer(ByteView datagram);

@@ -8,6 +8,7 @@ namespace skyseal::channel {
 
 namespace {
 
+constexpr Duration kRequestEvery = std::chrono::milliseconds(500);
 constexpr std::size_t kMaxCallers = 16;
 constexpr Duration kHeardOfLate = std::chrono::seconds(3);
 /// Time-out for an answer. Afterwards the next caller has its turn, which may be the same one.
@@ -22,6 +23,15 @@ constexpr unsigned kSlowest = 2; ///< the pause is doubled so often
 constexpr unsigned kOpeningsBeforeHint = 5;
 
 } // namespace
+
+void PairingStation::request(TimePoint now)
+{
+    if (now < requestDue())
+        return;
+    for (const Path &path : m_core.config.callTo)
+        m_core.outgoing.push(path, pairingRequest());
+    m_requestDue = now + m_core.jittered(kRequestEvery);
+}
 
 void PairingStation::handleCall(TimePoint now, const Path &from, ByteView datagram)
 {

@@ -12,6 +12,9 @@ class PairingStation
 public:
     explicit PairingStation(PairingCore &core) : m_core(core) {}
 
+    /// Requests calls of agents that listen.
+    void request(TimePoint now);
+    TimePoint requestDue() const { return isRequesting() ? m_requestDue : kNever; }
     void handleCall(TimePoint now, const Path &from, ByteView datagram);
     /// The first answer of a window is answered by our opening.
     void handleAnswer(TimePoint now, const Path &from, ByteView datagram);
@@ -40,6 +43,7 @@ private:
         unsigned openingsSent = 0;
     };
 
+    bool isRequesting() const { return !m_core.config.callTo.empty() && !(m_attempt && m_attempt->opened); }
     void begin(TimePoint now);
     void sendOpening(TimePoint now);
     void giveUp();
@@ -48,6 +52,7 @@ private:
     std::vector<Caller> m_callers;
     std::optional<Attempt> m_attempt;
     TimePoint m_nextFrom = TimePoint::min(); ///< earliest time of the next attempt
+    TimePoint m_requestDue = TimePoint::min();
 };
 
 } // namespace skyseal::channel

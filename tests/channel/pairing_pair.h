@@ -64,6 +64,14 @@ public:
         return config;
     }
 
+    /// The agent only listens, and the station calls it.
+    void letAirListen()
+    {
+        air().config.callTo.clear();
+        air().config.listensOn = {pathOf(Ground).link};
+        ground().config.callTo = {pathOf(Air)};
+    }
+
     PairingSide &ground() { return ends[Ground]; }
     PairingSide &air() { return ends[Air]; }
     void open(Side side)

@@ -18,6 +18,7 @@ class PairingTest : public QObject
 private Q_SLOTS:
     void initTestCase() { QVERIFY(crypto::initCrypto()); }
     void bothSayYes();
+    void agentThatListens();
     void noIsTold();
     void eitherOrder();
     void passphraseNeedsNoCode();
@@ -74,6 +75,32 @@ void PairingTest::bothSayYes()
         QCOMPARE(end.over()->reason, channel::PairingEnd::Paired);
         QVERIFY(std::holds_alternative<PairingOver>(end.events.back()));
         QCOMPARE(end.pairing->nextDeadline(), kNever);
+    }
+}
+
+/// The station calls; without its request the agent sends nothing.
+void PairingTest::agentThatListens()
+{
+    PairingPair pair;
+    pair.letAirListen();
+    pair.open(Air);
+    pair.run(10s);
+    QCOMPARE(pair.air().bytesOut, std::uint64_t(0));
+    pair.open(Ground);
+    QVERIFY(pair.run(3s, [&] { return pair.shown(); }));
+    QCOMPARE(pair.ground().pairing->peer()->code, pair.air().pairing->peer()->code);
+    pair.confirm(Air);
+    pair.confirm(Ground);
+    QVERIFY(pair.run(3s, [&] { return pair.paired(); }));
+
+    // Over a link that loses a third.
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        LinkModel model;
+        model.loss = 0.33;
+        PairingPair lossy(seed, model);
+        lossy.letAirListen();
+        lossy.openBoth();
+        QVERIFY2(lossy.run(30s, [&] { return lossy.shown(); }), qPrintable(QString::number(seed)));
     }
 }
 

@@ -8,6 +8,8 @@
 
 #include <QtTest/QTest>
 
+#include <map>
+
 using namespace skyseal;
 using namespace skyseal::test;
 using namespace std::chrono_literals;
@@ -30,6 +32,7 @@ private Q_SLOTS:
     void floodOfFalseAnswers();
     void forgedCalls();
     void noMoreOutThanIn();
+    void requestsAreAnsweredWhereTheAgentListens();
     void onlyTheLastAnswersAreKept();
     void moreCallersThanPlaces();
 };
@@ -444,6 +447,44 @@ void PairingWireTest::noMoreOutThanIn()
         }
         fresh.run(30s);
         QVERIFY2(out <= in, qPrintable(QStringLiteral("%1 out, %2 in").arg(out).arg(in)));
+    }
+}
+
+/// By one call each, which has the length of the request; not elsewhere, not by a station, not after an opening.
+void PairingWireTest::requestsAreAnsweredWhereTheAgentListens()
+{
+    const auto request = pairingRequest();
+    Path stranger{LinkId{1}, {}}, elsewhere{LinkId{2}, {}};
+    stranger.remote.port = elsewhere.remote.port = 9;
+    for (const bool listens : {false, true}) {
+        PairingPair pair;
+        if (listens)
+            pair.letAirListen();
+        std::map<std::pair<Side, LinkId>, std::uint64_t> bytesOut;
+        pair.elsewhere = [&](Side side, const Transmit &out) { bytesOut[{side, out.to.link}] += out.bytes.size(); };
+        pair.openBoth();
+        constexpr std::size_t kRequests = 50;
+        const auto ask = [&] {
+            for (std::size_t i = 0; i < kRequests; ++i) {
+                for (const Path &from : {stranger, elsewhere}) {
+                    for (PairingSide &end : pair.ends)
+                        end.pairing->handleDatagram(pair.now, from, request);
+                    pair.pump();
+                }
+            }
+        };
+        ask();
+        QCOMPARE((bytesOut[{Air, stranger.link}]), listens ? std::uint64_t(kRequests * request.size()) : std::uint64_t(0));
+        QCOMPARE((bytesOut[{Air, elsewhere.link}]), std::uint64_t(0));
+        QCOMPARE((bytesOut[{Ground, stranger.link}]), std::uint64_t(0));
+        QVERIFY(pair.run(3s, [&] { return pair.shown(); }));
+        bytesOut.clear();
+        ask();
+        QVERIFY(bytesOut.empty());
+        // Bytes behind the first make it a call, which an agent ignores.
+        Bytes call(request.begin(), request.end());
+        call.back() = 1;
+        QVERIFY(!isPairingRequest(call) && calledToken(call) && !calledToken(request));
     }
 }
 

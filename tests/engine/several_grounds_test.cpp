@@ -61,7 +61,9 @@ private Q_SLOTS:
     void stationCallsAnAgentThatListens();
     void routerIsNotCalled();
     void strangersMavlinkStopsNoCalls();
+    void listeningAgentIsNoAmplifier_data();
     void listeningAgentIsNoAmplifier();
+    void listeningAgentIsPaired();
 };
 
 void SeveralGroundsTest::stationsEachAtItsLink()
@@ -216,9 +218,17 @@ void SeveralGroundsTest::strangersMavlinkStopsNoCalls()
     EVENTUALLY(hears(caller));
 }
 
+void SeveralGroundsTest::listeningAgentIsNoAmplifier_data()
+{
+    QTest::addColumn<bool>("pairing");
+    QTest::newRow("pairing closed") << false;
+    QTest::newRow("pairing open") << true;
+}
+
 /// Each datagram of a stranger causes at most as many bytes as it has, and without one nothing is sent.
 void SeveralGroundsTest::listeningAgentIsNoAmplifier()
 {
+    QFETCH(bool, pairing);
     FlightRig rig;
     rig.startAgentOn({urlOf("udpin:127.0.0.1:0")});
     VehicleOnUdp vehicle(rig.vehicleAddress());
@@ -229,9 +239,19 @@ void SeveralGroundsTest::listeningAgentIsNoAmplifier()
 
     QUdpSocket stranger;
     QVERIFY(stranger.bind(QHostAddress::LocalHost, 0));
+    StrangersKnowledge knows{rig.agent->publicKey(), {}, {}, {}};
+    const channel::PairingDatagram request = channel::pairingRequest();
+    const QByteArray asked(reinterpret_cast<const char *>(request.data()), static_cast<qsizetype>(request.size()));
+    if (pairing) {
+        QVERIFY(rig.agent->openPairing("air"));
+        stranger.writeDatagram(asked, QHostAddress::LocalHost, port);
+        EVENTUALLY(stranger.hasPendingDatagrams());
+        const QByteArray call = stranger.receiveDatagram().data();
+        QCOMPARE(call.size(), asked.size());
+        knows.token = channel::calledToken(Modem::viewOf(call)).value();
+    }
     std::mt19937_64 random(1);
-    const StrangersKnowledge knows{rig.agent->publicKey(), {}, {}, {}};
-    std::uint64_t sent = 0;
+    std::uint64_t sent = pairing ? 1 : 0;
     for (const StrangerMessage &message : kStrangerMessages) {
         for (int i = 0; i < 100; ++i) {
             const Bytes bytes = message.make(knows, random);
@@ -243,10 +263,55 @@ void SeveralGroundsTest::listeningAgentIsNoAmplifier()
             QVERIFY2(agent().grounds[0].txBytes - before <= bytes.size(), message.name);
         }
     }
+    if (!pairing) {
+        const std::uint64_t quiet = agent().grounds[0].txBytes;
+        stranger.writeDatagram(asked, QHostAddress::LocalHost, port);
+        EVENTUALLY(agent().grounds[0].rxDatagrams > sent);
+        QCOMPARE(agent().grounds[0].txBytes, quiet);
+        ++sent;
+    }
     QCOMPARE(agent().grounds[0].rxDatagrams, sent);
     const std::uint64_t told = agent().grounds[0].txBytes, frames = agent().mavlink.frames;
     EVENTUALLY(agent().mavlink.frames > frames + 100);
     QCOMPARE(agent().grounds[0].txBytes, told); // nothing follows, and no telemetry
+}
+
+/// A station that the agent does not know calls it by its udpout link.
+void SeveralGroundsTest::listeningAgentIsPaired()
+{
+    FlightRig rig;
+    rig.introduceStation(false);
+    rig.startAgentOn({urlOf("udpin:127.0.0.1:0")});
+    Ground caller(rig.stationConfig(), urlOf("udpout:" + rig.agent->snapshot().grounds.at(0).localAddress));
+    std::vector<channel::PairingEvent> seen;
+    QObject::connect(caller.station.get(), &engine::Station::pairing, caller.station.get(),
+                     [&](const channel::PairingEvent &event) { seen.push_back(event); });
+    const auto shownHere = [&] {
+        return std::ranges::any_of(seen,
+                                   [](const auto &event) { return std::holds_alternative<channel::PairingPeerSeen>(event); });
+    };
+    const auto atAgent = [&]() -> const channel::PairingPeerSeen * {
+        for (const engine::AgentEvent &event : rig.agentEvents) {
+            const auto *pairing = std::get_if<channel::PairingEvent>(&event);
+            if (const auto *peer = pairing ? std::get_if<channel::PairingPeerSeen>(pairing) : nullptr)
+                return peer;
+        }
+        return nullptr;
+    };
+    QVERIFY(rig.agent->openPairing("air"));
+    caller.station->openPairing("ground");
+    EVENTUALLY(shownHere() && atAgent());
+    const auto peer = std::ranges::find_if(
+        seen, [](const auto &event) { return std::holds_alternative<channel::PairingPeerSeen>(event); });
+    const channel::PairingPeer &here = std::get<channel::PairingPeerSeen>(*peer).peer;
+    QCOMPARE(here.key, rig.agent->publicKey());
+    QCOMPARE(here.code, atAgent()->peer.code);
+    caller.station->confirmPairing(here.key);
+    rig.agent->confirmPairing(atAgent()->peer.key);
+    const auto paired = [&] {
+        return std::ranges::any_of(seen, [](const auto &event) { return std::holds_alternative<channel::Paired>(event); });
+    };
+    EVENTUALLY(paired());
 }
 
 SKYSEAL_TEST(SeveralGroundsTest)

@@ -42,6 +42,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         return !(((how & 4) && flight.bytes[0] == 0x5d) || ((how & 8) && flight.bytes[0] == 0x5e)
                  || ((how & 16) && flight.bytes[0] == 0x5f));
     };
+    if (how & 128)
+        pair.letAirListen();
     pair.openBoth();
     pair.run(std::chrono::milliseconds(how & 32 ? 0 : 600));
     if (how & 64)

@@ -1,6 +1,7 @@
 // The first steps of README.md with the real programs: two new keys, an agent without a list of peers, a pairing whose ends are
 // named, and the sealed session that follows.
 #include "tests/support/eventually.h"
+#include "tests/support/pairing_people.h"
 #include "tests/support/program.h"
 #include "tests/support/run_program.h"
 #include "tests/support/test_runner.h"
@@ -18,11 +19,6 @@ QStringList words(const QString &line)
     return line.split(QLatin1Char(' '), Qt::SkipEmptyParts);
 }
 
-Program::Predicate stateIs(const char *state)
-{
-    return [state](const QJsonObject &event) { return event[QLatin1String("state")].toString() == QLatin1String(state); };
-}
-
 } // namespace
 
 class FirstPairingTest : public QObject
@@ -31,6 +27,7 @@ class FirstPairingTest : public QObject
 
 private Q_SLOTS:
     void agentMakesItsListAndIsPaired();
+    void agentThatListensIsPaired();
     void listThatCannotBeMadeIsAnError();
     void missingKeyMakesNoList();
 
@@ -74,12 +71,7 @@ void FirstPairingTest::agentMakesItsListAndIsPaired()
         Program desk(QStringLiteral("skyseal-air"),
                      words(QStringLiteral("--pair --json --as ground --identity ")) << path("air.key"));
         Program ground(QStringLiteral("skyseal-cli"), words(QStringLiteral("keys pair --json --as air-1 ") + link) + own);
-        for (Program *end : {&desk, &ground})
-            QVERIFY(!end->waitFor(QStringLiteral("pairing"), stateIs("seen")).isEmpty());
-        ground.notify(QStringLiteral("yes"));
-        desk.notify(QStringLiteral("pilot"));
-        QCOMPARE(desk.waitForExit(), 0);
-        QCOMPARE(ground.waitForExit(), 0);
+        QVERIFY2(confirmAtBoth(ground, desk), ground.errors().constData());
     }
     QVERIFY2(read("air.peers").startsWith("ground pilot "), read("air.peers").constData());
     QVERIFY2(read("ground.peers").startsWith("air-1 "), read("ground.peers").constData());
@@ -87,6 +79,29 @@ void FirstPairingTest::agentMakesItsListAndIsPaired()
                     words(QStringLiteral("monitor --json --no-record --secure required ") + link) + own);
     const QJsonObject session = monitor.waitFor(QStringLiteral("session"), stateIs("up"));
     QCOMPARE(session[QLatin1String("peer")].toString(), QStringLiteral("air-1"));
+}
+
+/// The station calls the address of the agent, for the pairing and for the session.
+void FirstPairingTest::agentThatListensIsPaired()
+{
+    QVERIFY(makeKey("caller.key") && makeKey("listener.key"));
+    QStringList arguments = agent(0, path("listener.key"), path("listener.peers"));
+    const quint16 port = freeUdpPort();
+    arguments[arguments.indexOf(QStringLiteral("--ground")) + 1] = QStringLiteral("udpin:127.0.0.1:%1").arg(port);
+    Program air(QStringLiteral("skyseal-air"), arguments);
+    QVERIFY2(!air.waitFor(QStringLiteral("stats")).isEmpty(), air.errors().constData());
+    const QString link = QStringLiteral("--link udpout:127.0.0.1:%1 ").arg(port);
+    const QStringList own{QStringLiteral("--identity"), path("caller.key"), QStringLiteral("--peers"), path("caller.peers")};
+    {
+        Program desk(QStringLiteral("skyseal-air"),
+                     words(QStringLiteral("--pair --json --as caller --identity ")) << path("listener.key"));
+        Program ground(QStringLiteral("skyseal-cli"), words(QStringLiteral("keys pair --json --as listener ") + link) + own);
+        QVERIFY2(confirmAtBoth(ground, desk), ground.errors().constData());
+    }
+    Program monitor(QStringLiteral("skyseal-cli"),
+                    words(QStringLiteral("monitor --json --no-record --secure required ") + link) + own);
+    const QJsonObject session = monitor.waitFor(QStringLiteral("session"), stateIs("up"));
+    QCOMPARE(session[QLatin1String("peer")].toString(), QStringLiteral("listener"));
 }
 
 void FirstPairingTest::listThatCannotBeMadeIsAnError()

@@ -81,8 +81,6 @@ Result<void, PairingRefusal> AgentCore::openPairing(std::string name, std::share
         return tl::unexpected(PairingRefusal::Armed);
     if (m_pairing.isOpen())
         return tl::unexpected(PairingRefusal::OpenAlready);
-    if (m_places.empty())
-        return tl::unexpected(PairingRefusal::OnlyListens);
     channel::PairingConfig config;
     config.role = channel::Role::Agent;
     config.identity = m_secrets->identity;
@@ -90,6 +88,10 @@ Result<void, PairingRefusal> AgentCore::openPairing(std::string name, std::share
     config.systemId = m_receiver.onlySystem();
     config.passphrase = std::move(passphrase);
     config.callTo = m_places;
+    for (std::size_t i = 0; i < m_config.grounds.size(); ++i) {
+        if (m_config.grounds[i].url.traits().isDatagramServer())
+            config.listensOn.push_back(groundLink(i));
+    }
     m_pairing.open(steadyNow(), std::move(config));
     finishWake();
     return {};

@@ -21,11 +21,7 @@
 namespace skyseal::engine {
 
 /// Why the window for pairing was not opened.
-enum class PairingRefusal : std::uint8_t {
-    Armed,
-    OpenAlready,
-    OnlyListens ///< the agent calls the station to pair, and no link leads to one
-};
+enum class PairingRefusal : std::uint8_t { Armed, OpenAlready };
 
 class AgentCore : private link::LinkListener, private AgentReceiver::EventHandler
 {

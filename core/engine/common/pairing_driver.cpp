@@ -27,6 +27,12 @@ void PairingDriver::handleDeadline(TimePoint now)
         m_pairing->handleDeadline(now);
 }
 
+void PairingDriver::setCallTo(std::vector<Path> paths)
+{
+    if (m_pairing)
+        m_pairing->setCallTo(std::move(paths));
+}
+
 void PairingDriver::confirm(TimePoint now, const channel::PublicKey &key)
 {
     if (m_pairing)

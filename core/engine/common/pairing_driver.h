@@ -26,6 +26,8 @@ public:
     /// Returns false if the datagram does not belong to a pairing in progress.
     bool take(TimePoint now, const Path &from, ByteView datagram);
     void handleDeadline(TimePoint now);
+    /// See channel::PairingConfig::callTo.
+    void setCallTo(std::vector<Path> paths);
     void confirm(TimePoint now, const channel::PublicKey &key);
     void refuse(TimePoint now);
     void cancel(TimePoint now, channel::PairingEnd reason);

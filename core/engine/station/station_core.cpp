@@ -164,6 +164,7 @@ bool StationCore::openPairing(std::string name, std::shared_ptr<const crypto::Pa
     config.name = std::move(name);
     config.systemId = m_config.systemId;
     config.passphrase = std::move(passphrase);
+    config.callTo = m_receiver.callPlaces().paths(m_links);
     m_channel->pairing.open(steadyNow(), std::move(config));
     finishWake();
     return true;
@@ -295,9 +296,12 @@ void StationCore::callAgents(TimePoint now)
 {
     const bool mayCall = isSealing()
         && (m_settings.mode() == SecureMode::Required || m_receiver.gate().policy().knowsAnybody());
+    const bool pairs = m_channel->pairing.isOpen();
     const auto isFlown = [this](const Path &path) { return m_sender.routes().hasVehicleInClear(path); };
-    m_channel->endpoint().setCallAt(now, mayCall ? m_receiver.callPlaces().update(now, m_links, isFlown) : std::vector<Path>());
-    if (mayCall)
+    const std::vector<Path> places = m_receiver.callPlaces().update(now, m_links, isFlown);
+    m_channel->endpoint().setCallAt(now, mayCall ? places : std::vector<Path>());
+    m_channel->pairing.setCallTo(places);
+    if (mayCall || pairs)
         m_sender.greetRouters();
 }
 
