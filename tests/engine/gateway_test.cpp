@@ -4,7 +4,7 @@
 #include "core/mavlink/frame_intake.h"
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"
-#include "tests/engine/ground.h"
+#include "tests/engine/served_flight.h"
 #include "tests/support/bare_socket.h"
 #include "tests/support/eventually.h"
 #include "tests/support/heartbeat.h"
@@ -21,13 +21,6 @@ using namespace skyseal;
 using namespace skyseal::test;
 
 namespace {
-
-engine::StationConfig gatewayConfig(const FlightRig &rig)
-{
-    engine::StationConfig config = rig.stationConfig();
-    config.ownHeartbeat = false;
-    return config;
-}
 
 std::string contentOf(const QByteArray &bytes)
 {
@@ -99,45 +92,6 @@ private:
     const quint16 m_target;
 };
 
-/// A vehicle behind an agent, and a gateway with one link for clients.
-struct ServedFlight
-{
-    explicit ServedFlight(const std::string &options, channel::PeerRole role = channel::PeerRole::Pilot,
-                          const std::string &url = "udpin:127.0.0.1:0")
-        : rig(role), ground(gatewayConfig(rig))
-    {
-        ground.station->serve({*engine::ServeConfig::parse(url + options)});
-        rig.startAgent(ground.ears->listening());
-        if (!eventually([this] { return ground.up() && isOpen(); }))
-            qFatal("no session");
-    }
-    bool isOpen() const
-    {
-        const auto changes = ground.ears->all<engine::ServedLinkChanged>();
-        return !changes.empty()
-            && (changes.back().link.phase == engine::LinkPhase::Listening
-                || changes.back().link.phase == engine::LinkPhase::Connected);
-    }
-    /// Of the link for clients.
-    quint16 port() const { return portOf(ground.ears->all<engine::ServedLinkChanged>().back().link.localAddress); }
-    /// Starts the vehicle and waits until the station has it.
-    VehicleOnUdp &fly()
-    {
-        vehicle = std::make_unique<VehicleOnUdp>(rig.vehicleAddress());
-        if (!eventually([this] { return !ground.ears->snapshot->vehicles.empty(); }))
-            qFatal("no vehicle");
-        return *vehicle;
-    }
-    engine::ClientSnapshot client() const
-    {
-        return ground.ears->snapshot->clients.empty() ? engine::ClientSnapshot() : ground.ears->snapshot->clients[0];
-    }
-
-    FlightRig rig;
-    Ground ground;
-    std::unique_ptr<VehicleOnUdp> vehicle;
-};
-
 /// Counts the datagrams of a socket and keeps a hash over them.
 struct Counted
 {
@@ -149,7 +103,6 @@ struct Counted
         }
     }
     void note(ByteView datagram)
-    void denialsOfReconnectingClientsAreReportedOnlySoOften();
     {
         ++count;
         for (const std::uint8_t byte : datagram)
@@ -196,6 +149,7 @@ private Q_SLOTS:
     void clientOfAnotherNetworkIsNotServed();
     void silentClientsKeepNobodyOut();
     void reconnectingIsReportedOnlySoOften();
+    void denialsOfReconnectingClientsAreReportedOnlySoOften();
     void everyFrameReachesEveryClient();
     void takenPortIsReported();
     void serviceEnds();
@@ -373,34 +327,6 @@ void GatewayTest::silentClientsKeepNobodyOut()
     const auto all = [&] {
         greetFrom(0);
         return flight.ground.ears->snapshot->clients.size() == others.size();
-/// A new connection may be denied something at once, so that the limit of one report a minute for each client limits nothing.
-void GatewayTest::denialsOfReconnectingClientsAreReportedOnlySoOften()
-{
-    constexpr int kConnections = 100;
-    ServedFlight flight("", channel::PeerRole::Pilot, "tcpin:127.0.0.1:0");
-    const double begin = flight.ground.ears->snapshot->time;
-    std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
-    const ByteView frame = mavlink::FrameWriter(255, 190).write(arm(), buffer);
-    for (int i = 0; i < kConnections; ++i) {
-        QTcpSocket program;
-        const QSignalSpy answered(&program, &QTcpSocket::readyRead);
-        program.connectToHost(QHostAddress::LocalHost, flight.port());
-        program.write(reinterpret_cast<const char *>(frame.data()), static_cast<qint64>(frame.size()));
-        EVENTUALLY(!answered.isEmpty()); // by COMMAND_ACK: denied
-        program.abort();
-    }
-    EVENTUALLY(!flight.ground.ears->all<engine::ClientsUnreported>().empty());
-    const double lasted = flight.ground.ears->snapshot->time - begin;
-    const std::size_t connected = flight.ground.ears->all<engine::ClientConnected>().size();
-    const std::size_t denied = flight.ground.ears->all<engine::ClientDenied>().size();
-    QVERIFY2(static_cast<double>(connected + denied)
-                 <= engine::Gateway::kReportsAtOnce + engine::Gateway::kReportsPerSecond * (lasted + 1),
-             (std::to_string(connected) + " and " + std::to_string(denied)).c_str());
-    QVERIFY(connected > 0 && denied > 0);
-    const engine::ClientsUnreported others = flight.ground.ears->all<engine::ClientsUnreported>()[0];
-    QVERIFY(others.clients + others.frames > 0);
-}
-
     };
     EVENTUALLY(all());
     UdpEnd late(flight.port());
@@ -445,6 +371,34 @@ void GatewayTest::reconnectingIsReportedOnlySoOften()
     QVERIFY2(reported <= engine::Gateway::kReportsAtOnce + engine::Gateway::kReportsPerSecond * (lasted + 1),
              std::to_string(reported).c_str());
     QVERIFY(reported >= engine::Gateway::kReportsAtOnce / 2);
+}
+
+/// A new connection may be denied something at once, so that the limit of one report a minute for each client limits nothing.
+void GatewayTest::denialsOfReconnectingClientsAreReportedOnlySoOften()
+{
+    constexpr int kConnections = 100;
+    ServedFlight flight("", channel::PeerRole::Pilot, "tcpin:127.0.0.1:0");
+    const double begin = flight.ground.ears->snapshot->time;
+    std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
+    const ByteView frame = mavlink::FrameWriter(255, 190).write(arm(), buffer);
+    for (int i = 0; i < kConnections; ++i) {
+        QTcpSocket program;
+        const QSignalSpy answered(&program, &QTcpSocket::readyRead);
+        program.connectToHost(QHostAddress::LocalHost, flight.port());
+        program.write(reinterpret_cast<const char *>(frame.data()), static_cast<qint64>(frame.size()));
+        EVENTUALLY(!answered.isEmpty()); // by COMMAND_ACK: denied
+        program.abort();
+    }
+    EVENTUALLY(!flight.ground.ears->all<engine::ClientsUnreported>().empty());
+    const double lasted = flight.ground.ears->snapshot->time - begin;
+    const std::size_t connected = flight.ground.ears->all<engine::ClientConnected>().size();
+    const std::size_t denied = flight.ground.ears->all<engine::ClientDenied>().size();
+    QVERIFY2(static_cast<double>(connected + denied)
+                 <= engine::Gateway::kReportsAtOnce + engine::Gateway::kReportsPerSecond * (lasted + 1),
+             (std::to_string(connected) + " and " + std::to_string(denied)).c_str());
+    QVERIFY(connected > 0 && denied > 0);
+    const engine::ClientsUnreported others = flight.ground.ears->all<engine::ClientsUnreported>()[0];
+    QVERIFY(others.clients + others.frames > 0);
 }
 
 /// Ten clients, one of which does not read and one of which is gone. SKYSEAL_FRAMES of the environment is the number of frames.
