@@ -93,6 +93,17 @@ void FlightRig::introduceStation(bool known)
     add({}, entryOf("ground", key, m_stationRole, m_stationSystems), file("air.peers"));
 }
 
+std::vector<channel::Peer> FlightRig::peersOfAgent() const
+{
+    const auto known = keys::PeersFile::load(file("air.peers"));
+    if (!known)
+        qFatal("%s", known.error().text().c_str());
+    std::vector<channel::Peer> out;
+    for (const keys::PeerEntry &entry : known->entries())
+        out.push_back(entry.peer);
+    return out;
+}
+
 engine::StationConfig FlightRig::addStation(const std::string &name, channel::PeerRole role)
 {
     crypto::SystemRandom random;

@@ -50,6 +50,8 @@ public:
     void startAgentOn(const std::vector<link::LinkUrl> &grounds);
     /// Pairs another station with the agents that start from now on. Returns its configuration.
     engine::StationConfig addStation(const std::string &name, channel::PeerRole role);
+    /// The agent's list.
+    std::vector<channel::Peer> peersOfAgent() const;
     /// Whether agents that start from now on know the station's key.
     void introduceStation(bool known);
     /// Like kill -9: no close message is sent.
