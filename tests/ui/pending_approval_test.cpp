@@ -79,6 +79,7 @@ private Q_SLOTS:
         m_station->notify(engine::PlaintextRefused{1, "192.0.2.66:40000", 1, "air-1"});
         QVERIFY(find<QWidget>("problemBanner")->isVisible());
         QVERIFY(find<QLabel>("problemText")->text().contains(QStringLiteral("impostor of air-1")));
+        EVENTUALLY(!m_window->findChild<QMessageBox *>(QStringLiteral("confirmPlain"))); // the question before
         QTest::mouseClick(find<QPushButton>("problemRemedy"), Qt::LeftButton);
         QTest::mouseClick(find<QMessageBox>("confirmPlain")->button(QMessageBox::Yes), Qt::LeftButton);
         QCOMPARE(m_station->allowedClear.size(), std::size_t(2));

@@ -172,7 +172,11 @@ private Q_SLOTS:
         m_station->notify(
             vehicle::CommandResult{vehicle::RequestId{1}, 1, vehicle::CommandOutcome::Refused, 4, "failed: still flying"});
         QCOMPARE(find<QLabel>("commandResult")->text(), QStringLiteral("Disarm: failed: still flying"));
-        QTest::mousePress(arm, Qt::LeftButton);
+        const auto pressed = [arm] {
+            QTest::mousePress(arm, Qt::LeftButton);
+            return arm->isHeld();
+        };
+        EVENTUALLY(pressed()); // the button is quiet for a moment after a command
         EVENTUALLY_EQUAL(m_station->commands.size(), std::size_t(2));
         QTest::mouseRelease(arm, Qt::LeftButton);
         m_station->notify(

@@ -1,5 +1,7 @@
 #include "ui/flight/hold_button.h"
 
+#include "ui/held_keys.h"
+
 #include <QtGui/QKeyEvent>
 #include <QtGui/QMouseEvent>
 #include <QtGui/QPainter>
@@ -8,15 +10,6 @@
 
 namespace skyseal::ui {
 
-namespace {
-
-bool isHoldKey(int key)
-{
-    return key == Qt::Key_Space || key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Select;
-}
-
-} // namespace
-
 HoldButton::HoldButton(const QString &text, QWidget *parent) : QPushButton(text, parent)
 {
     setAccessibleDescription(tr("Hold for half a second to confirm; Escape aborts"));
@@ -24,6 +17,10 @@ HoldButton::HoldButton(const QString &text, QWidget *parent) : QPushButton(text,
     setAutoDefault(false);
     m_ticker.setInterval(16);
     connect(&m_ticker, &QTimer::timeout, this, &HoldButton::tick);
+    connect(&HeldKeys::ofProgram(), &HeldKeys::released, this, [this](int key) {
+        if (key == m_key)
+            abort();
+    });
 }
 
 void HoldButton::setDisabledReason(const QString &sentence)
@@ -34,10 +31,11 @@ void HoldButton::setDisabledReason(const QString &sentence)
         setToolTip(tip);
 }
 
-void HoldButton::begin()
+void HoldButton::begin(int key)
 {
     if (!isEnabled() || isHeld())
         return;
+    m_key = key;
     m_since.start();
     m_ticker.start();
     setDown(true);
@@ -49,6 +47,7 @@ void HoldButton::abort()
         return;
     m_ticker.stop();
     m_progress = 0;
+    m_key = 0;
     setDown(false);
     update();
     Q_EMIT aborted();
@@ -60,16 +59,20 @@ void HoldButton::tick()
     update();
     if (m_progress < 1.0)
         return;
+    if (m_key != 0 && !HeldKeys::ofProgram().isDown(m_key))
+        return; // it may just have been released
     m_ticker.stop();
     m_progress = 0;
+    m_key = 0;
     setDown(false);
+    m_guard.noteCommand();
     Q_EMIT confirmed();
 }
 
 void HoldButton::mousePressEvent(QMouseEvent *event)
 {
     if (event->button() == Qt::LeftButton)
-        begin();
+        begin(0);
     event->accept();
 }
 
@@ -88,9 +91,8 @@ void HoldButton::mouseMoveEvent(QMouseEvent *event)
 
 void HoldButton::keyPressEvent(QKeyEvent *event)
 {
-    if (isHoldKey(event->key())) {
-        if (!event->isAutoRepeat())
-            begin();
+    if (CommandGuard::isPressKey(event->key())) {
+        begin(event->key()); // the guard lets fresh presses pass only
         event->accept();
     } else if (event->key() == Qt::Key_Escape && isHeld()) {
         abort();
@@ -102,9 +104,7 @@ void HoldButton::keyPressEvent(QKeyEvent *event)
 
 void HoldButton::keyReleaseEvent(QKeyEvent *event)
 {
-    if (isHoldKey(event->key()) && !event->isAutoRepeat())
-        abort();
-    event->accept();
+    event->accept(); // HeldKeys tells when the key is really up
 }
 
 void HoldButton::focusOutEvent(QFocusEvent *event)

@@ -1,6 +1,9 @@
 // A button for commands that move a vehicle: it acts only after it was held for half a second, by mouse, Space or Enter.
-// Releasing early, leaving the button, losing the focus or pressing Esc aborts.
+// Releasing early, leaving the button, losing the focus or pressing Esc aborts. A hold begins with a fresh press: a key that was
+// down before does nothing.
 #pragma once
+
+#include "ui/command_guard.h"
 
 #include <QtCore/QElapsedTimer>
 #include <QtCore/QTimer>
@@ -42,12 +45,15 @@ protected:
     void paintEvent(QPaintEvent *event) override;
 
 private:
-    void begin();
+    /// `key`: the key that holds it, 0 for the mouse.
+    void begin(int key);
     void tick();
 
     QTimer m_ticker;
     QElapsedTimer m_since;
     double m_progress = 0;
+    int m_key = 0; ///< that holds it; 0: the mouse, or nothing
+    CommandGuard m_guard{*this};
 };
 
 } // namespace skyseal::ui

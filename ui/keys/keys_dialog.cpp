@@ -1,8 +1,10 @@
 #include "ui/keys/keys_dialog.h"
 
+#include "ui/confirm_box.h"
 #include "ui/keys/fingerprint_text.h"
 #include "ui/keys/own_key_box.h"
 #include "ui/keys/peer_dialog.h"
+#include "ui/modeless.h"
 #include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
@@ -11,7 +13,6 @@
 #include <QtWidgets/QDialogButtonBox>
 #include <QtWidgets/QHeaderView>
 #include <QtWidgets/QLabel>
-#include <QtWidgets/QMessageBox>
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QStackedWidget>
 #include <QtWidgets/QTreeView>
@@ -163,7 +164,7 @@ void KeysDialog::addPeer()
 {
     auto *dialog = new PeerDialog(m_keyring, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->open();
+    showModeless(*dialog);
 }
 
 void KeysDialog::changePeer()
@@ -173,7 +174,7 @@ void KeysDialog::changePeer()
         return;
     auto *dialog = new PeerDialog(m_keyring, *peer, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->open();
+    showModeless(*dialog);
 }
 
 void KeysDialog::revokePeer()
@@ -184,22 +185,16 @@ void KeysDialog::revokePeer()
     const QString name = peer->name;
     const QString end = peer->connected ? tr("Its session ends at once, and it cannot connect any more.")
                                         : tr("It cannot connect any more.");
-    auto *box = new QMessageBox(QMessageBox::Warning, tr("Revoke %1?").arg(name), tr("Revoke %1?").arg(name),
-                                QMessageBox::Yes | QMessageBox::Cancel, this);
-    box->setObjectName(QStringLiteral("confirmRevoke"));
-    box->setTextFormat(Qt::PlainText);
-    box->setInformativeText(end + QStringLiteral("\n\n") + fingerprintLines(peer->key, 4));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->button(QMessageBox::Yes)->setText(tr("Revoke"));
-    box->setDefaultButton(QMessageBox::Cancel);
-    box->setEscapeButton(QMessageBox::Cancel);
-    connect(box, &QMessageBox::finished, this, [this, name](int result) {
-        if (result != QMessageBox::Yes)
-            return;
-        if (const auto removed = m_keyring.removePeer(name); !removed)
-            notify(fromStd(removed.error().text()));
-    });
-    box->open();
+    askToConfirm({.objectName = QStringLiteral("confirmRevoke"),
+                  .title = tr("Revoke %1?").arg(name),
+                  .text = tr("Revoke %1?").arg(name),
+                  .details = end + QStringLiteral("\n\n") + fingerprintLines(peer->key, 4),
+                  .yes = tr("Revoke"),
+                  .icon = QMessageBox::Warning},
+                 this, this, [this, name] {
+                     if (const auto removed = m_keyring.removePeer(name); !removed)
+                         notify(fromStd(removed.error().text()));
+                 });
 }
 
 } // namespace skyseal::ui

@@ -2,12 +2,11 @@
 
 #include "core/engine/station/vehicle_snapshot.h"
 #include "core/engine/text/state_text.h"
+#include "ui/confirm_box.h"
 #include "ui/station_interface.h"
 #include "ui/text/vehicle_text.h"
 
 #include <QtCore/QCoreApplication>
-#include <QtWidgets/QMessageBox>
-#include <QtWidgets/QPushButton>
 
 namespace skyseal::ui {
 
@@ -27,27 +26,20 @@ QString allowPlainText(const engine::PendingVehicle &held)
 
 void askAllowPlain(StationInterface &station, const engine::PendingVehicle &held, QWidget *parent)
 {
-    const QString question = Text::tr("Accept plain MAVLink from vehicle %1?").arg(held.systemId);
-    auto *box = new QMessageBox(QMessageBox::Warning, Text::tr("Plain MAVLink"), question,
-                                QMessageBox::Yes | QMessageBox::Cancel, parent);
-    box->setObjectName(QStringLiteral("confirmPlain"));
-    box->setAttribute(Qt::WA_DeleteOnClose);
     // The consent is for the system id alone, because an address proves no more than the id does.
-    box->setInformativeText(
-        Text::tr("It sends from %2 at present. If you allow it, any sender that claims in clear to be vehicle "
-                 "%1, from any address, is shown and commanded as that vehicle until this program ends or the "
-                 "vehicle is heard sealed. Anyone on the path can read and change the traffic.\n\nIf this should "
-                 "be the vehicle of %3, choose Cancel: its sealed link is broken or blocked.")
-            .arg(held.systemId)
-            .arg(fromStd(held.remoteAddress), engine::anyOfNames(held.mayBe)));
-    box->setDefaultButton(QMessageBox::Cancel);
-    box->setEscapeButton(QMessageBox::Cancel);
-    box->button(QMessageBox::Yes)->setText(Text::tr("Allow plain MAVLink"));
-    QObject::connect(box, &QMessageBox::finished, &station, [&station, systemId = held.systemId](int result) {
-        if (result == QMessageBox::Yes)
-            station.allowPlaintext(systemId);
-    });
-    box->open();
+    askToConfirm(
+        {.objectName = QStringLiteral("confirmPlain"),
+         .title = Text::tr("Plain MAVLink"),
+         .text = Text::tr("Accept plain MAVLink from vehicle %1?").arg(held.systemId),
+         .details = Text::tr("It sends from %2 at present. If you allow it, any sender that claims in clear to be vehicle "
+                             "%1, from any address, is shown and commanded as that vehicle until this program ends or "
+                             "the vehicle is heard sealed. Anyone on the path can read and change the traffic.\n\nIf this "
+                             "should be the vehicle of %3, choose Cancel: its sealed link is broken or blocked.")
+                        .arg(held.systemId)
+                        .arg(fromStd(held.remoteAddress), engine::anyOfNames(held.mayBe)),
+         .yes = Text::tr("Allow plain MAVLink"),
+         .icon = QMessageBox::Warning},
+        parent, &station, [&station, systemId = held.systemId] { station.allowPlaintext(systemId); });
 }
 
 } // namespace skyseal::ui

@@ -1,6 +1,7 @@
 #include "ui/window/window_menus.h"
 
 #include "core/engine/station/snapshot.h"
+#include "ui/confirm_box.h"
 #include "ui/flight/vehicle_commands.h"
 #include "ui/map/map_view.h"
 #include "ui/security/allow_plain.h"
@@ -14,8 +15,6 @@
 #include <QtCore/QCoreApplication>
 #include <QtGui/QAction>
 #include <QtWidgets/QMainWindow>
-#include <QtWidgets/QMessageBox>
-#include <QtWidgets/QPushButton>
 
 namespace skyseal::ui {
 
@@ -32,18 +31,11 @@ void confirmAndSend(const MenuTargets &on, const QString &question, const vehicl
 {
     const std::uint8_t systemId = on.commands.systemId();
     const QString text = on.commands.isOneOfSeveral() ? Text::tr("Vehicle %1: %2").arg(systemId).arg(question) : question;
-    auto *box = new QMessageBox(QMessageBox::Question, Text::tr("Confirm"), text, QMessageBox::Yes | QMessageBox::Cancel,
-                                &on.window);
-    box->setObjectName(QStringLiteral("confirmCommand"));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setDefaultButton(QMessageBox::Cancel);
-    box->setEscapeButton(QMessageBox::Cancel);
-    box->button(QMessageBox::Yes)->setText(commandText(command));
-    QObject::connect(box, &QMessageBox::finished, &on.commands, [&commands = on.commands, systemId, command](int result) {
-        if (result == QMessageBox::Yes)
-            commands.send(systemId, command);
-    });
-    box->open();
+    askToConfirm({.objectName = QStringLiteral("confirmCommand"),
+                  .title = Text::tr("Confirm"),
+                  .text = text,
+                  .yes = commandText(command)},
+                 &on.window, &on.commands, [&commands = on.commands, systemId, command] { commands.send(systemId, command); });
 }
 
 Menu fileMenu(const MenuTargets &on)

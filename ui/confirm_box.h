@@ -1,0 +1,24 @@
+// Asks the operator once whether to do something that cannot be taken back. Cancel is the default; Esc and closing the box mean
+// no, and a key that is down when the box opens does not answer it.
+#pragma once
+
+#include <QtWidgets/QMessageBox>
+
+#include <functional>
+
+namespace skyseal::ui {
+
+struct Question
+{
+    QString objectName;
+    QString title;
+    QString text;
+    QString details = {}; ///< smaller, below the text
+    QString yes;          ///< text of the button that confirms: the verb
+    QMessageBox::Icon icon = QMessageBox::Question;
+};
+
+/// Opens the box over `parent` and returns. `confirmed` is called if the operator confirms while `context` exists.
+void askToConfirm(const Question &question, QWidget *parent, QObject *context, std::function<void()> confirmed);
+
+} // namespace skyseal::ui

@@ -1,0 +1,90 @@
+#include "ui/held_keys.h"
+
+#include <QtCore/QTimer>
+#include <QtGui/QGuiApplication>
+#include <QtGui/QKeyEvent>
+
+#include <utility>
+
+namespace skyseal::ui {
+
+HeldKeys &HeldKeys::ofProgram()
+{
+    if (auto *present = qApp->findChild<HeldKeys *>(QString(), Qt::FindDirectChildrenOnly))
+        return *present;
+    auto *made = new HeldKeys(qApp);
+    qApp->installEventFilter(made);
+    return *made;
+}
+
+bool HeldKeys::eventFilter(QObject *, QEvent *event)
+{
+    switch (event->type()) {
+    case QEvent::KeyPress: notePress(*static_cast<const QKeyEvent *>(event)); break;
+    case QEvent::KeyRelease: noteRelease(*static_cast<const QKeyEvent *>(event)); break;
+    case QEvent::ApplicationStateChange:
+        if (QGuiApplication::applicationState() != Qt::ApplicationActive)
+            releaseAll(); // their releases go to another program
+        break;
+    default: break;
+    }
+    return false;
+}
+
+bool HeldKeys::continuesHold(const QKeyEvent &press) const
+{
+    if (press.isAutoRepeat() || m_down.contains(press.key()))
+        return true;
+    const auto last = m_releases.constFind(press.key());
+    if (last == m_releases.constEnd())
+        return false;
+    if (last->timestamp == 0 || press.timestamp() == 0)
+        return last->pending;
+    return press.timestamp() - last->timestamp < kRepeatGapMs;
+}
+
+bool HeldKeys::isFresh(const QKeyEvent &press) const
+{
+    return &press == m_fresh && press.timestamp() == m_freshAt && !press.isAutoRepeat();
+}
+
+/// The same event passes several times, on its way from the window to the widget and to the parents of the widget.
+void HeldKeys::notePress(const QKeyEvent &press)
+{
+    if (isFresh(press))
+        return;
+    const int key = press.key();
+    const bool held = continuesHold(press);
+    const Release last = std::exchange(m_releases[key].pending, false) ? m_releases[key] : Release{};
+    m_down.insert(key);
+    m_fresh = held ? nullptr : &press;
+    m_freshAt = press.timestamp();
+    if (!held && last.number != 0)
+        Q_EMIT released(key); // the event loop was too slow to tell it before
+}
+
+void HeldKeys::noteRelease(const QKeyEvent &release)
+{
+    m_fresh = nullptr;
+    if (release.isAutoRepeat())
+        return;
+    const int key = release.key();
+    m_down.remove(key);
+    const Release last{release.timestamp(), ++m_number, true};
+    m_releases.insert(key, last);
+    QTimer::singleShot(kRepeatGapMs, this, [this, key, number = last.number] {
+        Release &now = m_releases[key];
+        if (now.number == number && std::exchange(now.pending, false))
+            Q_EMIT released(key);
+    });
+}
+
+void HeldKeys::releaseAll()
+{
+    m_fresh = nullptr;
+    m_releases.clear();
+    for (const int key : std::exchange(m_down, {}))
+        Q_EMIT released(key);
+}
+
+} // namespace skyseal::ui

@@ -1,0 +1,61 @@
+// The keys that are down, so that a control can tell a press by a finger from the auto-repeat of a key that was pressed elsewhere.
+//
+// QKeyEvent::isAutoRepeat() is not enough: X11 sends a held key as pairs of a release and a press, and Qt marks only the pairs
+// whose halves it reads together. The two halves carry the same time, while a finger needs longer to press a key again.
+#pragma once
+
+#include <QtCore/QHash>
+#include <QtCore/QObject>
+#include <QtCore/QSet>
+
+class QKeyEvent;
+
+namespace skyseal::ui {
+
+/// Sees every key event of the program. Lives on the GUI thread.
+class HeldKeys : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// Milliseconds. A press that follows a release of the same key sooner belongs to a key that is held.
+    static constexpr int kRepeatGapMs = 40;
+
+    /// There is one keyboard for all windows of the program, so its state belongs to the QApplication, which must exist.
+    static HeldKeys &ofProgram();
+
+    /// Returns true while `press` is delivered if the key was up before.
+    bool isFresh(const QKeyEvent &press) const;
+    /// False between the halves of a pair as well, until the press or released() tells which it was.
+    bool isDown(int key) const { return m_down.contains(key); }
+
+Q_SIGNALS:
+    /// The key is up, or another program receives the keys now.
+    void released(int key);
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    struct Release
+    {
+        quint64 timestamp = 0; ///< of the event, milliseconds; 0 if unknown
+        int number = 0;        ///< distinguishes it from later releases of the key
+        bool pending = false;  ///< may still turn out to be the first half of a pair
+    };
+
+    using QObject::QObject;
+
+    void notePress(const QKeyEvent &press);
+    void noteRelease(const QKeyEvent &release);
+    bool continuesHold(const QKeyEvent &press) const;
+    void releaseAll();
+
+    QSet<int> m_down;
+    QHash<int, Release> m_releases;     ///< the last one of each key
+    const QKeyEvent *m_fresh = nullptr; ///< the event that pressed a key which was up; events share addresses on the stack
+    quint64 m_freshAt = 0;              ///< its timestamp
+    int m_number = 0;
+};
+
+} // namespace skyseal::ui
