@@ -5,6 +5,7 @@
 #include "ui/keys/fingerprint_text.h"
 #include "ui/keys/qr_image.h"
 #include "ui/text/vehicle_text.h"
+#include "ui/modeless.h"
 #include "ui/theme/grid.h"
 
 #include <QtGui/QClipboard>
@@ -113,7 +114,7 @@ void OwnKeyBox::changePassphrase()
 {
     auto *dialog = new ChangePassphraseDialog(m_keyring, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->open();
+    showModeless(*dialog);
 }
 
 void OwnKeyBox::exportKey()

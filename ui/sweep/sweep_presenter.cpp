@@ -1,5 +1,6 @@
 #include "ui/sweep/sweep_presenter.h"
 
+#include "ui/modeless.h"
 #include "ui/security/suite_actions.h"
 #include "ui/sweep/sweep_dialog.h"
 #include "ui/sweep/sweep_page.h"
@@ -35,12 +36,12 @@ bool SweepPresenter::isRunning() const
 
 void SweepPresenter::ask(const ViewState &view, bool requireSealed)
 {
-    if (isRunning())
+    if (isRunning() || raiseOpen<SweepDialog>(m_window))
         return;
     auto *dialog = new SweepDialog({view, m_suites, requireSealed, m_port.ownVehicleDisabledReason()}, &m_window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog] { start(dialog->order()); });
-    dialog->open();
+    showModeless(*dialog);
 }
 
 void SweepPresenter::start(const SweepOrder &order)

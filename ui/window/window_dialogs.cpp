@@ -7,6 +7,7 @@
 #include "ui/keys/keys_dialog.h"
 #include "ui/keys/pairing_dialog.h"
 #include "ui/links/link_dialog.h"
+#include "ui/modeless.h"
 
 #include <QtWidgets/QFileDialog>
 #include <QtWidgets/QMessageBox>
@@ -37,42 +38,55 @@ void WindowDialogs::setKeyring(KeyringInterface &keyring, PairingInterface *pair
 
 void WindowDialogs::openLink()
 {
+    if (raiseOpen<LinkDialog>(m_window))
+        return;
     auto *dialog = make<LinkDialog>(m_settings.defaultLink, &m_window);
     connect(dialog, &QDialog::accepted, this, [this, dialog] { Q_EMIT linkAccepted(*dialog); });
-    dialog->open();
+    showModeless(*dialog);
 }
 
 void WindowDialogs::openReplay()
 {
-    const QString file = QFileDialog::getOpenFileName(&m_window, tr("Replay a log"), m_recordFolder,
-                                                      tr("Telemetry logs (*.tlog);;All files (*)"));
-    if (!file.isEmpty())
-        Q_EMIT replayAccepted(file);
+    auto *dialog = make<QFileDialog>(&m_window, tr("Replay a log"), m_recordFolder,
+                                     tr("Telemetry logs (*.tlog);;All files (*)"));
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, &WindowDialogs::replayAccepted);
+    showModeless(*dialog);
 }
 
 void WindowDialogs::openSettings()
 {
+    if (raiseOpen<SettingsDialog>(m_window))
+        return;
     auto *dialog = make<SettingsDialog>(m_settings, &m_window);
-    connect(dialog, &QDialog::accepted, this, [this, dialog] { Q_EMIT settingsAccepted(dialog->settings()); });
-    dialog->open();
+    connect(dialog, &QDialog::accepted, this, [this, dialog] {
+        Settings changed = dialog->settings();
+        changed.takeOffAltitude = m_settings.takeOffAltitude; // set in the panels, perhaps while the dialog was open
+        changed.serving = m_settings.serving;
+        Q_EMIT settingsAccepted(changed);
+    });
+    showModeless(*dialog);
 }
 
 void WindowDialogs::openTakeOff()
 {
-    make<TakeOffDialog>(m_commands, m_settings.units, &m_window)->open();
+    if (!raiseOpen<TakeOffDialog>(m_window))
+        showModeless(*make<TakeOffDialog>(m_commands, m_settings.units, &m_window));
 }
 
 void WindowDialogs::openKeys()
 {
-    if (!m_keyring)
+    if (!m_keyring || raiseOpen<KeysDialog>(m_window))
         return;
     auto *dialog = make<KeysDialog>(*m_keyring, &m_window);
     if (m_pairing) {
         dialog->offerPairing();
-        connect(dialog, &KeysDialog::pairRequested, dialog,
-                [this, dialog] { make<PairingDialog>(*m_pairing, *m_keyring, dialog)->open(); });
+        connect(dialog, &KeysDialog::pairRequested, dialog, [this, dialog] {
+            if (!raiseOpen<PairingDialog>(*dialog))
+                showModeless(*make<PairingDialog>(*m_pairing, *m_keyring, dialog));
+        });
     }
-    dialog->open();
+    showModeless(*dialog);
 }
 
 void WindowDialogs::openHelp(const QString &page)
@@ -83,11 +97,13 @@ void WindowDialogs::openHelp(const QString &page)
 
 void WindowDialogs::openAbout(const QString &version)
 {
-    QMessageBox::about(
-        &m_window, tr("About Skyseal"),
+    auto *box = make<QMessageBox>(
+        QMessageBox::NoIcon, tr("About Skyseal"),
         tr("Skyseal %1\n\nA ground control station whose MAVLink link is sealed.\nGPL-3.0-or-later; built with Qt %2, "
            "Qt Charts, libsodium and OpenSSL.")
-            .arg(version, QLatin1String(qVersion())));
+            .arg(version, QLatin1String(qVersion())),
+        QMessageBox::Ok, &m_window);
+    showModeless(*box);
 }
 
 } // namespace skyseal::ui

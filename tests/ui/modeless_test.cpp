@@ -1,0 +1,106 @@
+// No dialog keeps the pilot from Land and RTL: each is opened as an operator does, and the window commands beside it.
+#include "fake_keyring.h"
+#include "fake_sweep.h"
+#include "scripted_snapshots.h"
+#include "tests/support/eventually.h"
+#include "tests/support/test_runner.h"
+#include "ui/flight/hold_button.h"
+#include "window_rig.h"
+
+#include <QtGui/QAction>
+#include <QtTest/QTest>
+#include <QtWidgets/QApplication>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QDialog>
+#include <QtWidgets/QDialogButtonBox>
+#include <QtWidgets/QDoubleSpinBox>
+#include <QtWidgets/QPushButton>
+
+using namespace skyseal;
+using namespace skyseal::ui;
+
+class ModelessTest : public QObject, private WindowRig
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        setUp();
+        m_keyring = std::make_unique<FakeKeyring>();
+        m_sweep = std::make_unique<FakeSweep>();
+        m_window->setKeyring(*m_keyring);
+        m_window->setSweep(*m_sweep);
+        m_station->show(sealedSnapshot(1));
+    }
+    void cleanup() { tearDown(); }
+
+    void landIsReachable_data()
+    {
+        QTest::addColumn<QKeySequence>("keys");
+        QTest::addColumn<QString>("action");
+        QTest::newRow("link") << QKeySequence(Qt::Key_F12) << QString();
+        QTest::newRow("keys") << QKeySequence(Qt::CTRL | Qt::Key_K) << QString();
+        QTest::newRow("sweep") << QKeySequence(Qt::CTRL | Qt::Key_R) << QString();
+        QTest::newRow("settings") << QKeySequence() << QStringLiteral("actionSettings");
+        QTest::newRow("take-off") << QKeySequence() << QStringLiteral("actionTakeOff");
+        QTest::newRow("question") << QKeySequence() << QStringLiteral("actionDisarm");
+        QTest::newRow("replay") << QKeySequence(QKeySequence::Open) << QString();
+        QTest::newRow("about") << QKeySequence() << QStringLiteral("actionAbout");
+    }
+
+    void landIsReachable()
+    {
+        QFETCH(QKeySequence, keys);
+        QFETCH(QString, action);
+        if (action.isEmpty())
+            QTest::keySequence(m_window.get(), keys);
+        else
+            m_window->findChild<QAction *>(action)->trigger();
+        EVENTUALLY(openDialogs() == 1);
+        EVENTUALLY(
+            qobject_cast<QDialog *>(QApplication::activeWindow())); // the window loses the focus, which would abort a hold
+        QVERIFY(!QApplication::activeModalWidget());
+        auto *land = find<HoldButton>("landButton");
+        QTest::mousePress(land, Qt::LeftButton);
+        EVENTUALLY_EQUAL(m_station->commands.size(), std::size_t(1));
+        QTest::mouseRelease(land, Qt::LeftButton);
+        QCOMPARE(openDialogs(), 1);
+    }
+
+    void openDialogComesToTheFront()
+    {
+        QTest::keyClick(m_window.get(), Qt::Key_F12);
+        EVENTUALLY(openDialogs() == 1);
+        QTest::keyClick(m_window.get(), Qt::Key_F12);
+        QCOMPARE(openDialogs(), 1);
+    }
+
+    /// Settings that changed in the panels while the dialog was open stay as they are.
+    void settingsKeepWhatThePanelsSet()
+    {
+        find<QAction>("actionSettings")->trigger();
+        find<QDoubleSpinBox>("takeOffAltitude")->setValue(42);
+        auto *units = find<QComboBox>("settingUnits");
+        units->setCurrentIndex(1 - units->currentIndex());
+        auto *buttons = find<QDialog>("settingsDialog")->findChild<QDialogButtonBox *>();
+        QTest::mouseClick(buttons->button(QDialogButtonBox::Ok), Qt::LeftButton);
+        QCOMPARE(m_window->settings().units, UnitSystem::Imperial);
+        QCOMPARE(m_window->settings().takeOffAltitude, 42.0);
+    }
+
+private:
+    int openDialogs() const
+    {
+        int open = 0;
+        for (const QDialog *dialog : m_window->findChildren<QDialog *>())
+            open += dialog->isVisible();
+        return open;
+    }
+
+    std::unique_ptr<FakeKeyring> m_keyring;
+    std::unique_ptr<FakeSweep> m_sweep;
+};
+
+SKYSEAL_TEST_WIDGETS(ModelessTest)
+#include "modeless_test.moc"
