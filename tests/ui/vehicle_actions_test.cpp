@@ -5,6 +5,7 @@
 #include "ui/flight/hold_button.h"
 #include "window_rig.h"
 
+#include <QtCore/QRegularExpression>
 #include <QtGui/QAction>
 #include <QtGui/QActionGroup>
 #include <QtTest/QTest>
@@ -108,6 +109,35 @@ private Q_SLOTS:
         m_station->notify(vehicle::CommandResult{vehicle::RequestId{1}, 1, vehicle::CommandOutcome::Refused,
                                                  static_cast<std::uint8_t>(result), reason.toStdString()});
         QTEST(find<QLabel>("commandResult")->text(), "line");
+    }
+
+    void resultsShowTheirTime()
+    {
+        show("GUIDED", true);
+        auto *button = find<HoldButton>("armButton");
+        QTest::mousePress(button, Qt::LeftButton);
+        EVENTUALLY_EQUAL(m_station->commands.size(), std::size_t(1));
+        QTest::mouseRelease(button, Qt::LeftButton);
+        m_station->notify(
+            vehicle::CommandResult{vehicle::RequestId{1}, 1, vehicle::CommandOutcome::Refused, 4, "still flying"});
+        static const QRegularExpression kTime(QStringLiteral("\\d\\d:\\d\\d:\\d\\d Disarm"));
+        const QString tip = find<QLabel>("commandResult")->toolTip();
+        QVERIFY2(kTime.match(tip).hasMatch() && tip.contains(QStringLiteral("still flying")), qPrintable(tip));
+    }
+
+    void resultsDoNotStayForAnotherVehicle()
+    {
+        engine::Snapshot two = sealedSnapshot(++m_time);
+        two.vehicles.push_back(two.vehicles.front());
+        two.vehicles.back().state.systemId = 2;
+        m_station->show(two);
+        auto *button = find<HoldButton>("landButton");
+        QTest::mouseClick(button, Qt::LeftButton);
+        EVENTUALLY(!find<QLabel>("commandResult")->text().isEmpty());
+        auto *menu = find<QMenu>("menuChooseVehicle");
+        Q_EMIT menu->aboutToShow();
+        menu->actions().back()->trigger();
+        QCOMPARE(find<QLabel>("commandResult")->text(), QString());
     }
 
 private:

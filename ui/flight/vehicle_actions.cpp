@@ -2,7 +2,7 @@
 
 #include "core/engine/station/vehicle_snapshot.h"
 #include "ui/flight/altitude_box.h"
-#include "ui/flight/result_label.h"
+#include "ui/result_label.h"
 #include "ui/text/command_permits.h"
 #include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
@@ -76,6 +76,8 @@ void VehicleActions::showViewState(const ViewState &view)
 {
     const bool present = view.vehicle != nullptr;
     const std::uint8_t systemId = present ? view.vehicle->state.systemId : 0;
+    if (systemId != m_systemId && m_systemId != 0)
+        say({}, true); // the result was that of another vehicle
     if (systemId != m_systemId)
         endHolds({m_arm, m_takeOff, m_land, m_return, m_setMode}, tr("another vehicle is selected"));
     m_modeEdited = m_modeEdited && systemId == m_systemId;

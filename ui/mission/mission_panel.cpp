@@ -3,6 +3,7 @@
 #include "core/engine/station/vehicle_snapshot.h"
 #include "core/engine/text/event_text.h"
 #include "core/vehicle/mission_file.h"
+#include "ui/result_label.h"
 #include "ui/text/command_permits.h"
 #include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
@@ -30,7 +31,7 @@ MissionPanel::MissionPanel(StationInterface &station, QWidget *parent) : DockPan
     m_read = button(tr("Read from the vehicle"), "missionRead");
     m_send = button(tr("Send a file …"), "missionSend");
     m_save = button(tr("Save as …"), "missionSave");
-    m_result = new QLabel(this);
+    m_result = new ResultLabel(this);
     m_result->setObjectName(QStringLiteral("missionResult"));
     m_result->setAccessibleName(tr("Result of the last transfer"));
     auto *tools = new QHBoxLayout;
@@ -75,7 +76,7 @@ MissionPanel::MissionPanel(StationInterface &station, QWidget *parent) : DockPan
 
 void MissionPanel::say(const QString &line)
 {
-    m_result->setText(line);
+    m_result->showResult(line);
 }
 
 QString MissionPanel::kinds()
@@ -133,7 +134,10 @@ void MissionPanel::saveFile(const QString &file, const MissionModel::Mission &mi
 
 void MissionPanel::showViewState(const ViewState &view)
 {
-    m_systemId = view.vehicle ? view.vehicle->state.systemId : 0;
+    const std::uint8_t systemId = view.vehicle ? view.vehicle->state.systemId : 0;
+    if (systemId != m_systemId && m_systemId != 0)
+        say({}); // it was the result of another vehicle
+    m_systemId = systemId;
     m_mission = view.vehicle ? view.vehicle->mission : nullptr;
     m_disabledReason = commandsDisabledReason(view);
     for (QPushButton *button : {m_read, m_send}) {

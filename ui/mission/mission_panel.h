@@ -11,6 +11,8 @@ class QStackedWidget;
 
 namespace skyseal::ui {
 
+class ResultLabel;
+
 class MissionPanel : public DockPanel
 {
     Q_OBJECT
@@ -35,7 +37,7 @@ private:
     MissionModel m_model;
     MissionModel::Mission m_mission;
     QPushButton *m_read, *m_send, *m_save;
-    QLabel *m_result;
+    ResultLabel *m_result;
     QStackedWidget *m_pages; ///< the reason why there are no items, or the items
     QLabel *m_empty;
     QString m_disabledReason; ///< reason why nothing can be sent to the vehicle

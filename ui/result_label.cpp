@@ -1,4 +1,4 @@
-#include "ui/flight/result_label.h"
+#include "ui/result_label.h"
 
 #include "ui/text/plain_tip.h"
 
@@ -15,8 +15,10 @@ ResultLabel::ResultLabel(QWidget *parent) : QLabel(parent)
 
 void ResultLabel::showResult(const QString &text)
 {
+    m_time = text.isEmpty() ? QString() : QTime::currentTime().toString(QStringLiteral("HH:mm:ss"));
     setText(text);
-    setToolTip(plainTip(text));
+    setToolTip(text.isEmpty() ? QString() : plainTip(m_time + QLatin1Char(' ') + text));
+    update(); // the same result again has another time
 }
 
 QSize ResultLabel::sizeHint() const
@@ -31,7 +33,12 @@ QSize ResultLabel::minimumSizeHint() const
 
 void ResultLabel::paintEvent(QPaintEvent *)
 {
+    if (text().isEmpty())
+        return;
     QPainter painter(this);
+    painter.setPen(palette().color(QPalette::PlaceholderText));
+    painter.drawText(0, fontMetrics().ascent(), m_time);
+    const int indent = fontMetrics().horizontalAdvance(m_time + QStringLiteral("  ")); // of the first line
     painter.setPen(palette().color(foregroundRole()));
     QTextOption wrapping;
     wrapping.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
@@ -42,11 +49,12 @@ void ResultLabel::paintEvent(QPaintEvent *)
         QTextLine line = layout.createLine();
         if (!line.isValid())
             break;
-        line.setLineWidth(width());
+        const int left = i == 0 ? indent : 0;
+        line.setLineWidth(width() - left);
         const int top = i * fontMetrics().lineSpacing();
         const QString shown = i + 1 < kLines ? text().mid(line.textStart(), line.textLength())
                                              : fontMetrics().elidedText(text().mid(line.textStart()), Qt::ElideRight, width());
-        painter.drawText(0, top + fontMetrics().ascent(), shown);
+        painter.drawText(left, top + fontMetrics().ascent(), shown);
     }
     layout.endLayout();
 }

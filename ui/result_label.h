@@ -1,11 +1,12 @@
-// A text of unknown length in a place of fixed height, so that a long result moves nothing around it.
+// The last result, with its time, in a place of fixed height, so that a long one moves nothing around it.
 #pragma once
 
+#include <QtCore/QTime>
 #include <QtWidgets/QLabel>
 
 namespace skyseal::ui {
 
-/// Shows plain text on at most kLines lines; the rest is elided and stays in the tool tip. Lives on the GUI thread.
+/// Shows the time and a plain text on at most kLines lines; the rest is elided and stays in the tool tip. Lives on the GUI thread.
 class ResultLabel : public QLabel
 {
     Q_OBJECT
@@ -15,6 +16,7 @@ public:
 
     explicit ResultLabel(QWidget *parent = nullptr);
 
+    /// A result of this moment; empty: there is none any more.
     void showResult(const QString &text);
 
     QSize sizeHint() const override;
@@ -23,6 +25,9 @@ public:
 
 protected:
     void paintEvent(QPaintEvent *) override;
+
+private:
+    QString m_time;
 };
 
 } // namespace skyseal::ui
