@@ -68,6 +68,33 @@ private Q_SLOTS:
         QVERIFY(*content.vehicle() != before);
     }
 
+    void trackIsNotJoinedAcrossAnOutage()
+    {
+        MapContent content;
+        content.show(viewAt(0), 0.5);
+        content.show(viewAt(5), 0.5);
+        engine::Snapshot lost = sealedSnapshot(6);
+        lost.vehicles.front().state.messageAge = 4;
+        content.show(viewOf(std::make_shared<const engine::Snapshot>(std::move(lost)), 1), 0.5);
+        content.show(viewAt(30), 0.5);
+        content.show(viewAt(35), 0.5);
+        const auto &points = content.track().points();
+        QCOMPARE(points.size(), std::size_t(4));
+        QVERIFY(points[0].begins && !points[1].begins && points[2].begins && !points[3].begins);
+    }
+
+    /// After a restart the vehicle may be elsewhere before its link counts as lost.
+    void trackIsNotJoinedAcrossAJump()
+    {
+        MapContent content;
+        content.show(viewAt(0), 0.5);
+        engine::Snapshot elsewhere = sealedSnapshot(1);
+        elsewhere.vehicles.front().state.position.latitude += 0.1;
+        content.show(viewOf(std::make_shared<const engine::Snapshot>(std::move(elsewhere)), 1), 0.5);
+        QCOMPARE(content.track().points().size(), std::size_t(2));
+        QVERIFY(content.track().points()[1].begins);
+    }
+
     void anotherVehicleStartsOver()
     {
         MapContent content;

@@ -1,7 +1,7 @@
 #include "ui/map/map_content.h"
 
-#include "core/engine/station/session_snapshot.h"
-#include "core/engine/station/vehicle_snapshot.h"
+#include "core/engine/station/snapshot.h"
+#include "core/mavlink/enums.h"
 
 #include <cmath>
 
@@ -17,7 +17,31 @@ bool MapContent::startOver(std::uint8_t systemId)
     m_frame.reset();
     m_vehicle.reset();
     m_home.reset();
+    m_mission.reset();
+    m_route.reset();
     return true;
+}
+
+/// Returns true if the route or the place on it changed.
+bool MapContent::showMission(const engine::VehicleSnapshot &vehicle, bool homeMoved)
+{
+    const bool another = m_mission != vehicle.mission;
+    if (!another && !homeMoved && m_missionCurrent == vehicle.state.missionCurrent)
+        return false;
+    m_missionCurrent = vehicle.state.missionCurrent;
+    m_mission = vehicle.mission;
+    const bool firstIsHome = vehicle.state.autopilot == mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA;
+    m_route = m_mission ? std::optional(routeOf(*m_mission, *m_frame, m_home, firstIsHome)) : std::nullopt;
+    return true;
+}
+
+/// True if nothing can have flown there since the last position: the vehicle was restarted, or its estimate was reset.
+bool MapContent::isJump(const QPointF &now, double time) const
+{
+    constexpr double kFastest = 350, kLeast = 50; // metres a second, metres
+    const QPointF way = now - m_lastKnown;
+    const double apart = std::hypot(way.x(), way.y());
+    return apart > kLeast && apart > kFastest * (time - m_positionAt);
 }
 
 MapContent::Changes MapContent::show(const ViewState &view, double metresPerPixel)
@@ -36,20 +60,23 @@ MapContent::Changes MapContent::show(const ViewState &view, double metresPerPixe
     changes.vehicle = view.stale() != m_stale;
     m_stale = view.stale();
     m_suite = view.session ? view.session->info.suite : crypto::SuiteId::None;
+    bool homeMoved = false;
     if (state.home.known()) {
         const QPointF home = m_frame->toMetres(state.home.latitude, state.home.longitude);
-        changes.ground |= m_home != home;
+        homeMoved = m_home != home;
         m_home = home;
     }
-    if (m_mission != view.vehicle->mission || m_missionCurrent != state.missionCurrent) {
-        m_mission = view.vehicle->mission;
-        m_missionCurrent = state.missionCurrent;
-        changes.ground = true;
-    }
+    changes.ground |= homeMoved;
+    changes.ground |= showMission(*view.vehicle, homeMoved);
     if (state.position.known()) {
         const QPointF now = m_frame->toMetres(state.position.latitude, state.position.longitude);
-        if (!m_stale)
+        if (m_stale || isJump(now, view.snapshot->time))
+            m_track.interrupt();
+        if (!m_stale) {
+            m_lastKnown = now;
+            m_positionAt = view.snapshot->time;
             changes.ground |= m_track.append(now, m_suite);
+        }
         if (!m_vehicle || (now - *m_vehicle).manhattanLength() > metresPerPixel * 0.5) {
             m_vehicle = now;
             changes.vehicle = changes.moved = true;

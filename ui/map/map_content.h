@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/map/local_frame.h"
+#include "ui/map/mission_route.h"
 #include "ui/map/track.h"
 #include "ui/view_state.h"
 
@@ -35,12 +36,14 @@ public:
     bool isStale() const { return m_stale; }
     crypto::SuiteId suite() const { return m_suite; }
     const Track &track() const { return m_track; }
-    /// Null until the mission was read.
-    const std::vector<vehicle::MissionItem> *mission() const { return m_mission.get(); }
+    /// Nothing until the mission was read.
+    const std::optional<MissionRoute> &route() const { return m_route; }
     int missionCurrent() const { return m_missionCurrent; }
 
 private:
     bool startOver(std::uint8_t systemId);
+    bool isJump(const QPointF &now, double time) const;
+    bool showMission(const engine::VehicleSnapshot &vehicle, bool homeMoved);
 
     std::uint8_t m_systemId = 0;
     std::optional<LocalFrame> m_frame;
@@ -49,7 +52,10 @@ private:
     bool m_stale = false;
     crypto::SuiteId m_suite{};
     Track m_track;
+    QPointF m_lastKnown;
+    double m_positionAt = 0; ///< time of the snapshot with the last position, seconds
     std::shared_ptr<const std::vector<vehicle::MissionItem>> m_mission;
+    std::optional<MissionRoute> m_route;
     int m_missionCurrent = -1;
 };
 

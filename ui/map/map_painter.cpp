@@ -1,6 +1,6 @@
 #include "ui/map/map_painter.h"
 
-#include "core/mavlink/enums.h"
+#include "ui/map/mission_painter.h"
 #include "ui/text/units.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
@@ -25,9 +25,25 @@ double niceStep(double least)
     return power * 10;
 }
 
-QString lengthText(double metres)
+/// A length for the scale bar: its text and its metres.
+struct ScaleBar
 {
-    return metres >= 1000 ? QStringLiteral("%1 km").arg(metres / 1000) : QStringLiteral("%1 m").arg(metres);
+    QString text;
+    double metres;
+};
+
+/// The shortest round length of at least `least` metres.
+ScaleBar scaleBar(double least, UnitSystem units)
+{
+    constexpr double kMetresPerFoot = 0.3048, kFeetPerMile = 5280;
+    if (units == UnitSystem::Metric) {
+        const double metres = niceStep(least);
+        return {metres >= 1000 ? QStringLiteral("%1 km").arg(metres / 1000) : QStringLiteral("%1 m").arg(metres), metres};
+    }
+    if (const double feet = niceStep(least / kMetresPerFoot); feet < kFeetPerMile)
+        return {QStringLiteral("%1 ft").arg(feet), feet * kMetresPerFoot};
+    const double miles = niceStep(least / kMetresPerFoot / kFeetPerMile);
+    return {QStringLiteral("%1 mi").arg(miles), miles * kFeetPerMile * kMetresPerFoot};
 }
 
 } // namespace
@@ -36,14 +52,14 @@ MapPainter::MapPainter(QPainter &painter, const MapContent &content, const MapVi
     : m_painter(painter), m_content(content), m_viewport(viewport), m_palette(palette)
 {}
 
-void MapPainter::paintGround()
+void MapPainter::paintGround(UnitSystem units)
 {
     paintGrid();
     m_painter.setRenderHint(QPainter::Antialiasing);
     paintMission();
     paintTrack();
     paintHome();
-    paintScale();
+    paintScale(units);
     paintNorth();
 }
 
@@ -75,7 +91,11 @@ void MapPainter::paintTrack()
         QPolygonF line;
         const crypto::SuiteId suite = points[i].suite;
         line << m_viewport.toPixels(points[i].metres);
-        while (i + 1 < points.size() && points[i].suite == suite) {
+        if (points[i + 1].begins) { // nothing is known of the way between
+            ++i;
+            continue;
+        }
+        while (i + 1 < points.size() && points[i].suite == suite && !points[i + 1].begins) {
             const QPointF next = m_viewport.toPixels(points[++i].metres);
             if ((next - line.back()).manhattanLength() >= 1.0 || points[i].suite != suite)
                 line << next;
@@ -87,31 +107,8 @@ void MapPainter::paintTrack()
 
 void MapPainter::paintMission()
 {
-    const auto *mission = m_content.mission();
-    if (!mission || !m_content.frame())
-        return;
-    const StateColors &colors = stateColors(m_palette);
-    QPolygonF route;
-    for (const vehicle::MissionItem &item : *mission) {
-        const bool hasPlace = item.command == mavlink::MAV_CMD_NAV_WAYPOINT || item.command == mavlink::MAV_CMD_NAV_LAND
-            || item.command == mavlink::MAV_CMD_NAV_TAKEOFF;
-        if (!hasPlace || item.sequence == 0 || (item.latitude == 0 && item.longitude == 0))
-            continue; // item 0 is home
-        route << m_viewport.toPixels(m_content.frame()->toMetres(item.latitude, item.longitude));
-    }
-    m_painter.setPen(QPen(colors.dim, 1.5, Qt::DashLine));
-    m_painter.drawPolyline(route);
-    for (const vehicle::MissionItem &item : *mission) {
-        if (item.sequence == 0 || (item.latitude == 0 && item.longitude == 0))
-            continue;
-        const QPointF at = m_viewport.toPixels(m_content.frame()->toMetres(item.latitude, item.longitude));
-        const bool current = item.sequence == m_content.missionCurrent();
-        m_painter.setPen(QPen(current ? colors.accent : colors.dim, current ? 2.5 : 1.5));
-        m_painter.setBrush(m_palette.color(QPalette::Base));
-        m_painter.drawEllipse(at, 10, 10);
-        m_painter.setPen(current ? colors.accent : m_palette.color(QPalette::WindowText));
-        m_painter.drawText(QRectF(at.x() - 12, at.y() - 12, 24, 24), Qt::AlignCenter, QString::number(item.sequence));
-    }
+    if (const auto &route = m_content.route())
+        MissionPainter(m_painter, m_viewport, m_palette).paint(*route, m_content.missionCurrent());
 }
 
 void MapPainter::paintHome()
@@ -156,16 +153,15 @@ void MapPainter::paintVehicle()
     m_painter.restore();
 }
 
-void MapPainter::paintScale()
+void MapPainter::paintScale(UnitSystem units)
 {
     const QFontMetricsF metrics(m_painter.font());
-    const double bar = niceStep(60 * m_viewport.metresPerPixel());
-    const double length = bar / m_viewport.metresPerPixel();
+    const auto [text, metres] = scaleBar(60 * m_viewport.metresPerPixel(), units);
+    const double length = metres / m_viewport.metresPerPixel();
     const double right = m_viewport.size().width() - 2.0 * kGrid, y = m_viewport.size().height() - 2.0 * kGrid;
     m_painter.setPen(QPen(m_palette.color(QPalette::WindowText), 1.5));
     m_painter.drawPolyline(
         QPolygonF{QPointF(right - length, y - 5), QPointF(right - length, y), QPointF(right, y), QPointF(right, y - 5)});
-    const QString text = lengthText(bar);
     m_painter.drawText(QPointF(right - length / 2 - metrics.horizontalAdvance(text) / 2, y - 8), text);
 }
 

@@ -4,6 +4,7 @@
 
 #include "ui/map/map_content.h"
 #include "ui/map/map_viewport.h"
+#include "ui/text/units.h"
 
 #include <QtCore/QCoreApplication>
 #include <QtGui/QPalette>
@@ -21,7 +22,7 @@ public:
     MapPainter(QPainter &painter, const MapContent &content, const MapViewport &viewport, const QPalette &palette);
 
     /// Everything except the vehicle. The caller fills the background.
-    void paintGround();
+    void paintGround(UnitSystem units);
     void paintVehicle();
 
 private:
@@ -29,7 +30,7 @@ private:
     void paintTrack();
     void paintMission();
     void paintHome();
-    void paintScale();
+    void paintScale(UnitSystem units);
     void paintNorth();
 
     QPainter &m_painter;

@@ -53,6 +53,21 @@ void MapView::clearTrack()
     markGroundDirty();
 }
 
+void MapView::startOver()
+{
+    m_content = MapContent();
+    m_follow = true;
+    markGroundDirty();
+}
+
+void MapView::setUnits(UnitSystem units)
+{
+    if (m_units == units)
+        return;
+    m_units = units;
+    markGroundDirty();
+}
+
 void MapView::followVehicle()
 {
     m_follow = true;
@@ -105,7 +120,7 @@ void MapView::paintGround()
     m_groundDirty = false;
     m_ground.fill(palette().color(QPalette::Base));
     QPainter painter(&m_ground);
-    MapPainter(painter, m_content, m_viewport, palette()).paintGround();
+    MapPainter(painter, m_content, m_viewport, palette()).paintGround(m_units);
 }
 
 void MapView::resizeEvent(QResizeEvent *)

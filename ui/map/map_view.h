@@ -5,6 +5,7 @@
 
 #include "ui/map/map_content.h"
 #include "ui/map/map_viewport.h"
+#include "ui/text/units.h"
 
 #include <QtGui/QPixmap>
 #include <QtWidgets/QWidget>
@@ -20,6 +21,9 @@ public:
 
     void showViewState(const ViewState &view);
     void clearTrack();
+    /// Another source of vehicles is shown: forgets everything of the one before.
+    void startOver();
+    void setUnits(UnitSystem units);
     void followVehicle();
     void zoomBy(double factor);
 
@@ -48,6 +52,7 @@ private:
 
     MapContent m_content;
     MapViewport m_viewport;
+    UnitSystem m_units = UnitSystem::Metric;
     bool m_follow = true;
     QPointF m_dragFrom;
     bool m_dragging = false;

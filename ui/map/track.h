@@ -13,6 +13,7 @@ struct TrackPoint
 {
     QPointF metres;
     crypto::SuiteId suite{};
+    bool begins = false; ///< nothing is known of the way from the point before
 };
 
 /// Points at least a metre apart, the newest 4,000.
@@ -22,25 +23,34 @@ public:
     static constexpr std::size_t kMost = 4000;
     static constexpr double kApart = 1.0;
 
+    /// The next point does not continue the line.
+    void interrupt() { m_begins = true; }
+
     /// Returns true if the point was added: far enough from the last one, or under another suite.
     bool append(const QPointF &metres, crypto::SuiteId suite)
     {
-        if (!m_points.empty()) {
+        if (!m_points.empty() && !m_begins) {
             const QPointF step = metres - m_points.back().metres;
             if (QPointF::dotProduct(step, step) < kApart * kApart && suite == m_points.back().suite)
                 return false;
         }
-        m_points.push_back({metres, suite});
+        m_points.push_back({metres, suite, m_begins});
+        m_begins = false;
         if (m_points.size() > kMost)
             m_points.pop_front();
         return true;
     }
 
-    void clear() { m_points.clear(); }
+    void clear()
+    {
+        m_points.clear();
+        m_begins = true;
+    }
     const std::deque<TrackPoint> &points() const { return m_points; }
 
 private:
     std::deque<TrackPoint> m_points;
+    bool m_begins = true;
 };
 
 } // namespace skyseal::ui

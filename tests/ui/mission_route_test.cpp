@@ -1,0 +1,181 @@
+// The drawn route is the flown one: every command with a place is on it, with splines, loiters and jumps.
+#include "tests/support/test_runner.h"
+#include "ui/map/mission_painter.h"
+#include "ui/map/mission_route.h"
+
+#include <QtGui/QImage>
+#include <QtGui/QPainter>
+#include <QtTest/QTest>
+
+#include <limits>
+
+using namespace skyseal;
+using namespace skyseal::ui;
+using namespace skyseal::mavlink;
+using vehicle::MissionItem;
+
+namespace {
+
+const LocalFrame kFrame{48, 11};
+const QPointF kHome(-100, 0);
+
+MissionItem at(std::uint16_t sequence, std::uint16_t command, double north, std::vector<float> parameters = {})
+{
+    MissionItem item{
+        .sequence = sequence, .command = command, .latitude = 48 + north / LocalFrame::kMetresPerDegree, .longitude = 11};
+    std::copy(parameters.begin(), parameters.end(), item.parameters);
+    return item;
+}
+
+/// Without a place.
+MissionItem order(std::uint16_t sequence, std::uint16_t command, std::vector<float> parameters = {})
+{
+    MissionItem item{.sequence = sequence, .command = command};
+    std::copy(parameters.begin(), parameters.end(), item.parameters);
+    return item;
+}
+
+MissionRoute route(const std::vector<MissionItem> &items, bool firstIsHome = true)
+{
+    return routeOf(items, kFrame, kHome, firstIsHome);
+}
+
+QList<int> sequences(const MissionRoute &route)
+{
+    QList<int> out;
+    for (const RouteStop &stop : route.stops)
+        out << stop.sequence;
+    return out;
+}
+
+} // namespace
+
+class MissionRouteTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void everyCommandWithAPlaceIsOnTheLine_data()
+    {
+        QTest::addColumn<int>("command");
+        for (const int command :
+             {MAV_CMD_NAV_WAYPOINT, MAV_CMD_NAV_LOITER_UNLIM, MAV_CMD_NAV_LOITER_TURNS, MAV_CMD_NAV_LOITER_TIME,
+              MAV_CMD_NAV_LAND, MAV_CMD_NAV_TAKEOFF, MAV_CMD_NAV_LOITER_TO_ALT, MAV_CMD_NAV_SPLINE_WAYPOINT,
+              MAV_CMD_NAV_VTOL_TAKEOFF, MAV_CMD_NAV_VTOL_LAND, MAV_CMD_NAV_PAYLOAD_PLACE})
+            QTest::addRow("%d", command) << command;
+    }
+    void everyCommandWithAPlaceIsOnTheLine()
+    {
+        QFETCH(int, command);
+        const auto made = route({at(0, MAV_CMD_NAV_WAYPOINT, -5), at(1, MAV_CMD_NAV_WAYPOINT, 10),
+                                 at(2, static_cast<std::uint16_t>(command), 20), at(3, MAV_CMD_NAV_WAYPOINT, 30)});
+        QCOMPARE(sequences(made), (QList<int>{1, 2, 3}));
+        QVERIFY(qAbs(made.stops[1].at.y() - 20) < 1e-3);
+    }
+
+    void firstItemIsHomeOnArduPilotOnly()
+    {
+        const std::vector<MissionItem> items{at(0, MAV_CMD_NAV_WAYPOINT, 5), at(1, MAV_CMD_NAV_WAYPOINT, 10)};
+        QCOMPARE(sequences(route(items, true)), (QList<int>{1}));
+        QCOMPARE(sequences(route(items, false)), (QList<int>{0, 1}));
+    }
+
+    void beginsAndEndsAtHome()
+    {
+        const auto made = route(
+            {order(1, MAV_CMD_NAV_TAKEOFF), at(2, MAV_CMD_NAV_WAYPOINT, 10), order(3, MAV_CMD_NAV_RETURN_TO_LAUNCH)});
+        QCOMPARE(sequences(made), (QList<int>{-1, 1, 2, 3}));
+        QCOMPARE(made.stops[0].at, kHome);
+        QCOMPARE(made.stops[1].at, kHome); // takes off where it stands
+        QCOMPARE(made.stops[3].at, kHome);
+    }
+
+    void loitersHaveTheirRadiusAndAmount()
+    {
+        const auto made = route({at(1, MAV_CMD_NAV_LOITER_TURNS, 10, {3, 0, -25}),
+                                 at(2, MAV_CMD_NAV_LOITER_TIME, 20, {30, 0, 15}), at(3, MAV_CMD_NAV_LOITER_UNLIM, 30),
+                                 at(4, MAV_CMD_NAV_LOITER_TO_ALT, 40, {1, 60})});
+        QVERIFY(made.stops[0].loiter == RouteStop::Loiter::Turns && made.stops[0].amount == 3 && made.stops[0].radius == 25);
+        QVERIFY(made.stops[1].loiter == RouteStop::Loiter::Time && made.stops[1].amount == 30 && made.stops[1].radius == 15);
+        QVERIFY(made.stops[2].loiter == RouteStop::Loiter::Unlimited && made.stops[2].radius == 0);
+        QVERIFY(made.stops[3].loiter == RouteStop::Loiter::ToAltitude && made.stops[3].radius == 60);
+    }
+
+    void splinesBend()
+    {
+        MissionItem aside = at(2, MAV_CMD_NAV_SPLINE_WAYPOINT, 100);
+        aside.longitude += 100 / LocalFrame::kMetresPerDegree;
+        const auto made = route({at(1, MAV_CMD_NAV_WAYPOINT, 0), aside, at(3, MAV_CMD_NAV_WAYPOINT, 200)});
+        const RouteStop &spline = made.stops[1];
+        QVERIFY(spline.spline && !made.stops[2].spline);
+        // At the stop the vehicle flies in parallel to the line between the neighbours: to the north.
+        const QPointF arrival = spline.at - spline.controlOut;
+        QVERIFY(arrival.y() > 10 && qAbs(arrival.x()) < 1e-3);
+    }
+
+    void jumpsAreShown()
+    {
+        const auto made = route({at(1, MAV_CMD_NAV_WAYPOINT, 10), at(2, MAV_CMD_NAV_WAYPOINT, 20),
+                                 at(3, MAV_CMD_NAV_WAYPOINT, 30), order(4, MAV_CMD_DO_JUMP, {2, 3}),
+                                 order(5, MAV_CMD_DO_JUMP, {1, -1})});
+        QCOMPARE(made.jumps.size(), std::size_t(2));
+        QVERIFY(made.jumps[0].from == 3 && made.jumps[0].to == 2 && made.jumps[0].times == 3);
+        QVERIFY(made.jumps[1].from == 3 && made.jumps[1].to == 1 && made.jumps[1].times == -1);
+    }
+
+    void jumpsFollowTags()
+    {
+        const auto made = route({at(1, MAV_CMD_NAV_WAYPOINT, 10), order(2, MAV_CMD_JUMP_TAG, {7}),
+                                 at(3, MAV_CMD_NAV_WAYPOINT, 30), order(4, MAV_CMD_DO_JUMP_TAG, {7, 2}),
+                                 order(5, MAV_CMD_DO_JUMP_TAG, {8, 2})});
+        QCOMPARE(made.jumps.size(), std::size_t(1));
+        QVERIFY(made.jumps[0].from == 3 && made.jumps[0].to == 3 && made.jumps[0].times == 2);
+    }
+
+    void placesThatAreNotFlownToAreMarks()
+    {
+        const auto made = route({at(1, MAV_CMD_NAV_WAYPOINT, 10), at(2, MAV_CMD_DO_SET_ROI_LOCATION, 500),
+                                 at(3, MAV_CMD_NAV_ROI, 600), at(4, MAV_CMD_NAV_WAYPOINT, 20)});
+        QCOMPARE(sequences(made), (QList<int>{1, 4}));
+        QCOMPARE(made.marks.size(), std::size_t(2));
+        QCOMPARE(made.marks[0].sequence, 2);
+    }
+
+    /// Values of a vehicle, however wrong, are neither drawn far away nor do they end the program.
+    void wrongValuesAreBorne()
+    {
+        const float nan = std::numeric_limits<float>::quiet_NaN(), huge = std::numeric_limits<float>::max();
+        MissionItem nowhere = at(2, MAV_CMD_NAV_WAYPOINT, 0);
+        nowhere.latitude = std::numeric_limits<double>::quiet_NaN();
+        MissionItem local = at(3, MAV_CMD_NAV_WAYPOINT, 50);
+        local.frame = MAV_FRAME_LOCAL_NED;
+        const auto made = route({at(1, MAV_CMD_NAV_LOITER_TURNS, 10, {nan, nan, nan}), nowhere, local,
+                                 order(4, MAV_CMD_DO_JUMP, {nan, nan}), order(5, MAV_CMD_DO_JUMP, {huge, huge})});
+        for (const RouteStop &stop : made.stops)
+            QVERIFY(qAbs(stop.at.y() - 10) < 1e-3); // executed where the vehicle is
+        QCOMPARE(made.stops[0].radius, 0.0);
+    }
+
+    /// Between two stops whose commands were not joined before, there is ink.
+    void loiterIsJoinedOnThePicture()
+    {
+        QImage picture(200, 200, QImage::Format_RGB32);
+        picture.fill(Qt::white);
+        QPainter painter(&picture);
+        MapViewport viewport;
+        viewport.setSize({200, 200});
+        viewport.setCentre({0, 0}); // 0.5 m per pixel
+        QPalette palette;
+        palette.setColor(QPalette::Base, Qt::white);
+        MissionPainter(painter, viewport, palette)
+            .paint(route({at(1, MAV_CMD_NAV_WAYPOINT, -40), at(2, MAV_CMD_NAV_LOITER_TURNS, 40, {1, 0, 5})}), 1);
+        painter.end();
+        int inked = 0;
+        for (int y = 60; y < 140; ++y) // the legs' middle
+            inked += picture.pixelColor(100, y) != Qt::white || picture.pixelColor(99, y) != Qt::white;
+        QVERIFY2(inked > 70, qPrintable(QString::number(inked)));
+    }
+};
+
+SKYSEAL_TEST_WIDGETS(MissionRouteTest)
+#include "mission_route_test.moc"
