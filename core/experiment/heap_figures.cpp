@@ -68,6 +68,19 @@ void HeapFigures::collect()
     m_in = -1;
     if (m_child > 0)
         untilDone([&] { return ::waitpid(m_child, nullptr, 0); });
+    m_child = -1;
+}
+
+bool HeapFigures::collectIfDone()
+{
+    const std::lock_guard lock(m_mutex);
+    if (m_in < 0)
+        return true;
+    if (m_child > 0 && untilDone([&] { return ::waitpid(m_child, nullptr, WNOHANG); }) == 0)
+        return false;
+    m_child = -1;
+    collect();
+    return true;
 }
 
 std::optional<double> HeapFigures::find(crypto::SuiteId suite, double Figures::*figure)

@@ -26,6 +26,10 @@ public:
     std::optional<double> context(crypto::SuiteId suite) { return find(suite, &Figures::context); }
     std::optional<double> session(crypto::SuiteId suite) { return find(suite, &Figures::session); }
 
+    /// Takes the figures if the child has ended, so that it does not remain as a zombie until somebody asks for them. Returns
+    /// false while it runs. Does not wait for it. Any thread.
+    bool collectIfDone();
+
 private:
     struct Figures
     {

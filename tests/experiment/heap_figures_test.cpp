@@ -2,6 +2,7 @@
 #include "core/crypto/init_crypto.h"
 #include "core/experiment/cipher_bench.h"
 #include "core/experiment/heap_figures.h"
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
@@ -9,6 +10,9 @@
 #include <atomic>
 #include <thread>
 #include <vector>
+
+#include <cerrno>
+#include <sys/wait.h>
 
 using namespace skyseal;
 using namespace skyseal::experiment;
@@ -19,6 +23,7 @@ class HeapFiguresTest : public QObject
 
 private Q_SLOTS:
     void areThoseOfTheSuiteAlone();
+    void leaveNoZombie();
 };
 
 void HeapFiguresTest::areThoseOfTheSuiteAlone()
@@ -51,6 +56,15 @@ void HeapFiguresTest::areThoseOfTheSuiteAlone()
                     QStringLiteral("%1: %2, alone %3").arg(QLatin1String(suite.name.data())).arg(*session[at]).arg(*alone)));
         ++at;
     }
+}
+
+void HeapFiguresTest::leaveNoZombie()
+{
+    HeapFigures figures;
+    EVENTUALLY(figures.collectIfDone());
+    QCOMPARE(::waitpid(-1, nullptr, WNOHANG), -1);
+    QCOMPARE(errno, ECHILD);
+    QCOMPARE(figures.context(crypto::SuiteId::Aes256Gcm).has_value(), contextBytes(crypto::SuiteId::Aes256Gcm).has_value());
 }
 
 SKYSEAL_TEST(HeapFiguresTest)
