@@ -21,6 +21,8 @@ enum class LandedState : std::uint8_t {
 class FlightTimer
 {
 public:
+    /// The autopilot was restarted: the next time in the air is another flight.
+    void restart() { *this = {}; }
     void handleLandedState(LandedState state) { m_landed = state; }
     /// Call with every heartbeat and position. Before the vehicle reports a landed state, more than 0.5 m above home counts as
     /// off the ground.

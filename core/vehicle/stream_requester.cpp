@@ -95,8 +95,12 @@ bool StreamRequester::handleFrame(TimePoint now, const mavlink::Frame &frame)
     noteArrival(now, frame.messageId());
     if (frame.messageId() == CommandAck::kId) {
         const auto ack = unpack<CommandAck>(frame);
-        if (ack.command == MAV_CMD_SET_MESSAGE_INTERVAL && addressing().isForUs(ack.target_system, ack.target_component))
-            handleIntervalResult(ack.result);
+        if (!addressing().isForUs(ack.target_system, ack.target_component))
+            return false;
+        if (ack.command == MAV_CMD_SET_MESSAGE_INTERVAL)
+            handleIntervalResult(now, ack.result);
+        else if (ack.command == MAV_CMD_GET_HOME_POSITION && ack.result == MAV_RESULT_UNSUPPORTED)
+            m_home = {};
     }
     return false;
 }
@@ -112,14 +116,17 @@ void StreamRequester::noteArrival(TimePoint now, std::uint32_t messageId)
         if (kSingleMessages[i].message == messageId)
             m_messages[i].arrived(now);
     }
+    if (messageId == HomePosition::kId)
+        m_home.arrived(now);
 }
 
-void StreamRequester::handleIntervalResult(std::uint8_t result)
+void StreamRequester::handleIntervalResult(TimePoint now, std::uint8_t result)
 {
-    if (result == MAV_RESULT_UNSUPPORTED)
-        m_intervalsSupported = false;
-    if (!m_intervalsSupported)
-        m_messages.fill({});
+    if (result != MAV_RESULT_UNSUPPORTED || !m_intervalsSupported)
+        return;
+    m_intervalsSupported = false;
+    m_messages.fill({});
+    m_home.request(now);
 }
 
 void StreamRequester::handleDeadline(TimePoint now)
@@ -139,6 +146,12 @@ void StreamRequester::handleDeadline(TimePoint now)
         if (!(rate > 0))
             m_groups[i] = {}; // stopped: no message is expected
     }
+    if (now >= m_home.due) {
+        mavlink::CommandLong request;
+        request.command = MAV_CMD_GET_HOME_POSITION;
+        send(request, false);
+        m_home.requested(now);
+    }
     for (std::size_t i = 0; i < kMessages; ++i) {
         if (now < m_messages[i].due)
             continue;
@@ -156,7 +169,7 @@ void StreamRequester::handleDeadline(TimePoint now)
 
 TimePoint StreamRequester::nextDeadline() const
 {
-    TimePoint next = kNever;
+    TimePoint next = m_home.due;
     for (const Expectation &group : m_groups)
         next = std::min(next, group.due);
     for (const Expectation &message : m_messages)
@@ -168,14 +181,17 @@ void StreamRequester::restart(TimePoint now)
 {
     m_groups.fill({});
     m_messages.fill({});
+    m_home = {};
     if (!isActive())
         return;
     if (m_kind->isArduPilot()) {
         for (Expectation &group : m_groups)
             group.request(now);
     }
-    if (!m_intervalsSupported)
+    if (!m_intervalsSupported) {
+        m_home.request(now);
         return;
+    }
     for (std::size_t i = 0; i < kMessages; ++i) {
         if (!kSingleMessages[i].inGroups || !m_kind->isArduPilot())
             m_messages[i].request(now);

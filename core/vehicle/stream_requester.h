@@ -1,6 +1,7 @@
 // Requests telemetry streams. ArduPilot sends hardly any telemetry until it is requested: its stream groups by
 // REQUEST_DATA_STREAM, single messages by SET_MESSAGE_INTERVAL if the firmware supports that. PX4 streams on its own and gets
-// no requests. A stream that never arrived is requested again after 2 s, one that stopped after 8 s, and less and less often
+// no requests. Firmware without SET_MESSAGE_INTERVAL (ArduPilot before 4.0) does not stream its home position, which is requested by
+// GET_HOME_POSITION instead. A stream that never arrived is requested again after 2 s, one that stopped after 8 s, and less and less often
 // if the vehicle does not have it.
 #pragma once
 
@@ -47,7 +48,7 @@ private:
     };
 
     void noteArrival(TimePoint now, std::uint32_t messageId);
-    void handleIntervalResult(std::uint8_t result);
+    void handleIntervalResult(TimePoint now, std::uint8_t result);
     bool isActive() const;
 
     StreamProfile m_profile;
@@ -56,6 +57,7 @@ private:
     bool m_intervalsSupported = true; ///< SET_MESSAGE_INTERVAL
     std::array<Expectation, kGroups> m_groups;
     std::array<Expectation, kMessages> m_messages;
+    Expectation m_home; ///< HOME_POSITION by request, where it cannot be streamed
 };
 
 } // namespace skyseal::vehicle

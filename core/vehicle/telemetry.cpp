@@ -69,6 +69,10 @@ struct TelemetryReaders
             c.state.position = {m.lat * 1e-7, m.lon * 1e-7, m.alt * 1e-3};
             c.memory.m_hasGlobalPosition = true;
         }
+        constexpr std::uint32_t kLate = 3000; // milliseconds that a frame may be delayed
+        c.update.restarted = m.time_boot_ms < c.memory.m_sinceBoot && c.memory.m_sinceBoot - m.time_boot_ms > kLate;
+        if (c.update.restarted || m.time_boot_ms > c.memory.m_sinceBoot)
+            c.memory.m_sinceBoot = m.time_boot_ms;
         c.state.altitudeRelative = m.relative_alt * 1e-3;
         c.state.groundSpeed = std::hypot(m.vx * 0.01, m.vy * 0.01);
         c.state.climb = m.vz * -0.01;

@@ -14,6 +14,7 @@ namespace skyseal::vehicle {
 struct TelemetryUpdate
 {
     bool positionChanged = false;
+    bool restarted = false;            ///< the autopilot counts its time from a new start
     std::optional<Position> home;      ///< HOME_POSITION
     std::optional<LandedState> landed; ///< EXTENDED_SYS_STATE
 };
@@ -26,6 +27,7 @@ public:
 
 private:
     friend struct TelemetryReaders;
+    std::uint32_t m_sinceBoot = 0;    ///< milliseconds
     bool m_hasGlobalPosition = false; ///< after GLOBAL_POSITION_INT; until then raw GPS gives the position
 };
 

@@ -101,6 +101,8 @@ void Vehicle::Parts::handleTelemetry(TimePoint now, const mavlink::Frame &frame)
     const TelemetryUpdate update = telemetry.handle(frame, state);
     if (update.home)
         home.handleHomePosition(*update.home, state);
+    if (update.restarted)
+        flightTimer.restart(); // the flight before ended unseen
     if (update.landed)
         flightTimer.handleLandedState(*update.landed);
     if (update.positionChanged) {

@@ -28,12 +28,14 @@ private Q_SLOTS:
     void px4IsNotAsked();
     void oneRateForAllStreams();
     void unsupportedIntervalsAreGivenUp();
+    void homeIsRequestedWhereItCannotBeStreamed();
     void lostVehicleIsAskedAnewWhenItReturns();
     void versionIsAskedForInTurnsUntilItComes();
     void latencyIsMeasuredAndSmoothed();
     void answersTheVehiclesTimeSync();
     void homeIsWhereItWasArmedUntilItSays();
     void flightTimeCountsInTheAirOnly();
+    void flightTimeEndsWithARestart();
     void gcsHeartbeatIsDueOnceASecond();
     void outboxIsBounded();
 };
@@ -248,6 +250,38 @@ void VehicleTest::unsupportedIntervalsAreGivenUp()
         QVERIFY(m.command != mavlink::MAV_CMD_SET_MESSAGE_INTERVAL);
 }
 
+/// ArduCopter 3.6 knows GET_HOME_POSITION, but not SET_MESSAGE_INTERVAL.
+void VehicleTest::homeIsRequestedWhereItCannotBeStreamed()
+{
+    Harness h;
+    const auto requests = [&h] {
+        int count = 0;
+        for (const auto &m : h.sentOf<mavlink::CommandLong>())
+            count += m.command == mavlink::MAV_CMD_GET_HOME_POSITION;
+        return count;
+    };
+    h.feed(heartbeat());
+    h.runUntil(h.now);
+    QCOMPARE(requests(), 0);
+    h.ack(mavlink::MAV_CMD_SET_MESSAGE_INTERVAL, mavlink::MAV_RESULT_UNSUPPORTED);
+    h.ack(mavlink::MAV_CMD_SET_MESSAGE_INTERVAL, mavlink::MAV_RESULT_UNSUPPORTED); // of the other messages
+    h.runUntil(h.now);
+    QCOMPARE(requests(), 1);
+    h.runUntil(h.now + std::chrono::seconds(3));
+    QCOMPARE(requests(), 1); // it had no home yet
+    mavlink::HomePosition home;
+    home.latitude = 480000000;
+    home.longitude = 110000000;
+    h.feed(home);
+    QCOMPARE(h.vehicle.current().home.latitude, 48.);
+    h.sent();
+    h.runUntil(h.now + std::chrono::seconds(9));
+    QCOMPARE(requests(), 1); // it may have been moved
+    h.ack(mavlink::MAV_CMD_GET_HOME_POSITION, mavlink::MAV_RESULT_UNSUPPORTED);
+    h.runUntil(h.now + std::chrono::seconds(100));
+    QCOMPARE(requests(), 0);
+}
+
 void VehicleTest::lostVehicleIsAskedAnewWhenItReturns()
 {
     Harness h;
@@ -369,6 +403,24 @@ void VehicleTest::flightTimeCountsInTheAirOnly()
     h.feed(heartbeat(4, true));
     altitude(170, 5);
     QCOMPARE(h.vehicle.state(at(171)).flightTime, 21.); // armed at 5 m: a new flight from there
+}
+
+void VehicleTest::flightTimeEndsWithARestart()
+{
+    Harness h = Harness::copter(4, true);
+    mavlink::GlobalPositionInt position;
+    const auto fly = [&](double s, std::uint32_t sinceBoot) {
+        h.now = at(s);
+        position.relative_alt = 5000;
+        position.time_boot_ms = sinceBoot;
+        h.feed(position);
+    };
+    fly(110, 60'000);
+    fly(120, 70'000);
+    fly(121, 69'500); // a late frame
+    QCOMPARE(h.vehicle.state(at(125)).flightTime, 15.);
+    fly(200, 4'000); // restarted in the air
+    QCOMPARE(h.vehicle.state(at(203)).flightTime, 3.);
 }
 
 void VehicleTest::gcsHeartbeatIsDueOnceASecond()
