@@ -47,10 +47,16 @@ public:
     virtual void setInspecting(bool inspecting) = 0;
     virtual void setRecording(bool recording) = 0;
     virtual std::optional<channel::PublicKey> publicKey() const = 0;
+    /// Replays a recording beside the station, which goes on unchanged: nothing of the recording meets its peers, vehicles and
+    /// links. Ends the replay before. Fails if the URL is not that of a recording.
+    virtual Result<void, InputError> startReplay(const std::string &url) = 0;
+    virtual void endReplay() = 0;
 
 Q_SIGNALS:
     void snapshotReady(std::shared_ptr<const skyseal::engine::Snapshot> snapshot);
     void eventOccurred(skyseal::engine::Event event);
+    void replaySnapshotReady(std::shared_ptr<const skyseal::engine::Snapshot> snapshot);
+    void replayEventOccurred(skyseal::engine::Event event);
 };
 
 } // namespace skyseal::ui

@@ -49,6 +49,7 @@ AlarmState alarmStateOf(const ViewState &view)
 {
     AlarmState state;
     state.plainRun = view.plainRun;
+    state.attacked = view.refusedLastMinute > 0;
     if (view.snapshot) {
         state.security = view.snapshot->security;
         state.vehicles = view.snapshot->vehicles.size();

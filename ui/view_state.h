@@ -21,6 +21,7 @@ inline constexpr double kStaleAfterSeconds = 3.5;
 struct ViewState
 {
     SnapshotPtr snapshot;
+    SnapshotPtr live = {}; ///< of the station, while `snapshot` is that of a replay
     const engine::VehicleSnapshot *vehicle = nullptr;
     const engine::LinkSnapshot *link = nullptr; ///< last link of the vehicle; null if it was removed
     const engine::SessionSnapshot *session = nullptr;
@@ -29,8 +30,13 @@ struct ViewState
     bool inSweep = false;                                    ///< a sweep measures the connected link and restarts sessions
     bool plainRun = false; ///< the sweep measures plain MAVLink with the consent of the operator
 
+    std::uint64_t refusedLastMinute = 0; ///< frames that claimed to be this vehicle and were refused
+
     /// True if the values of the vehicle are older than the limit.
     bool stale() const;
+    bool isReplay() const { return live != nullptr; }
+    /// The snapshot of the station, also during a replay, for its own links and recording.
+    const SnapshotPtr &station() const { return live ? live : snapshot; }
 };
 
 /// The part of the view whose changes are shown at once, independent of the refresh interval of numbers.
@@ -39,7 +45,7 @@ struct AlarmState
     engine::Security security{};
     std::optional<crypto::SuiteId> suite, pending;
     std::uint8_t systemId = 0;
-    bool armed = false, stale = false, plainRun = false;
+    bool armed = false, stale = false, plainRun = false, attacked = false;
     std::string mode;
     std::size_t vehicles = 0, sessions = 0, links = 0, pendingApproval = 0;
     bool operator==(const AlarmState &) const = default;

@@ -7,10 +7,13 @@
 #include "core/channel/suite_strength.h"
 #include "app/skyseal/own_files.h"
 #include "core/crypto/x25519.h"
+#include "core/keys/secret_file.h"
+#include "ui/text/command_permits.h"
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QTimer>
 #include <QtGui/QPixmap>
+#include <QtWidgets/QApplication>
 
 namespace skyseal::app {
 
@@ -165,9 +168,11 @@ bool Application::start()
     makeWindow();
     useKeys(keys);
     m_window->show();
-    openLinks();
+    collectHeapFigures();
     if (m_demo)
         beginDemo();
+    else
+        openLinks();
     if (!m_keyProblem.isEmpty())
         tellKeyProblem();
     if (!m_options.screenshot.isEmpty())
@@ -196,21 +201,8 @@ void Application::makeWindow()
         if (m_peersWatch)
             m_peersWatch->look();
     });
-    connect(m_window.get(), &ui::MainWindow::demoRequested, this, [this] {
-        if (m_demo)
-            return;
-        auto demo = Demo::create(m_random);
-        if (!demo) {
-            m_window->reportProblem(QString::fromStdString(demo.error().text()));
-            return;
-        }
-        m_demo = std::move(*demo);
-        m_station->exchange(configOf(m_window->settings(), m_demo->stationKeys()));
-        m_keyProblem.clear();
-        useKeys(m_demo->stationKeys());
-        openLinks();
-        beginDemo();
-    });
+    connect(m_window.get(), &ui::MainWindow::demoRequested, this, &Application::startDemo);
+    connect(m_window.get(), &ui::MainWindow::demoEndRequested, this, &Application::endDemo);
 }
 
 void Application::openLinks()
@@ -221,18 +213,78 @@ void Application::openLinks()
         m_window->addLink(QString::fromStdString(url.toText()));
 }
 
+/// Takes the place of the links, so that it starts only while none is in use.
+void Application::startDemo()
+{
+    if (m_demo)
+        return;
+    if (const QString reason = ui::demoDisabledReason(m_window->view()); !reason.isEmpty()) {
+        m_window->reportProblem(reason);
+        return;
+    }
+    auto demo = Demo::create(m_random);
+    if (!demo) {
+        m_window->reportProblem(QString::fromStdString(demo.error().text()));
+        return;
+    }
+    m_demo = std::move(*demo);
+    m_station->exchange(configOf(m_window->settings(), m_demo->stationKeys()));
+    m_keyProblem.clear();
+    useKeys(m_demo->stationKeys());
+    beginDemo();
+}
+
+/// Returns to the keys and links of the user.
+void Application::endDemo()
+{
+    if (!m_demo)
+        return;
+    m_demoFlight.reset();
+    m_demo.reset();
+    m_window->setDemo(false);
+    m_keyProblem.clear();
+    const engine::KeyPaths keys = chooseKeys();
+    m_station->exchange(configOf(m_window->settings(), keys));
+    if (m_station->isRunning()) {
+        m_question.opened();
+    } else { // as at the start: plain links work without the key
+        const auto identity = keys::readIdentityFacts(keys.identity);
+        m_keyProblem = identity ? tr("the key could not be opened") : QString::fromStdString(identity.error().text());
+        m_station->exchange(configOf(m_window->settings(), {}));
+    }
+    useKeys(keys);
+    openLinks();
+    if (!m_keyProblem.isEmpty())
+        tellKeyProblem();
+}
+
+/// The vehicle of the demo is met on a port of its own on loopback, unless the command line names links.
 void Application::beginDemo()
 {
     connect(m_demo.get(), &Demo::ended, m_window.get(), [this](const QString &problem) {
-        m_window->reportProblem(problem, tr("Start it again"), [this] { m_demo->restart(); });
+        m_window->reportProblem(problem, tr("Start it again"), [this] {
+            if (m_demo)
+                m_demo->restart();
+        });
     });
-    quint16 port = kUsualPort;
-    const auto url = m_options.links.empty() ? link::LinkUrl::parse(m_window->settings().defaultLink.toStdString())
-                                             : m_options.links.front();
-    if (url && url->traits().isDatagramServer() && url->port() != 0)
-        port = url->port();
-    m_demo->start(port);
+    m_window->setDemo(true);
+    const bool named = m_options.demo && !m_options.links.empty();
+    const link::LinkUrl url = named ? m_options.links.front()
+                                    : *link::LinkUrl::parse("udpin:127.0.0.1:" + std::to_string(Demo::freePort()));
+    if (named)
+        openLinks();
+    else
+        m_window->addLink(QString::fromStdString(url.toText()));
+    m_demo->start(url.traits().isDatagramServer() && url.port() != 0 ? url.port() : kUsualPort);
     m_demoFlight = std::make_unique<DemoFlight>(*m_station);
+}
+
+void Application::stop()
+{
+    if (m_window && m_window->isVisible())
+        m_window->quit();
+    else
+        QApplication::closeAllWindows();
 }
 
 void Application::followLink(const link::LinkUrl &url)
@@ -240,6 +292,14 @@ void Application::followLink(const link::LinkUrl &url)
     // If the port was in use, the operator listens on another one: the demo's agent follows.
     if (m_demo && url.traits().isDatagramServer() && url.port() != 0)
         m_demo->start(url.port());
+}
+
+/// Again and again until the child that measured them has ended.
+void Application::collectHeapFigures()
+{
+    constexpr int kEvery = 500; // milliseconds
+    if (m_heap && !m_heap->collectIfDone())
+        QTimer::singleShot(kEvery, this, &Application::collectHeapFigures);
 }
 
 void Application::takeScreenshot()

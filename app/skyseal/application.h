@@ -28,6 +28,8 @@ public:
 
     /// Shows the window. Returns false, with a message on stderr, if no station can be created.
     bool start();
+    /// Ends the program in an orderly way, without a question.
+    void stop();
 
 private:
     engine::StationConfig configOf(const ui::Settings &settings, engine::KeyPaths keys) const;
@@ -38,9 +40,12 @@ private:
     void tellLeftOut(const keys::PeersInForce &peers);
     void makeWindow();
     void openLinks();
+    void startDemo();
+    void endDemo();
     void beginDemo();
     void followLink(const link::LinkUrl &url);
     void takeScreenshot();
+    void collectHeapFigures();
 
     WindowOptions m_options;
     RandomSource &m_random;

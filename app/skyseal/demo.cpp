@@ -34,19 +34,19 @@ Result<void, InputError> introduce(const std::string &peersFile, const std::stri
     return peers.save(peersFile);
 }
 
-quint16 freePort()
-{
-    QUdpSocket probe;
-    probe.bind(QHostAddress::LocalHost, 0);
-    return probe.localPort();
-}
-
 } // namespace
 
 QString Demo::programPath(const QString &name)
 {
     const QFileInfo beside(QCoreApplication::applicationDirPath() + QLatin1Char('/') + name);
     return beside.isExecutable() ? beside.absoluteFilePath() : QStandardPaths::findExecutable(name);
+}
+
+quint16 Demo::freePort()
+{
+    QUdpSocket probe;
+    probe.bind(QHostAddress::LocalHost, 0);
+    return probe.localPort();
 }
 
 bool Demo::isAvailable()

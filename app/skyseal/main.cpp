@@ -43,9 +43,9 @@ int main(int argc, char **argv)
         return kCannotOpen;
     }
     StopSignals signalled; // before links open: scripts may stop the program as soon as a link is open
-    QObject::connect(&signalled, &StopSignals::stopRequested, &application, [] { QApplication::closeAllWindows(); });
     crypto::SystemRandom random;
     Application window(std::get<WindowOptions>(std::move(options)), random, heap);
+    QObject::connect(&signalled, &StopSignals::stopRequested, &window, &Application::stop);
     if (!window.start())
         return kCannotOpen;
     return QApplication::exec();

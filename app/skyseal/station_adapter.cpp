@@ -111,8 +111,9 @@ vehicle::RequestId StationAdapter::perform(std::uint8_t systemId, vehicle::Reque
 void StationAdapter::setInspecting(bool inspecting)
 {
     m_inspecting = inspecting;
-    if (m_station)
-        m_station->setInspecting(inspecting);
+    for (const auto *station : {&m_station, &m_replay})
+        if (*station)
+            (*station)->setInspecting(inspecting);
 }
 
 void StationAdapter::setRecording(bool recording)
@@ -124,6 +125,34 @@ void StationAdapter::setRecording(bool recording)
 std::optional<channel::PublicKey> StationAdapter::publicKey() const
 {
     return m_station ? m_station->publicKey() : std::nullopt;
+}
+
+/// A station of its own, without keys and peers: what was sealed was recorded in clear, and belongs to the past.
+Result<void, InputError> StationAdapter::startReplay(const std::string &url)
+{
+    const auto parsed = link::LinkUrl::parse(url);
+    if (!parsed)
+        return tl::unexpected(parsed.error());
+    if (!parsed->traits().isRecording)
+        return tl::unexpected(InputError{"is not a recording", url});
+    m_replay.reset();
+    engine::StationConfig config;
+    config.secure = engine::SecureMode::Off;
+    config.record = false;
+    auto created = Station::create(config);
+    if (!created)
+        return tl::unexpected(created.error());
+    m_replay = std::move(*created);
+    connect(m_replay.get(), &Station::snapshotReady, this, &StationInterface::replaySnapshotReady);
+    connect(m_replay.get(), &Station::eventOccurred, this, &StationInterface::replayEventOccurred);
+    m_replay->setInspecting(m_inspecting);
+    m_replay->addLink(*parsed);
+    return {};
+}
+
+void StationAdapter::endReplay()
+{
+    m_replay.reset();
 }
 
 } // namespace skyseal::app

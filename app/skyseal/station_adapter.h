@@ -35,6 +35,8 @@ public:
     void setInspecting(bool inspecting) override;
     void setRecording(bool recording) override;
     std::optional<channel::PublicKey> publicKey() const override;
+    Result<void, InputError> startReplay(const std::string &url) override;
+    void endReplay() override;
 
 Q_SIGNALS:
     /// A new station could not be created; the old one is deleted.
@@ -46,6 +48,7 @@ private:
     void listen();
 
     std::unique_ptr<engine::Station> m_station; ///< null only after failed()
+    std::unique_ptr<engine::Station> m_replay;  ///< null unless a recording is replayed
     std::vector<engine::ServeConfig> m_served;  ///< also by the station after an exchange
     bool m_inspecting = false;
 };

@@ -47,12 +47,25 @@ public:
     void setInspecting(bool on) override { inspecting = on; }
     void setRecording(bool on) override { recording = on; }
     std::optional<channel::PublicKey> publicKey() const override { return key; }
+    Result<void, InputError> startReplay(const std::string &url) override
+    {
+        replays.push_back(url);
+        return {};
+    }
+    void endReplay() override { ++replaysEnded; }
 
     void show(const engine::Snapshot &snapshot) { Q_EMIT snapshotReady(std::make_shared<const engine::Snapshot>(snapshot)); }
     void notify(const engine::Event &event) { Q_EMIT eventOccurred(event); }
+    void showReplay(const engine::Snapshot &snapshot)
+    {
+        Q_EMIT replaySnapshotReady(std::make_shared<const engine::Snapshot>(snapshot));
+    }
+    void notifyReplay(const engine::Event &event) { Q_EMIT replayEventOccurred(event); }
 
     std::vector<std::pair<std::string, engine::MavsecSettings>> mavsecLinks;
     std::vector<std::string> addedLinks;
+    std::vector<std::string> replays;
+    int replaysEnded = 0;
     std::vector<engine::ServeConfig> served; ///< the newest request
     std::vector<LinkId> removedLinks;
     std::vector<std::pair<channel::SessionId, crypto::SuiteId>> switches;

@@ -4,6 +4,7 @@
 #include "gallery_dialogs.h"
 #include "scripted_snapshots.h"
 #include "ui/charts/diagnostics_panel.h"
+#include "ui/flight/vehicle_commands.h"
 #include "ui/window/main_window.h"
 #include "ui/security/suite_actions.h"
 
@@ -27,6 +28,45 @@ void addClients(engine::Snapshot &snapshot)
     snapshot.served.push_back(link);
     snapshot.clients.push_back({link.url, "127.0.0.1:50123", "all", {1'284, 0, 0, 0}});
     snapshot.clients.push_back({link.url, "127.0.0.1:50124", "none", {96, 12, 0, 0}});
+}
+
+/// What a recording shows.
+engine::Snapshot replaySnapshot(double time)
+{
+    engine::Snapshot out = plainSnapshot(time);
+    out.vehicles.front().state.mode = "AUTO";
+    out.links.front().url = "tlog:/logs/2026-05-02 field.tlog";
+    out.links.front().recording = true;
+    return out;
+}
+
+/// All kinds of places: a spline, loiters, a jump, a region of interest, and the way home.
+std::shared_ptr<const std::vector<vehicle::MissionItem>> routeMission()
+{
+    const auto place = [](std::uint16_t sequence, std::uint16_t command, double north, double east, float first = 0,
+                          float third = 0) {
+        constexpr double kMetresPerDegree = 111319.5;
+        vehicle::MissionItem item{.sequence = sequence, .command = command};
+        item.latitude = 47.3977 + north / kMetresPerDegree;
+        item.longitude = 8.5456 + east / kMetresPerDegree / 0.6769;
+        item.parameters[0] = first;
+        item.parameters[2] = third;
+        return item;
+    };
+    std::vector<vehicle::MissionItem> out{place(0, mavlink::MAV_CMD_NAV_WAYPOINT, 0, 0),
+                                          {.sequence = 1, .command = mavlink::MAV_CMD_NAV_TAKEOFF},
+                                          place(2, mavlink::MAV_CMD_NAV_WAYPOINT, 60, -60),
+                                          place(3, mavlink::MAV_CMD_NAV_SPLINE_WAYPOINT, 80, 0),
+                                          place(4, mavlink::MAV_CMD_NAV_SPLINE_WAYPOINT, 60, 60),
+                                          place(5, mavlink::MAV_CMD_NAV_LOITER_TURNS, 0, 80, 3, 15),
+                                          place(6, mavlink::MAV_CMD_NAV_LOITER_TIME, -50, 40, 30),
+                                          place(7, mavlink::MAV_CMD_DO_SET_ROI_LOCATION, -10, 30),
+                                          place(8, mavlink::MAV_CMD_NAV_WAYPOINT, -60, -40),
+                                          {.sequence = 9, .command = mavlink::MAV_CMD_DO_JUMP},
+                                          {.sequence = 10, .command = mavlink::MAV_CMD_NAV_RETURN_TO_LAUNCH}};
+    out[9].parameters[0] = 5;
+    out[9].parameters[1] = 2;
+    return std::make_shared<const std::vector<vehicle::MissionItem>>(std::move(out));
 }
 
 /// Brings the window into a state by the same signals that the engine would send.
@@ -66,6 +106,8 @@ void play(FakeStation &station, MainWindow &window, const QString &state, const 
                                          state == QLatin1String("plain") ? crypto::SuiteId::None : suites[part],
                                          static_cast<std::uint32_t>(part));
             number += snapshot.samples.size();
+            if (state == QLatin1String("route"))
+                snapshot.vehicles.front().mission = routeMission();
             if (state == QLatin1String("switching") && t > 46)
                 snapshot.sessions.front().info.pending = crypto::SuiteId::Aes256Cbc;
             if (state == QLatin1String("attack")) {
@@ -87,6 +129,10 @@ void play(FakeStation &station, MainWindow &window, const QString &state, const 
             station.show(snapshot);
         }
     }
+    if (state == QLatin1String("impostor")) {
+        station.notify(engine::PlaintextRefused{1, "192.0.2.66:40000", 522, {}});
+        station.show(sealedSnapshot(49, suites[3], 3));
+    }
     station.notify(channel::SwitchDone{channel::SessionId{7}, suites[2], suites[3], channel::Epoch{3}, false, false,
                                        state == QLatin1String("attack") ? channel::SwitchFailure::NotConfirmed
                                                                         : channel::SwitchFailure::None,
@@ -94,6 +140,22 @@ void play(FakeStation &station, MainWindow &window, const QString &state, const 
     station.notify(vehicle::TextReceived{1, {1, 6, "EKF3 IMU0 is using GPS", {}}});
     station.notify(vehicle::TextReceived{1, {2, 4, "Battery 1 low voltage", {}}});
     station.notify(vehicle::TextReceived{1, {3, 3, "PreArm: Compass not calibrated", {}}});
+    if (state == QLatin1String("refused")) {
+        auto *commands = window.findChild<VehicleCommands *>();
+        commands->send(1, vehicle::Disarm{});
+        station.notify(vehicle::CommandResult{vehicle::RequestId{1}, 1, vehicle::CommandOutcome::Refused, 4,
+                                              "failed: the vehicle is not landed, and a forced disarm was not requested"});
+    }
+    if (state == QLatin1String("demo"))
+        window.setDemo(true);
+    if (state == QLatin1String("replay")) {
+        window.startReplay(QStringLiteral("tlog:/logs/2026-05-02 field.tlog"));
+        for (double t = 0; t < 40; t += 0.5)
+            station.showReplay(replaySnapshot(t));
+        engine::Snapshot lost = sealedSnapshot(50);
+        lost.vehicles.front().state.messageAge = 12.6;
+        station.show(lost);
+    }
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "ui/links/links_panel.h"
 
 #include "core/engine/station/snapshot.h"
+#include "ui/confirm_box.h"
 #include "ui/theme/grid.h"
 
 #include <QtWidgets/QHBoxLayout>
@@ -49,27 +50,49 @@ LinksPanel::LinksPanel(StationInterface &station, QWidget *parent) : DockPanel(p
 
     connect(m_gateway, &GatewaySection::servingChanged, this, &LinksPanel::servingChanged);
     connect(add, &QPushButton::clicked, this, &LinksPanel::addRequested);
-    connect(m_remove, &QPushButton::clicked, this, [this] {
-        if (const auto *link = m_model.linkAt(m_view->currentIndex().row()))
-            m_station.removeLink(link->id);
-    });
+    connect(m_remove, &QPushButton::clicked, this, &LinksPanel::removeChosen);
     const auto allow = [this] { m_remove->setEnabled(m_view->currentIndex().isValid()); };
     connect(m_view->selectionModel(), &QItemSelectionModel::currentChanged, this, allow);
     connect(&m_model, &LinkModel::modelReset, this, allow);
     allow();
 }
 
+/// Asks if an armed vehicle is at the link.
+void LinksPanel::removeChosen()
+{
+    const auto *link = m_model.linkAt(m_view->currentIndex().row());
+    if (!link)
+        return;
+    QStringList armed;
+    for (const engine::VehicleSnapshot &vehicle : m_shown->vehicles)
+        if (vehicle.link == link->id && vehicle.state.armed)
+            armed << QString::number(vehicle.state.systemId);
+    if (armed.isEmpty())
+        return m_station.removeLink(link->id);
+    askToConfirm({.objectName = QStringLiteral("confirmRemoveLink"),
+                  .title = tr("Remove the link"),
+                  .text = armed.size() == 1
+                      ? tr("Vehicle %1 at this link is armed. Remove the link?").arg(armed.first())
+                      : tr("The vehicles %1 at this link are armed. Remove the link?").arg(armed.join(QStringLiteral(", "))),
+                  .details = tr("Without it, nobody can command them from here, and their failsafe may act."),
+                  .yes = tr("Remove"),
+                  .icon = QMessageBox::Warning},
+                 this, this, [this, id = link->id] { m_station.removeLink(id); });
+}
+
 void LinksPanel::showViewState(const ViewState &view)
 {
+    const SnapshotPtr &station = view.station();
     constexpr double kRefreshSeconds = 0.5;
-    if (!view.snapshot)
+    if (!station)
         return;
-    const bool sameCount = static_cast<std::size_t>(m_model.rowCount()) == view.snapshot->links.size();
-    if (sameCount && std::abs(view.snapshot->time - m_shownAt) < kRefreshSeconds)
+    m_shown = station;
+    const bool sameCount = static_cast<std::size_t>(m_model.rowCount()) == station->links.size();
+    if (sameCount && std::abs(station->time - m_shownAt) < kRefreshSeconds)
         return;
-    m_shownAt = view.snapshot->time;
-    m_model.setLinks(view.snapshot->links);
-    m_gateway->showSnapshot(*view.snapshot);
+    m_shownAt = station->time;
+    m_model.setLinks(station->links);
+    m_gateway->showSnapshot(*station);
 }
 
 void LinksPanel::applySettings(const Settings &settings)

@@ -26,7 +26,10 @@ Q_SIGNALS:
     void servingChanged(const skyseal::ui::Serving &serving);
 
 private:
+    void removeChosen();
+
     StationInterface &m_station;
+    SnapshotPtr m_shown; ///< the newest one of the station
     LinkModel m_model;
     QTreeView *m_view;
     QPushButton *m_remove;

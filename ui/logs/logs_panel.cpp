@@ -78,7 +78,7 @@ LogsPanel::LogsPanel(StationInterface &station, const QString &folder, QWidget *
 void LogsPanel::showViewState(const ViewState &view)
 {
     static const engine::RecordingSnapshot kNone;
-    const auto &recording = view.snapshot ? view.snapshot->recording : kNone;
+    const auto &recording = view.station() ? view.station()->recording : kNone;
     if (!m_record->isDown())
         m_record->setChecked(recording.active);
     const QString file = recording.file.empty() ? (m_folder.isEmpty() ? dash() : m_folder) : fromStd(recording.file);

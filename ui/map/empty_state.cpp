@@ -3,6 +3,7 @@
 #include "core/engine/station/snapshot.h"
 #include "core/engine/text/state_text.h"
 #include "ui/security/allow_plain.h"
+#include "ui/text/command_permits.h"
 #include "ui/text/link_ended.h"
 #include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
@@ -154,6 +155,9 @@ void EmptyState::showViewState(const ViewState &view)
         m_plain->setText(allowPlainText(m_held));
         m_plain->setAccessibleName(m_plain->text());
     }
+    const QString noDemo = demoDisabledReason(view);
+    m_demo->setEnabled(noDemo.isEmpty());
+    m_demo->setToolTip(noDemo);
     m_command->setVisible(!command.isEmpty());
     m_otherwise->setVisible(!command.isEmpty() && !unknown);
     m_keys->setVisible(unknown || !view.keyProblem.isEmpty());

@@ -10,24 +10,35 @@
 
 namespace skyseal::ui {
 
-namespace {}
-
-void MessageModel::append(const Message &message)
+std::uint64_t MessageModel::append(const Message &message)
 {
     if (static_cast<int>(m_messages.size()) >= kMost) {
         beginRemoveRows({}, 0, 0);
         m_messages.pop_front();
+        ++m_first;
         endRemoveRows();
     }
     const int row = static_cast<int>(m_messages.size());
     beginInsertRows({}, row, row);
     m_messages.push_back(message);
     endInsertRows();
+    return m_first + static_cast<std::uint64_t>(row);
+}
+
+bool MessageModel::replace(std::uint64_t number, const Message &message)
+{
+    if (number < m_first || number - m_first >= m_messages.size())
+        return false;
+    m_messages[number - m_first] = message;
+    const int row = static_cast<int>(number - m_first);
+    Q_EMIT dataChanged(index(row, 0), index(row, Columns - 1));
+    return true;
 }
 
 void MessageModel::clear()
 {
     beginResetModel();
+    m_first += m_messages.size();
     m_messages.clear();
     endResetModel();
 }

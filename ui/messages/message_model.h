@@ -29,7 +29,10 @@ public:
 
     using QAbstractTableModel::QAbstractTableModel;
 
-    void append(const Message &message);
+    /// Returns the number of the message, for replace().
+    std::uint64_t append(const Message &message);
+    /// Returns false if the message is not in the list any more.
+    bool replace(std::uint64_t number, const Message &message);
     void clear();
 
     int rowCount(const QModelIndex &parent = {}) const override;
@@ -39,6 +42,7 @@ public:
 
 private:
     std::deque<Message> m_messages;
+    std::uint64_t m_first = 0; ///< number of the first message in the list
 };
 
 } // namespace skyseal::ui

@@ -91,9 +91,50 @@ MessagesPanel::MessagesPanel(QWidget *parent) : DockPanel(parent)
 void MessagesPanel::handleEvent(const engine::Event &event)
 {
     m_peers.note(event);
+    if (countRefusal(event))
+        return;
     const engine::EventText text = engine::eventText(event, m_peers);
     if (!text.isRoutine)
         append({QDateTime::currentDateTime(), text.systemId, text.severity, withRemedy(text)});
+}
+
+void MessagesPanel::handleReplayEvent(const engine::Event &event)
+{
+    const engine::EventText text = engine::eventText(event, {});
+    if (!text.isRoutine)
+        append({QDateTime::currentDateTime(), text.systemId, text.severity, tr("Replay: %1").arg(text.sentence)});
+}
+
+/// Under a flood of refused frames the station reports once a second: the line of the first report counts them, so that it does
+/// not bury the others. A pause of a minute begins a new line.
+bool MessagesPanel::countRefusal(const engine::Event &event)
+{
+    constexpr qint64 kPause = 60;
+    constexpr qsizetype kMostKinds = 1000;
+    engine::Event sum = event;
+    std::uint64_t *frames = nullptr;
+    QString kind;
+    if (auto *clear = std::get_if<engine::PlaintextRefused>(&sum); clear && clear->mayBe.empty()) {
+        frames = &clear->frames;
+        kind = QStringLiteral("plain %1").arg(clear->systemId);
+    } else if (auto *system = std::get_if<engine::SystemRefused>(&sum)) {
+        frames = &system->frames;
+        kind = QStringLiteral("system %1 %2").arg(system->systemId).arg(fromStd(system->peer));
+    } else {
+        return false;
+    }
+    if (m_refusals.size() >= kMostKinds && !m_refusals.contains(kind))
+        m_refusals.clear();
+    const QDateTime now = QDateTime::currentDateTime();
+    RefusalLine &line = m_refusals[kind];
+    const bool goesOn = line.frames > 0 && line.last.secsTo(now) < kPause;
+    line.frames = *frames += goesOn ? line.frames : 0;
+    line.last = now;
+    const engine::EventText text = engine::eventText(sum, m_peers);
+    const Message message{now, text.systemId, text.severity, withRemedy(text)};
+    if (!goesOn || !m_model.replace(line.number, message))
+        line.number = append(message);
+    return true;
 }
 
 /// The sentence and the menu where the operator can act on it.
@@ -114,11 +155,12 @@ void MessagesPanel::showCommandResult(const QString &line, bool ok)
     append({QDateTime::currentDateTime(), 0, ok ? kInfo : kWarning, line});
 }
 
-void MessagesPanel::append(const Message &message)
+std::uint64_t MessagesPanel::append(const Message &message)
 {
-    m_model.append(message);
+    const std::uint64_t number = m_model.append(message);
     if (m_followsNewest)
         m_view->scrollToBottom();
+    return number;
 }
 
 void MessagesPanel::copySelected() const

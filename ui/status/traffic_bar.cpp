@@ -45,8 +45,9 @@ void TrafficBar::showViewState(const ViewState &view)
     QStringList parts;
     double rx = 0, tx = 0;
     bool problem = false;
-    if (view.snapshot) {
-        for (const auto &link : view.snapshot->links) {
+    const SnapshotPtr &station = view.station();
+    if (station) {
+        for (const auto &link : station->links) {
             rx += link.rxBytesPerSecond;
             tx += link.txBytesPerSecond;
             problem |= !link.problem.empty();
@@ -69,7 +70,7 @@ void TrafficBar::showViewState(const ViewState &view)
     m_rx->setFigure(QStringLiteral("rx ") + rateText(rx));
     m_tx->setFigure(QStringLiteral("tx ") + rateText(tx));
     const engine::RecordingSnapshot none;
-    const auto &recording = view.snapshot ? view.snapshot->recording : none;
+    const auto &recording = station ? station->recording : none;
     if (!recording.problem.empty()) {
         m_recording->setFigure(tr("not recording"));
         m_recording->setColor(colors.alarm);

@@ -1,5 +1,6 @@
 #include "ui/text/command_permits.h"
 
+#include "core/engine/station/snapshot.h"
 #include "ui/text/link_ended.h"
 #include "ui/text/one_way.h"
 
@@ -18,6 +19,8 @@ struct Text
 
 QString commandsDisabledReason(const ViewState &view)
 {
+    if (view.isReplay())
+        return Text::tr("a replay is shown");
     if (view.pendingApproval && !view.session)
         return Text::tr("it is not sealed, and plain MAVLink is not allowed");
     if (!view.vehicle)
@@ -31,6 +34,20 @@ QString commandsDisabledReason(const ViewState &view)
 QString nothingCanBeSent(const QString &reason)
 {
     return reason.isEmpty() ? QString() : Text::tr("Nothing can be sent: %1").arg(reason);
+}
+
+QString demoDisabledReason(const ViewState &view)
+{
+    const SnapshotPtr &station = view.station();
+    if (view.isReplay())
+        return Text::tr("A replay is shown");
+    if (!station)
+        return {};
+    if (!station->vehicles.empty() || !station->pendingApproval.empty())
+        return Text::tr("A vehicle is there: the demo would end its link");
+    if (!station->sessions.empty())
+        return Text::tr("A link is sealed: the demo would end it");
+    return {};
 }
 
 } // namespace skyseal::ui

@@ -13,4 +13,8 @@ QString commandsDisabledReason(const ViewState &view);
 /// The same as a sentence: "Nothing can be sent: no vehicle"; empty for an empty reason.
 QString nothingCanBeSent(const QString &reason);
 
+/// The reason why the demo cannot be started, in a sentence; empty if it can. It takes the place of the links, so that it must
+/// not be started while one is in use.
+QString demoDisabledReason(const ViewState &view);
+
 } // namespace skyseal::ui

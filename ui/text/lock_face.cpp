@@ -85,6 +85,8 @@ Security securityOf(const ViewState &view)
         return view.vehicle ? view.vehicle->session ? Security::Nothing : Security::Plain
             : view.snapshot ? view.snapshot->security
                             : Security::Nothing;
+    if (view.refusedLastMinute > 0)
+        return Security::UnderAttack; // by frames outside the session
     if (engine::isAttacked(*view.session))
         return view.snapshot->sessions.size() == 1 ? view.snapshot->security : Security::UnderAttack;
     return view.session->info.pending ? Security::Switching : Security::Sealed;
@@ -145,12 +147,18 @@ LockFace lockFaceOf(const ViewState &view)
         break;
     }
     case Security::UnderAttack: {
-        const QString count = Text::tr("%1 forged or replayed in the last minute")
-                                  .arg(grouped(session.forgedLastMinute + session.replayedLastMinute));
-        const QString brief = Text::tr("%1 refused").arg(grouped(session.forgedLastMinute + session.replayedLastMinute));
+        const std::uint64_t records = session.forgedLastMinute + session.replayedLastMinute;
+        const QString brief = Text::tr("%1 refused").arg(grouped(records + view.refusedLastMinute));
         face.icon = QStringLiteral("lock-alert");
         face.variants = {suite + dot + peer + dot + Text::tr("under attack, %1").arg(brief), suite + dot + brief};
-        face.toolTip += QLatin1Char('\n') + Text::tr("Under attack: %1. All of them were refused.").arg(count);
+        if (records > 0)
+            face.toolTip += QLatin1Char('\n')
+                + Text::tr("Under attack: %1 forged or replayed in the last minute. All of them were refused.")
+                      .arg(grouped(records));
+        if (view.refusedLastMinute > 0)
+            face.toolTip += QLatin1Char('\n')
+                + Text::tr("Under attack: %1 frames of impostors of this vehicle in the last minute. All of them were refused.")
+                      .arg(grouped(view.refusedLastMinute));
         break;
     }
     default: {

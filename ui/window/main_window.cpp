@@ -4,6 +4,7 @@
 #include "core/engine/text/state_text.h"
 #include "core/link/link_url.h"
 #include "ui/charts/diagnostics_panel.h"
+#include "ui/confirm_box.h"
 #include "ui/flight/vehicle_commands.h"
 #include "ui/links/link_dialog.h"
 #include "ui/links/links_panel.h"
@@ -21,14 +22,17 @@
 #include "ui/theme/icons.h"
 #include "ui/window/panel_table.h"
 #include "ui/window/problem_reports.h"
+#include "ui/window/source_bar.h"
 #include "ui/window/view_selection.h"
 #include "ui/window/window_dialogs.h"
 #include "ui/window/window_docks.h"
 #include "ui/window/window_menus.h"
 
+#include <QtCore/QFileInfo>
 #include <QtCore/QSettings>
 #include <QtCore/QTimer>
 #include <QtGui/QCloseEvent>
+#include <QtGui/QScreen>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QMenuBar>
 #include <QtWidgets/QToolBar>
@@ -40,27 +44,31 @@ namespace skyseal::ui {
 
 namespace {
 constexpr int kSweepHeight = 320; ///< pixels: room for a row of each suite
+constexpr QSize kFirstSize(1280, 800);
+constexpr QSize kFrame(16, 48); ///< pixels: about what a window manager adds
 } // namespace
 
 MainWindow::MainWindow(StationInterface &station, QSettings &store, const ProgramFacts &facts, QWidget *parent)
     : QMainWindow(parent), m_station(station), m_store(store), m_settings(loadSettings(store)),
       m_selection(new ViewSelection(this)), m_suites(new SuiteActions(station, this)),
       m_commands(new VehicleCommands(station, this)),
-      m_dialogs(new WindowDialogs(*this, *m_commands, m_settings, facts.recordFolder))
+      m_dialogs(new WindowDialogs(*this, *m_commands, m_settings, facts.recordFolder)), m_demoAvailable(facts.demoAvailable)
 {
+    m_clock.start();
     setObjectName(QStringLiteral("mainWindow"));
     setWindowTitle(tr("Skyseal"));
     setWindowIcon(icon(QStringLiteral("skyseal")));
     setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
-    makeStatusStrip();
+    makeBars();
     makeCentre(facts.demoAvailable);
     m_commands->setTakeOffAltitude(m_settings.takeOffAltitude);
     m_docks = new WindowDocks(
         *this, {m_station, *m_commands, *m_suites, *m_selection, *m_dialogs, facts.recordFolder, facts.sessionBytes});
     makeMenus(facts);
     connectParts();
-    resize(1280, 800);
+    connectSources();
+    resize(kFirstSize.boundedTo(screen()->availableSize() - kFrame));
     m_docks->rememberDefault();
     m_docks->restore(m_store);
     applySettings(m_settings);
@@ -69,15 +77,23 @@ MainWindow::MainWindow(StationInterface &station, QSettings &store, const Progra
 
 MainWindow::~MainWindow() = default;
 
-void MainWindow::makeStatusStrip()
+void MainWindow::makeBars()
 {
     auto *bar = new QToolBar(tr("Status"), this);
     bar->setObjectName(QStringLiteral("statusToolBar"));
     bar->setMovable(false);
     bar->setContextMenuPolicy(Qt::PreventContextMenu);
     bar->toggleViewAction()->setEnabled(false);
-    m_strip = new StatusStrip(bar);
-    bar->addWidget(m_strip);
+    auto *rows = new QWidget(bar); // in one bar, since a saved arrangement would show or hide a bar of its own
+    rows->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    m_source = new SourceBar(rows);
+    m_strip = new StatusStrip(rows);
+    auto *column = new QVBoxLayout(rows);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_source);
+    column->addWidget(m_strip);
+    bar->addWidget(rows);
     addToolBar(Qt::TopToolBarArea, bar);
     m_traffic = new TrafficBar(this);
     setStatusBar(m_traffic);
@@ -115,9 +131,14 @@ void MainWindow::makeMenus(const ProgramFacts &facts)
                         .map = *m_map,
                         .version = facts.version,
                         .openSweep = [this] { openSweep(); },
-                        .startDemo = {}};
-    if (facts.demoAvailable)
+                        .startDemo = {},
+                        .endDemo = {},
+                        .inDemo = {}};
+    if (facts.demoAvailable) {
         targets.startDemo = [this] { Q_EMIT demoRequested(); };
+        targets.endDemo = [this] { Q_EMIT demoEndRequested(); };
+        targets.inDemo = [this] { return m_source->source() == SourceBar::Source::Demo; };
+    }
     addMenus(*menuBar(), windowMenus(targets));
 }
 
@@ -125,12 +146,16 @@ void MainWindow::connectParts()
 {
     m_selection->setAnnotation([this](ViewState &view) {
         view.keyProblem = m_keyProblem;
+        if (view.vehicle && !view.isReplay())
+            view.refusedLastMinute = m_refusals.lastMinute(view.vehicle->state.systemId, now());
         if (m_sweep)
             m_sweep->mark(view);
     });
     connect(&m_station, &StationInterface::snapshotReady, m_selection, &ViewSelection::setSnapshot);
-    connect(&m_station, &StationInterface::eventOccurred, m_problems,
-            [this](const engine::Event &event) { m_problems->handleEvent(event, m_selection->view()); });
+    connect(&m_station, &StationInterface::eventOccurred, m_problems, [this](const engine::Event &event) {
+        m_refusals.handleEvent(event, now());
+        m_problems->handleEvent(event, m_selection->liveView());
+    });
     connect(m_selection, &ViewSelection::viewChanged, m_commands, &VehicleCommands::showViewState);
     connect(m_selection, &ViewSelection::viewChanged, m_map, &MapView::showViewState);
     connect(m_selection, &ViewSelection::viewChanged, m_docks, &WindowDocks::onSnapshot);
@@ -147,7 +172,7 @@ void MainWindow::connectParts()
 
     connect(m_dialogs, &WindowDialogs::linkAccepted, this, &MainWindow::openLink);
     connect(m_dialogs, &WindowDialogs::replayAccepted, this,
-            [this](const QString &file) { addLink(fromStd(link::LinkUrl::ofRecording(file.toStdString()))); });
+            [this](const QString &file) { startReplay(fromStd(link::LinkUrl::ofRecording(file.toStdString()))); });
     connect(m_dialogs, &WindowDialogs::settingsAccepted, this, &MainWindow::applySettings);
     connect(m_problems, &ProblemReports::linkRequested, this, &MainWindow::addLink);
     connect(m_commands, &VehicleCommands::takeOffAltitudeChanged, this, [this](double metres) {
@@ -158,6 +183,27 @@ void MainWindow::connectParts()
         m_settings.serving = serving;
         storeSettings(m_store, m_settings);
     });
+}
+
+void MainWindow::connectSources()
+{
+    connect(&m_station, &StationInterface::replaySnapshotReady, this, [this](const SnapshotPtr &snapshot) {
+        m_selection->setReplaySnapshot(snapshot);
+        if (m_selection->isReplaying())
+            m_source->showReplay(view());
+    });
+    connect(m_selection, &ViewSelection::liveChanged, m_source, &SourceBar::showLive);
+    connect(m_source, &SourceBar::endRequested, this, [this] {
+        if (m_source->source() == SourceBar::Source::Replay)
+            endReplay();
+        else
+            Q_EMIT demoEndRequested();
+    });
+}
+
+double MainWindow::now() const
+{
+    return static_cast<double>(m_clock.elapsed()) / 1000;
 }
 
 const ViewState &MainWindow::view() const
@@ -187,12 +233,45 @@ void MainWindow::setKeyProblem(const QString &problem)
 
 void MainWindow::addLink(const QString &url)
 {
+    if (const auto parsed = link::LinkUrl::parse(url.toStdString()); parsed && parsed->traits().isRecording)
+        return startReplay(url);
     if (const auto added = m_station.addLink(url.toStdString()); !added)
         reportProblem(fromStd(added.error().text()));
 }
 
+void MainWindow::startReplay(const QString &url)
+{
+    if (m_source->source() == SourceBar::Source::Demo)
+        return reportProblem(tr("End the demo before you replay a log"));
+    if (const auto started = m_station.startReplay(url.toStdString()); !started)
+        return reportProblem(fromStd(started.error().text()));
+    const auto parsed = link::LinkUrl::parse(url.toStdString());
+    m_source->showSource(SourceBar::Source::Replay, parsed ? QFileInfo(fromStd(parsed->path())).fileName() : url);
+    m_source->showLive(m_selection->liveView());
+    m_map->startOver();
+    m_selection->beginReplay();
+}
+
+void MainWindow::endReplay()
+{
+    m_station.endReplay();
+    m_source->showSource(SourceBar::Source::Live);
+    m_map->startOver();
+    m_selection->endReplay();
+}
+
+void MainWindow::setDemo(bool on)
+{
+    m_source->showSource(on ? SourceBar::Source::Demo : SourceBar::Source::Live);
+    m_empty->setDemoAvailable(m_demoAvailable && !on);
+    m_map->startOver();
+    setWindowTitle(on ? tr("Skyseal: demo") : tr("Skyseal"));
+}
+
 void MainWindow::openLink(const LinkDialog &dialog)
 {
+    if (m_source->source() == SourceBar::Source::Demo)
+        return reportProblem(tr("End the demo before you add a link"));
     const auto mavsec = dialog.mavsec();
     if (!mavsec)
         return addLink(dialog.url());
@@ -223,6 +302,7 @@ void MainWindow::applySettings(const Settings &settings)
     const bool changed = !(settings == m_settings);
     m_settings = settings;
     applyTheme(settings.theme);
+    m_map->setUnits(settings.units);
     m_docks->applySettings(settings);
     m_suites->setResearchAllowed(settings.allowResearch);
     m_suites->setWeakest(settings.weakestSuite);
@@ -278,8 +358,46 @@ void MainWindow::showEvent(QShowEvent *event)
         QTimer::singleShot(0, m_docks, &WindowDocks::raiseFloating);
 }
 
+void MainWindow::quit()
+{
+    m_quitting = true;
+    close();
+}
+
+/// Asks if the link of an armed vehicle would end. In the demo nothing can come to harm.
+bool MainWindow::asksBeforeQuitting()
+{
+    const SnapshotPtr live = m_selection->liveView().snapshot;
+    if (m_quitting || !live || m_source->source() == SourceBar::Source::Demo)
+        return false;
+    QStringList armed;
+    for (const engine::VehicleSnapshot &vehicle : live->vehicles)
+        if (vehicle.state.armed)
+            armed << QString::number(vehicle.state.systemId);
+    if (armed.isEmpty())
+        return false;
+    const QString object = QStringLiteral("confirmQuit");
+    if (auto *open = findChild<QMessageBox *>(object)) {
+        open->raise();
+        return true;
+    }
+    askToConfirm({.objectName = object,
+                  .title = tr("Quit Skyseal"),
+                  .text = armed.size() == 1 ? tr("Vehicle %1 is armed. Quit?").arg(armed.first())
+                                            : tr("The vehicles %1 are armed. Quit?").arg(armed.join(QStringLiteral(", "))),
+                  .details = tr("Without this station, nobody can command it from here, and its failsafe may act."),
+                  .yes = tr("Quit"),
+                  .icon = QMessageBox::Warning},
+                 this, this, [this] { quit(); });
+    return true;
+}
+
 void MainWindow::closeEvent(QCloseEvent *event)
 {
+    if (asksBeforeQuitting()) {
+        event->ignore();
+        return;
+    }
     if (m_sweep && m_sweep->isRunning()) {
         // Cancelling restores the suite of the link, which takes a few seconds at most.
         connect(m_sweep, &SweepPresenter::finished, this, &MainWindow::close, Qt::UniqueConnection);

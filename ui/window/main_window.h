@@ -5,7 +5,9 @@
 #include "ui/charts/session_memory.h"
 #include "ui/settings.h"
 #include "ui/view_state.h"
+#include "ui/window/refusal_meter.h"
 
+#include <QtCore/QElapsedTimer>
 #include <QtWidgets/QMainWindow>
 
 #include <functional>
@@ -18,6 +20,7 @@ class LinkDialog;
 class MapView;
 class PairingInterface;
 class ProblemReports;
+class SourceBar;
 class StatusStrip;
 class SuiteActions;
 class SweepInterface;
@@ -51,8 +54,15 @@ public:
     void reportProblem(const QString &problem, const QString &remedy = {}, std::function<void()> act = {});
     /// The reason why this station cannot use its key, for panels that would otherwise wait for a sealed link; empty if it can.
     void setKeyProblem(const QString &problem);
-    /// Adds a link by its URL; an invalid URL is reported in the window.
+    /// Adds a link by its URL, or replays it if it is a recording; an invalid URL is reported in the window.
     void addLink(const QString &url);
+    /// Shows a replay in place of the live picture, which goes on underneath, until the operator returns to it.
+    void startReplay(const QString &url);
+    void endReplay();
+    /// Marks the window while the station is that of the demo.
+    void setDemo(bool on);
+    /// Closes the window without a question.
+    void quit();
     /// Without a keyring, the dialog of keys and peers does not open. Both must outlive the window.
     void setKeyring(KeyringInterface &keyring, PairingInterface *pairing = nullptr);
     /// Without it, the window offers no sweeps. It must outlive the window.
@@ -64,6 +74,7 @@ public:
 
 Q_SIGNALS:
     void demoRequested();
+    void demoEndRequested();
     void settingsChanged(const skyseal::ui::Settings &settings);
 
 protected:
@@ -71,13 +82,16 @@ protected:
     void closeEvent(QCloseEvent *event) override;
 
 private:
-    void makeStatusStrip();
+    void makeBars();
     void makeCentre(bool demoAvailable);
     void makeMenus(const ProgramFacts &facts);
     void connectParts();
     void showNumbers(const ViewState &view);
     void openLink(const LinkDialog &dialog);
     void popUpVehicles();
+    void connectSources();
+    double now() const; ///< seconds
+    bool asksBeforeQuitting();
     void openSweep();
     void revealSweep();
     void applySettings(const Settings &settings);
@@ -91,6 +105,10 @@ private:
     WindowDialogs *m_dialogs;
     SweepPresenter *m_sweep = nullptr;
     QString m_keyProblem;
+    RefusalMeter m_refusals;
+    QElapsedTimer m_clock;
+    const bool m_demoAvailable;
+    SourceBar *m_source;
     StatusStrip *m_strip;
     TrafficBar *m_traffic;
     MapView *m_map;
@@ -98,6 +116,7 @@ private:
     ProblemReports *m_problems;
     WindowDocks *m_docks;
     bool m_wasShown = false;
+    bool m_quitting = false; ///< without a question
 };
 
 } // namespace skyseal::ui

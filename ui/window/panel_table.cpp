@@ -42,6 +42,7 @@ DockPanel *makeMessages(const PanelContext &context, QWidget *parent)
 {
     auto *panel = new MessagesPanel(parent);
     QObject::connect(&context.station, &StationInterface::eventOccurred, panel, &MessagesPanel::handleEvent);
+    QObject::connect(&context.station, &StationInterface::replayEventOccurred, panel, &MessagesPanel::handleReplayEvent);
     QObject::connect(&context.commands, &VehicleCommands::resultReported, panel, &MessagesPanel::showCommandResult);
     return panel;
 }

@@ -8,7 +8,54 @@ namespace skyseal::ui {
 
 void ViewSelection::setSnapshot(const SnapshotPtr &snapshot)
 {
+    m_live = snapshot;
+    if (m_replaying)
+        Q_EMIT liveChanged(liveView());
+    else
+        show(snapshot);
+}
+
+ViewState ViewSelection::liveView() const
+{
+    if (!m_replaying)
+        return m_view;
+    ViewState live = viewOf(m_live, m_liveSystemId);
+    if (m_annotate)
+        m_annotate(live);
+    return live;
+}
+
+void ViewSelection::beginReplay()
+{
+    if (!m_replaying)
+        m_liveSystemId = m_systemId;
+    m_replaying = true;
+    m_systemId = 0;
+    m_numbersAt = -1;
+    show(std::make_shared<const engine::Snapshot>()); // nothing of the live picture remains
+}
+
+void ViewSelection::setReplaySnapshot(const SnapshotPtr &snapshot)
+{
+    if (m_replaying)
+        show(snapshot);
+}
+
+void ViewSelection::endReplay()
+{
+    if (!m_replaying)
+        return;
+    m_replaying = false;
+    m_systemId = m_liveSystemId;
+    m_numbersAt = -1;
+    show(m_live ? m_live : std::make_shared<const engine::Snapshot>());
+}
+
+void ViewSelection::show(const SnapshotPtr &snapshot)
+{
     m_view = viewOf(snapshot, m_systemId);
+    if (m_replaying)
+        m_view.live = m_live ? m_live : std::make_shared<const engine::Snapshot>();
     if (m_view.vehicle)
         m_systemId = m_view.vehicle->state.systemId;
     if (m_annotate)
@@ -32,7 +79,7 @@ void ViewSelection::selectVehicle(std::uint8_t systemId)
 void ViewSelection::refresh()
 {
     if (m_view.snapshot)
-        setSnapshot(m_view.snapshot);
+        show(m_view.snapshot);
     else if (m_annotate)
         m_annotate(m_view);
     Q_EMIT numbersDue(m_view);

@@ -54,7 +54,7 @@ Menu fileMenu(const MenuTargets &on)
              {.id = QStringLiteral("actionQuit"),
               .text = Text::tr("&Quit"),
               .trigger = [on] { on.window.close(); },
-              .shortcut = QKeySequence::Quit}}};
+              .shortcut = Qt::CTRL | Qt::Key_Q}}};
 }
 
 Menu linkMenu(const MenuTargets &on)
@@ -214,8 +214,18 @@ Menu toolsMenu(const MenuTargets &on)
                      .text = Text::tr("Run a s&weep …"),
                      .trigger = on.openSweep,
                      .shortcut = Qt::CTRL | Qt::Key_R}};
-    if (on.startDemo)
-        items.push_back({.id = QStringLiteral("actionDemo"), .text = Text::tr("Start the &demo"), .trigger = on.startDemo});
+    if (on.startDemo) {
+        items.push_back({.id = QStringLiteral("actionDemo"),
+                         .text = Text::tr("Start the &demo"),
+                         .trigger = on.startDemo,
+                         .disabledReason = [on] {
+                             return on.inDemo() ? Text::tr("The demo runs") : demoDisabledReason(on.selection.view());
+                         }});
+        items.push_back({.id = QStringLiteral("actionEndDemo"),
+                         .text = Text::tr("&End the demo"),
+                         .trigger = on.endDemo,
+                         .disabledReason = [on] { return on.inDemo() ? QString() : Text::tr("No demo runs"); }});
+    }
     return {QStringLiteral("menuTools"), Text::tr("&Tools"), std::move(items)};
 }
 

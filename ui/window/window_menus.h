@@ -30,6 +30,8 @@ struct MenuTargets
     QString version;
     std::function<void()> openSweep;
     std::function<void()> startDemo; ///< empty: there is no demo to start
+    std::function<void()> endDemo;
+    std::function<bool()> inDemo;
 };
 
 std::vector<Menu> windowMenus(const MenuTargets &targets);

@@ -1,0 +1,25 @@
+#include "ui/window/refusal_meter.h"
+
+namespace skyseal::ui {
+
+void RefusalMeter::handleEvent(const engine::Event &event, double now)
+{
+    // With `mayBe`, a vehicle only waits for approval.
+    if (const auto *clear = std::get_if<engine::PlaintextRefused>(&event); clear && clear->mayBe.empty())
+        m_refusals.push_back({now, clear->systemId, clear->frames});
+    else if (const auto *system = std::get_if<engine::SystemRefused>(&event))
+        m_refusals.push_back({now, system->systemId, system->frames});
+    while (!m_refusals.empty() && now - m_refusals.front().time > kWindow)
+        m_refusals.pop_front();
+}
+
+std::uint64_t RefusalMeter::lastMinute(std::uint8_t systemId, double now) const
+{
+    std::uint64_t out = 0;
+    for (const Refusal &refusal : m_refusals)
+        if (refusal.systemId == systemId && now - refusal.time <= kWindow)
+            out += refusal.frames;
+    return out;
+}
+
+} // namespace skyseal::ui
