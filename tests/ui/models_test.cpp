@@ -2,6 +2,7 @@
 #include "core/engine/text/event_text.h"
 #include "scripted_snapshots.h"
 #include "tests/support/test_runner.h"
+#include "ui/window/refusal_meter.h"
 #include "ui/inspector/field_model.h"
 #include "ui/inspector/inspector_model.h"
 #include "ui/links/client_model.h"
@@ -185,6 +186,77 @@ private Q_SLOTS:
         QCOMPARE(wanted.size(), 1);
         model.setParameters(nullptr);
         QCOMPARE(model.rowCount(), 0);
+    }
+
+    void parametersAreCheckedAgainstTheirType_data()
+    {
+        QTest::addColumn<int>("type");
+        QTest::addColumn<QString>("value");
+        QTest::addColumn<bool>("fits");
+        QTest::newRow("byte") << int(mavlink::MAV_PARAM_TYPE_UINT8) << QStringLiteral("255") << true;
+        QTest::newRow("above a byte") << int(mavlink::MAV_PARAM_TYPE_UINT8) << QStringLiteral("256") << false;
+        QTest::newRow("below a byte") << int(mavlink::MAV_PARAM_TYPE_UINT8) << QStringLiteral("-1") << false;
+        QTest::newRow("part of a whole number") << int(mavlink::MAV_PARAM_TYPE_INT16) << QStringLiteral("1.5") << false;
+        QTest::newRow("least 32 bits") << int(mavlink::MAV_PARAM_TYPE_INT32) << QStringLiteral("-2147483648") << true;
+        QTest::newRow("real") << int(mavlink::MAV_PARAM_TYPE_REAL32) << QStringLiteral("1.5") << true;
+        QTest::newRow("above a float") << int(mavlink::MAV_PARAM_TYPE_REAL32) << QStringLiteral("1e39") << false;
+        QTest::newRow("not a number") << int(mavlink::MAV_PARAM_TYPE_REAL32) << QStringLiteral("nan") << false;
+        QTest::newRow("infinite") << int(mavlink::MAV_PARAM_TYPE_REAL32) << QStringLiteral("inf") << false;
+    }
+    void parametersAreCheckedAgainstTheirType()
+    {
+        QFETCH(int, type);
+        QFETCH(QString, value);
+        QFETCH(bool, fits);
+        ParameterModel model;
+        model.setParameters(std::make_shared<const std::vector<vehicle::Parameter>>(
+            1, vehicle::Parameter{"X", 3, static_cast<std::uint8_t>(type), 0}));
+        const QSignalSpy wanted(&model, &ParameterModel::writeRequested);
+        QCOMPARE(model.setData(model.index(0, ParameterModel::Value), value, Qt::EditRole), fits);
+        QCOMPARE(wanted.size(), fits ? 1 : 0);
+        QCOMPARE(model.index(0, ParameterModel::State).data().toString().startsWith(QStringLiteral("not written")), !fits);
+    }
+
+    void resultsOfWritesAreForgottenWithTheVehicle()
+    {
+        ParameterModel model;
+        model.setParameters(std::make_shared<const std::vector<vehicle::Parameter>>(1, vehicle::Parameter{"X", 3}));
+        model.written({"X", 4}, true, {});
+        QVERIFY(!model.index(0, ParameterModel::State).data().toString().isEmpty());
+        model.forgetResults();
+        QVERIFY(model.index(0, ParameterModel::State).data().toString().isEmpty());
+    }
+
+    /// The station reports once a second: one line counts them.
+    void refusalsAreCountedInOneLine()
+    {
+        MessagesPanel panel;
+        for (int second = 0; second < 5; ++second)
+            panel.handleEvent(engine::PlaintextRefused{1, "10.0.0.9:14550", 87, {}});
+        panel.handleEvent(engine::VehicleLost{1});
+        panel.handleEvent(engine::PlaintextRefused{1, "10.0.0.9:14550", 87, {}});
+        QCOMPARE(panel.model().rowCount(), 2);
+        const auto line = [&panel](int row) { return panel.model().index(row, MessageModel::Text).data().toString(); };
+        QVERIFY2(line(0).contains(QStringLiteral("522")), qPrintable(line(0)));
+        panel.handleEvent(engine::PlaintextRefused{2, "10.0.0.9:14550", 1, {}}); // of another vehicle
+        panel.handleEvent(engine::SystemRefused{1, "scout", {}, 3});
+        QCOMPARE(panel.model().rowCount(), 4);
+        panel.model().clear();
+        panel.handleEvent(engine::PlaintextRefused{1, "10.0.0.9:14550", 87, {}});
+        QCOMPARE(panel.model().rowCount(), 1);
+    }
+
+    void refusedFramesOfTheLastMinute()
+    {
+        RefusalMeter meter;
+        meter.handleEvent(engine::PlaintextRefused{1, "10.0.0.9:14550", 87, {}}, 10);
+        meter.handleEvent(engine::SystemRefused{1, "scout", {}, 3}, 30);
+        meter.handleEvent(engine::PlaintextRefused{2, "10.0.0.9:14550", 5, {}}, 30);
+        meter.handleEvent(engine::PlaintextRefused{1, "10.0.0.9:14550", 1, "scout"}, 30); // waits for approval
+        QCOMPARE(meter.lastMinute(1, 40), std::uint64_t(90));
+        QCOMPARE(meter.lastMinute(2, 40), std::uint64_t(5));
+        QCOMPARE(meter.lastMinute(1, 71), std::uint64_t(3));
+        QCOMPARE(meter.lastMinute(1, 91), std::uint64_t(0));
     }
 
     void missionShowsWhatIsFlown()

@@ -14,6 +14,7 @@
 #include "ui/text/figures.h"
 #include "window_rig.h"
 
+#include <QtGui/QScreen>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
@@ -323,6 +324,43 @@ private Q_SLOTS:
         m_station->show(snapshot);
         QVERIFY(find<QLabel>("secureTitle")->text().contains(QStringLiteral("no data received")));
         QVERIFY(find<QLabel>("secureAdvice")->isVisible());
+    }
+
+    /// Frames outside the session, as those of an impostor in clear, show at the lock as well.
+    void impostorsShowAtTheLock()
+    {
+        m_station->show(sealedSnapshot(1));
+        QVERIFY(!find<StripItem>("stripLock")->text().contains(QStringLiteral("under attack")));
+        m_station->notify(engine::PlaintextRefused{1, "10.0.0.9:14550", 87, {}});
+        m_station->show(sealedSnapshot(2));
+        const QString said = find<StripItem>("stripLock")->text();
+        QVERIFY2(said.contains(QStringLiteral("87 refused")), qPrintable(said));
+        QVERIFY(find<StripItem>("stripLock")->toolTip().contains(QStringLiteral("Under attack: 87")));
+    }
+
+    void fetchingFromALostVehicleSaysSo()
+    {
+        engine::Snapshot lost = sealedSnapshot(1);
+        lost.vehicles.front().state.messageAge = 12;
+        m_station->show(lost);
+        m_window->findChild<QAction *>(QStringLiteral("view_dockParameters"))->trigger();
+        const auto *result = find<QLabel>("parameterResult");
+        QTest::mouseClick(find<QPushButton>("parameterFetch"), Qt::LeftButton);
+        QVERIFY2(result->text().contains(QStringLiteral("00:12")), qPrintable(result->text()));
+        vehicle::ParameterResult failed{vehicle::RequestId{1}, 1};
+        failed.reason = "no answer";
+        failed.action = vehicle::ParameterAction::ReadList;
+        m_station->notify(failed);
+        QVERIFY2(result->text().contains(QStringLiteral("no answer")), qPrintable(result->text()));
+    }
+
+    void firstWindowFitsTheScreen()
+    {
+        QSettings fresh(m_folder->filePath(QStringLiteral("fresh.ini")), QSettings::IniFormat);
+        const MainWindow window(*m_station, fresh, {});
+        const QSize room = window.screen()->availableSize();
+        QVERIFY(window.width() <= qMax(room.width(), window.minimumSizeHint().width()));
+        QVERIFY(window.height() <= qMax(room.height(), window.minimumSizeHint().height()));
     }
 
     void portInUseOffersTheNextOne()

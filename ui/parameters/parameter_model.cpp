@@ -1,8 +1,58 @@
 #include "ui/parameters/parameter_model.h"
 
+#include "core/mavlink/enums.h"
 #include "ui/text/vehicle_text.h"
 
+#include <cmath>
+#include <limits>
+#include <optional>
+
 namespace skyseal::ui {
+
+namespace {
+
+/// The least and the greatest value of a type; real types have no whole numbers only.
+struct Range
+{
+    double least, greatest;
+    bool whole = true;
+};
+
+std::optional<Range> rangeOf(std::uint8_t type)
+{
+    const auto of = []<typename T>(T) {
+        return Range{static_cast<double>(std::numeric_limits<T>::lowest()), static_cast<double>(std::numeric_limits<T>::max()),
+                     std::numeric_limits<T>::is_integer};
+    };
+    switch (type) {
+    case mavlink::MAV_PARAM_TYPE_UINT8: return of(std::uint8_t{});
+    case mavlink::MAV_PARAM_TYPE_INT8: return of(std::int8_t{});
+    case mavlink::MAV_PARAM_TYPE_UINT16: return of(std::uint16_t{});
+    case mavlink::MAV_PARAM_TYPE_INT16: return of(std::int16_t{});
+    case mavlink::MAV_PARAM_TYPE_UINT32: return of(std::uint32_t{});
+    case mavlink::MAV_PARAM_TYPE_INT32: return of(std::int32_t{});
+    case mavlink::MAV_PARAM_TYPE_REAL32: return of(float{});
+    case mavlink::MAV_PARAM_TYPE_REAL64: return of(double{});
+    default: return std::nullopt;
+    }
+}
+
+} // namespace
+
+/// Why the type of the parameter cannot hold the value; empty if it can.
+QString ParameterModel::outOfRange(const vehicle::Parameter &parameter, double value)
+{
+    if (!std::isfinite(value))
+        return tr("not written: not a finite number");
+    const auto range = rangeOf(parameter.type);
+    if (!range)
+        return {};
+    if (value < range->least || value > range->greatest)
+        return tr("not written: %1 is not within %2 and %3").arg(value).arg(range->least).arg(range->greatest);
+    if (range->whole && value != std::trunc(value))
+        return tr("not written: %1 is not a whole number").arg(value);
+    return {};
+}
 
 void ParameterModel::setParameters(const Parameters &parameters)
 {
@@ -26,6 +76,15 @@ void ParameterModel::setParameters(const Parameters &parameters)
     if (!parameters)
         m_states.clear();
     endResetModel();
+}
+
+void ParameterModel::forgetResults()
+{
+    if (m_states.isEmpty())
+        return;
+    m_states.clear();
+    if (rowCount() > 0)
+        Q_EMIT dataChanged(index(0, State), index(rowCount() - 1, State));
 }
 
 void ParameterModel::written(const vehicle::Parameter &parameter, bool ok, const QString &reason)
@@ -84,6 +143,11 @@ bool ParameterModel::setData(const QModelIndex &index, const QVariant &value, in
     }
     if (wanted == parameter.value)
         return false;
+    if (const QString problem = outOfRange(parameter, wanted); !problem.isEmpty()) {
+        m_states.insert(name, problem);
+        touch(name);
+        return false;
+    }
     m_states.insert(name, tr("writing %1 …").arg(wanted));
     touch(name);
     Q_EMIT writeRequested(name, wanted);

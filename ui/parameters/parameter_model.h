@@ -22,6 +22,8 @@ public:
     using QAbstractTableModel::QAbstractTableModel;
 
     void setParameters(const Parameters &parameters);
+    /// Another vehicle is shown.
+    void forgetResults();
     /// The result of a write.
     void written(const vehicle::Parameter &parameter, bool ok, const QString &reason);
 
@@ -36,6 +38,7 @@ Q_SIGNALS:
     void writeRequested(const QString &name, double value);
 
 private:
+    static QString outOfRange(const vehicle::Parameter &parameter, double value);
     void touch(const QString &name);
 
     Parameters m_parameters;

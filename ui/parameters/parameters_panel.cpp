@@ -1,7 +1,9 @@
 #include "ui/parameters/parameters_panel.h"
 
 #include "core/engine/station/vehicle_snapshot.h"
+#include "ui/result_label.h"
 #include "ui/text/command_permits.h"
+#include "ui/text/units.h"
 #include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
 
@@ -61,10 +63,14 @@ ParametersPanel::ParametersPanel(StationInterface &station, QWidget *parent) : D
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(kGrid, kGrid, kGrid, kGrid);
     column->setSpacing(kGrid);
+    m_result = new ResultLabel(this);
+    m_result->setObjectName(QStringLiteral("parameterResult"));
+    m_result->setAccessibleName(tr("Result of the last fetch"));
+    tools->insertWidget(1, m_result, 1);
     column->addLayout(tools);
     column->addWidget(view, 1);
 
-    connect(m_fetch, &QPushButton::clicked, this, [this] { m_station.perform(m_systemId, vehicle::ReadParameters{}); });
+    connect(m_fetch, &QPushButton::clicked, this, &ParametersPanel::fetch);
     connect(&m_model, &ParameterModel::writeRequested, this, [this](const QString &name, double value) {
         if (m_disabledReason.isEmpty())
             m_station.perform(m_systemId, vehicle::WriteParameter{name.toStdString(), value});
@@ -75,9 +81,22 @@ ParametersPanel::ParametersPanel(StationInterface &station, QWidget *parent) : D
     showViewState({});
 }
 
+void ParametersPanel::fetch()
+{
+    m_result->showResult(m_silence > 0 ? tr("Requested, but the vehicle has been silent for %1").arg(durationText(m_silence))
+                                       : tr("Requested …"));
+    m_station.perform(m_systemId, vehicle::ReadParameters{});
+}
+
 void ParametersPanel::showViewState(const ViewState &view)
 {
-    m_systemId = view.vehicle ? view.vehicle->state.systemId : 0;
+    const std::uint8_t systemId = view.vehicle ? view.vehicle->state.systemId : 0;
+    if (systemId != m_systemId && m_systemId != 0) { // the results were those of another vehicle
+        m_result->showResult({});
+        m_model.forgetResults();
+    }
+    m_systemId = systemId;
+    m_silence = view.stale() ? view.vehicle->state.messageAge : 0;
     m_disabledReason = commandsDisabledReason(view);
     m_fetch->setEnabled(m_disabledReason.isEmpty());
     m_fetch->setToolTip(m_disabledReason);
@@ -95,6 +114,8 @@ void ParametersPanel::showViewState(const ViewState &view)
 void ParametersPanel::handleEvent(const engine::Event &event)
 {
     const auto *written = std::get_if<vehicle::ParameterResult>(&event);
+    if (written && written->action == vehicle::ParameterAction::ReadList && written->systemId == m_systemId)
+        m_result->showResult(written->ok ? tr("Fetched") : tr("Not fetched: %1").arg(fromStd(written->reason)));
     if (written && written->action == vehicle::ParameterAction::Write && written->systemId == m_systemId)
         m_model.written(written->parameter, written->ok, fromStd(written->reason));
 }

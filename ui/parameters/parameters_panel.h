@@ -12,6 +12,8 @@ class QTreeView;
 
 namespace skyseal::ui {
 
+class ResultLabel;
+
 class ParametersPanel : public DockPanel
 {
     Q_OBJECT
@@ -23,11 +25,15 @@ public:
     void handleEvent(const engine::Event &event);
 
 private:
+    void fetch();
+
     StationInterface &m_station;
     ParameterModel m_model;
     QPushButton *m_fetch;
     QProgressBar *m_progress;
     QLabel *m_count;
+    ResultLabel *m_result;
+    double m_silence = 0; ///< seconds without a message of the vehicle; 0 while it is heard
     std::uint8_t m_systemId = 0;
     QString m_disabledReason; ///< reason why nothing can be sent to the vehicle
 };
