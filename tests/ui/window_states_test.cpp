@@ -445,12 +445,20 @@ private Q_SLOTS:
         EVENTUALLY(!m_station->inspecting);
     }
 
-    void docksToggleByKeysAndAreKept()
+    void docksComeByKeysAndAreKept()
     {
         auto *dock = find<QDockWidget>("dockFlight");
         QVERIFY(dock->isVisible());
         QTest::keyClick(m_window.get(), Qt::Key_1, Qt::ControlModifier);
+        QVERIFY(dock->isVisible()); // the key of a dock in front does not hide it
+        QVERIFY(dock->isAncestorOf(QApplication::focusWidget()));
+        QTest::mouseClick(dock->findChild<QAbstractButton *>(QStringLiteral("qt_dockwidget_closebutton")), Qt::LeftButton);
         EVENTUALLY(!dock->isVisible());
+        QVERIFY(!find<QAction>("view_dockFlight")->isChecked());
+        QTest::keyClick(m_window.get(), Qt::Key_1, Qt::ControlModifier);
+        EVENTUALLY(dock->isVisible());
+        QVERIFY(find<QAction>("view_dockFlight")->isChecked());
+        dock->close();
         m_window->close();
         open();
         QVERIFY(!find<QDockWidget>("dockFlight")->isVisible());

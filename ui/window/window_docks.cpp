@@ -58,12 +58,9 @@ QAction *WindowDocks::makeViewAction(QDockWidget *dock)
     action->setChecked(!dock->isHidden());
     if (m_docks.size() < kKeys)
         action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + static_cast<int>(m_docks.size()))));
-    connect(action, &QAction::triggered, this, [this, dock] {
-        const bool inFront = dock->isVisible() && !dock->visibleRegion().isEmpty();
-        if (inFront)
-            dock->hide();
-        else
-            toFront(dock);
+    connect(action, &QAction::triggered, this, [this, dock, action] {
+        action->setChecked(true); // whatever was in front: a key never hides what the operator wants to see
+        toFront(dock);
     });
     connect(dock->toggleViewAction(), &QAction::toggled, action, &QAction::setChecked);
     return action;

@@ -37,7 +37,7 @@ public:
                 return found;
         return nullptr;
     }
-    /// For the View menu, in the order of the table: each brings its dock to the front, or hides the one in front.
+    /// For the View menu, in the order of the table: each brings its dock to the front.
     std::vector<QAction *> viewActions() const;
 
     /// For each snapshot.
