@@ -38,7 +38,12 @@ std::unique_ptr<engine::SecretFiles> Introduced::secrets(channel::Role role) con
 }
 
 BareEnd::BareEnd(const Introduced &keys, channel::Role role, channel::Policy policy, std::uint16_t groundPort)
-    : m_secrets(keys.secrets(role)), m_peerPort(groundPort)
+    : BareEnd(keys.secrets(role), role, std::move(policy), groundPort)
+{}
+
+BareEnd::BareEnd(std::unique_ptr<engine::SecretFiles> secrets, channel::Role role, channel::Policy policy,
+                 std::uint16_t groundPort)
+    : m_secrets(std::move(secrets)), m_peerPort(groundPort)
 {
     channel::Config config;
     config.role = role;

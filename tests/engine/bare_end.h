@@ -43,6 +43,8 @@ class BareEnd
 public:
     /// An agent announces itself to `groundPort`.
     BareEnd(const Introduced &keys, channel::Role role, channel::Policy policy, std::uint16_t groundPort = 0);
+    BareEnd(std::unique_ptr<engine::SecretFiles> secrets, channel::Role role, channel::Policy policy,
+            std::uint16_t groundPort = 0);
 
     std::uint16_t port() const { return m_socket.port(); }
     bool up() const { return m_session.has_value(); }
@@ -59,6 +61,7 @@ public:
     void send(ByteView datagram) { m_socket.send(m_peerPort, std::array{datagram}); }
     /// Waits for a datagram for at most this time.
     bool waitReadable(int milliseconds) { return m_socket.waitReadable(milliseconds); }
+    bool waitReadable(Duration most) { return m_socket.waitReadable(most); }
 
 private:
     void say();

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <cstdlib>
 
@@ -81,10 +82,13 @@ public:
         sendBatch(m_in, count);
     }
 
-    bool waitReadable(int milliseconds)
+    bool waitReadable(int milliseconds) { return waitReadable(std::chrono::milliseconds(milliseconds)); }
+    bool waitReadable(std::chrono::nanoseconds most)
     {
+        const auto whole = std::chrono::floor<std::chrono::seconds>(most);
+        const timespec limit{whole.count(), (most - whole).count()};
         pollfd waiting{m_fd, POLLIN, 0};
-        return ::poll(&waiting, 1, milliseconds) > 0;
+        return ::ppoll(&waiting, 1, &limit, nullptr) > 0;
     }
 
 private:
