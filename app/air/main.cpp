@@ -15,6 +15,7 @@
 #include "core/crypto/init_crypto.h"
 #include "core/keys/file_io.h"
 #include "core/keys/peers_file.h"
+#include "core/link/event_loop.h"
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QElapsedTimer>
@@ -91,6 +92,7 @@ int pair(Options &options)
 int main(int argc, char **argv)
 {
     protectKeysInMemory();
+    link::installEventLoop();
     QCoreApplication application(argc, argv);
     Options options(kName, QStringLiteral("Onboard agent that seals the MAVLink link of an autopilot."));
     declareAgent(options);

@@ -7,6 +7,7 @@
 #include "core/engine/station/output_queue.h"
 #include "core/crypto/mavsec_cipher.h"
 #include "core/engine/station/station_core.h"
+#include "core/link/event_loop.h"
 
 #include <QtCore/QThread>
 #include <QtCore/QTimer>
@@ -175,6 +176,7 @@ Station::Station(std::unique_ptr<Private> parts) : d(std::move(parts))
     connect(worker, &StationWorker::readerAsked, &d->readerSignals, &ReaderSignals::readerAnswered);
     connect(&d->readerSignals, &ReaderSignals::readerAnswered, worker, &StationWorker::readerAnswered);
     connect(&d->thread, &QThread::started, worker, &StationWorker::begin);
+    link::installEventLoop(d->thread);
     d->thread.setObjectName(QStringLiteral("skyseal-io"));
     d->thread.start();
 }
