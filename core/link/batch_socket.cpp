@@ -3,8 +3,11 @@
 #include "core/link/address_text.h"
 #include "core/link/steady_now.h"
 
+#include <QtCore/QEvent>
+
 #include <cerrno>
 #include <cstring>
+#include <functional>
 
 #include <linux/sock_diag.h>
 #include <netinet/in.h>
@@ -53,6 +56,27 @@ Address fromSocket(const SocketAddress &from)
     }
     return to;
 }
+
+/// Calls back without a signal.
+class Notifier final : public QSocketNotifier
+{
+public:
+    Notifier(int descriptor, Type which, std::function<void()> ready)
+        : QSocketNotifier(descriptor, which), m_onReady(std::move(ready))
+    {}
+
+protected:
+    bool event(QEvent *event) override
+    {
+        if (event->type() != QEvent::SockAct)
+            return QSocketNotifier::event(event);
+        m_onReady();
+        return true;
+    }
+
+private:
+    std::function<void()> m_onReady;
+};
 
 /// Buffers of recvmmsg and sendmmsg with the pointers between them, set up once.
 struct Slots
@@ -120,15 +144,13 @@ std::optional<LinkError> BatchSocket::bind(const Address &local, int receiveBuff
     const socklen_t length = toSocket(local, m_ipv6, address);
     if (::bind(m_fd, &address.any, length) != 0)
         return systemError(errno, toText(local));
-    m_readNotifier = std::make_unique<QSocketNotifier>(m_fd, QSocketNotifier::Read);
-    connect(m_readNotifier.get(), &QSocketNotifier::activated, this, &DatagramSocket::readable);
-    m_writeNotifier = std::make_unique<QSocketNotifier>(m_fd, QSocketNotifier::Write);
-    m_writeNotifier->setEnabled(false);
-    connect(m_writeNotifier.get(), &QSocketNotifier::activated, this, [this] {
+    m_readNotifier = std::make_unique<Notifier>(m_fd, QSocketNotifier::Read, [this] { noteReadable(); });
+    m_writeNotifier = std::make_unique<Notifier>(m_fd, QSocketNotifier::Write, [this] {
         m_writeNotifier->setEnabled(false);
         m_blocked = false;
-        Q_EMIT writable();
+        noteWritable();
     });
+    m_writeNotifier->setEnabled(false);
     return std::nullopt;
 }
 

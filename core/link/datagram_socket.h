@@ -18,6 +18,19 @@ class DatagramSocket : public QObject
 public:
     static constexpr std::size_t kBatch = 64;
 
+    /// Called from the event loop. Not by signals, which cost several times as much.
+    class Listener
+    {
+    public:
+        virtual void socketReadable() = 0;
+        virtual void socketWritable() = 0; ///< the queue can be flushed further
+
+    protected:
+        ~Listener() = default;
+    };
+    /// Null: nobody is called any more.
+    void setListener(Listener *listener) { m_listener = listener; }
+
     /// Binds exclusively: fails when another socket holds the port. [::] receives IPv4 as well.
     virtual std::optional<LinkError> bind(const Address &local, int receiveBufferBytes) = 0;
     virtual Address local() const = 0;
@@ -35,14 +48,25 @@ public:
 
     /// Queues one datagram; flushes a full queue first.
     virtual void send(const Address &to, ByteView datagram, LinkCounters &counters) = 0;
-    /// Sends the queue until the system's buffer is full; the rest follows when it has room (see writable()).
+    /// Sends the queue until the system's buffer is full; the rest follows when it has room (see socketWritable()).
     virtual void flush(LinkCounters &counters) = 0;
     /// Datagrams that the system dropped on receive so far; 0 where the system does not report them.
     virtual std::uint64_t kernelDrops() const { return 0; }
 
-Q_SIGNALS:
-    void readable();
-    void writable();
+protected:
+    void noteReadable()
+    {
+        if (m_listener)
+            m_listener->socketReadable();
+    }
+    void noteWritable()
+    {
+        if (m_listener)
+            m_listener->socketWritable();
+    }
+
+private:
+    Listener *m_listener = nullptr;
 };
 
 /// Returns a BatchSocket on Linux unless `portable` is set, otherwise a QtDatagramSocket.

@@ -23,7 +23,7 @@ struct QtDatagramSocket::Buffers
 QtDatagramSocket::QtDatagramSocket() : m_buffers(std::make_unique<Buffers>())
 {
     m_socket.setProxy(QNetworkProxy::NoProxy); // see TcpLink
-    connect(&m_socket, &QUdpSocket::readyRead, this, &DatagramSocket::readable);
+    connect(&m_socket, &QUdpSocket::readyRead, this, [this] { noteReadable(); });
 }
 
 QtDatagramSocket::~QtDatagramSocket() = default;

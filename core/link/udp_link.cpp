@@ -70,8 +70,7 @@ void UdpLink::use(const Address &address)
             setState(LinkState::Failed, std::move(*failed));
             return;
         }
-        connect(socket.get(), &DatagramSocket::readable, this, &UdpLink::receive);
-        connect(socket.get(), &DatagramSocket::writable, this, &UdpLink::flush);
+        socket->setListener(this);
         m_socket = std::move(socket);
     }
     m_backoff.reset();
@@ -80,26 +79,32 @@ void UdpLink::use(const Address &address)
     setState(listening ? LinkState::Listening : LinkState::Connected);
 }
 
-void UdpLink::receive()
+void UdpLink::socketReadable()
 {
-    const TimePoint start = steadyNow();
-    bool drained = false;
-    std::size_t taken = 0;
-    TimePoint now = start;
-    // The listener may close the link, so m_socket is checked after every batch.
-    do {
-        const DatagramSocket::Batch received = m_socket->receive(id(), m_counters, m_batch);
+    DatagramSocket::Batch received = m_socket->receive(id(), m_counters, m_batch);
+    if (received.drained) { // the most frequent case, for which the clock is not read again
+        m_batch = kLeastBatch;
         if (!received.blocks.empty())
             listener().linkReceived(*this, received.blocks);
-        drained = received.drained;
+        return;
+    }
+    const TimePoint start = steadyNow();
+    std::size_t taken = 0;
+    for (;;) {
         taken += received.blocks.size();
-        now = steadyNow();
-    } while (m_socket && !drained && now - start < options().turn);
-    // Size the next batch to fit into one turn at the measured cost per datagram.
-    if (taken > 0) {
-        const Duration each = std::max<Duration>((now - start) / static_cast<Duration::rep>(taken), Duration(1));
-        const auto fitting = static_cast<std::size_t>(options().turn / each);
-        m_batch = std::clamp(fitting, kLeastBatch, DatagramSocket::kBatch);
+        if (!received.blocks.empty())
+            listener().linkReceived(*this, received.blocks);
+        const Duration used = steadyNow() - start;
+        // Size the next batch to fit into one turn at the measured cost per datagram.
+        if (taken > 0) {
+            const Duration each = std::max<Duration>(used / static_cast<Duration::rep>(taken), Duration(1));
+            const auto fitting = static_cast<std::size_t>(options().turn / each);
+            m_batch = std::clamp(fitting, kLeastBatch, DatagramSocket::kBatch);
+        }
+        // The listener may close the link, so m_socket is checked after every batch.
+        if (!m_socket || received.drained || used >= options().turn)
+            return;
+        received = m_socket->receive(id(), m_counters, m_batch);
     }
 }
 
@@ -138,9 +143,9 @@ void UdpLink::dropSocket()
     if (!m_socket)
         return;
     m_earlierDrops += m_socket->kernelDrops();
-    // This may run inside a signal of the socket: release the port now, delete the object later.
+    // This may run inside a call of the socket: release the port now, delete the object later.
     m_socket->shut();
-    m_socket->disconnect(this);
+    m_socket->setListener(nullptr);
     m_socket.release()->deleteLater();
 }
 

@@ -10,7 +10,7 @@
 
 namespace skyseal::link {
 
-class UdpLink final : public Link
+class UdpLink final : public Link, private DatagramSocket::Listener
 {
     Q_OBJECT
 
@@ -30,15 +30,16 @@ public:
 private:
     void start();
     void use(const Address &address);
-    void receive();
+    void socketReadable() override;
+    void socketWritable() override { flush(); }
     void checkRoute(std::uint64_t errorsBefore);
     void dropSocket();
 
     std::unique_ptr<DatagramSocket> m_socket;
-    /// With smaller batches the cost of the wake-up would dominate.
-    static constexpr std::size_t kLeastBatch = 8;
+    /// With smaller batches the cost of the wake-up would dominate. More than usually arrives at once.
+    static constexpr std::size_t kLeastBatch = 12;
 
-    std::size_t m_batch = DatagramSocket::kBatch; ///< size of the next batch, by the measured cost of a datagram
+    std::size_t m_batch = kLeastBatch; ///< size of the next batch, by the measured cost of a datagram
     Address m_remote;
     std::uint64_t m_earlierDrops = 0; ///< kernel drops of previous sockets
     HostLookup m_lookup;
