@@ -2,6 +2,8 @@
 
 #include "core/metrics/process_usage.h"
 
+#include <utility>
+
 namespace skyseal::metrics {
 
 void WorkClock::look()
@@ -17,7 +19,7 @@ void WorkClock::look()
 
 std::uint64_t WorkClock::begin()
 {
-    if (m_clock.between(m_cycles, CycleClock::now()) > kFresh)
+    if (m_watching && m_clock.between(m_cycles, CycleClock::now()) > kFresh)
         look();
     return CycleClock::now();
 }
@@ -25,8 +27,13 @@ std::uint64_t WorkClock::begin()
 std::uint64_t WorkClock::between(std::uint64_t begin, std::uint64_t end)
 {
     const std::uint64_t passed = m_clock.between(begin, end);
-    if (passed < kSuspicious)
+    if (passed < kSuspicious) {
+        m_watching = false;
+        m_usual = passed;
         return passed;
+    }
+    if (!std::exchange(m_watching, true))
+        return m_usual;
     const std::uint64_t cyclesBefore = m_cycles;
     const Duration cpuBefore = m_cpu;
     look();
