@@ -164,8 +164,9 @@ bool StationCore::openPairing(std::string name, std::shared_ptr<const crypto::Pa
     config.name = std::move(name);
     config.systemId = m_config.systemId;
     config.passphrase = std::move(passphrase);
-    config.callTo = m_receiver.callPlaces().paths(m_links);
-    m_channel->pairing.open(steadyNow(), std::move(config));
+    const TimePoint now = steadyNow();
+    m_channel->pairing.open(now, std::move(config));
+    callAgents(now); // one that listens may be waiting for this station
     finishWake();
     return true;
 }
