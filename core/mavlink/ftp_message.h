@@ -1,6 +1,6 @@
-// Payload of FILE_TRANSFER_PROTOCOL, and the checksum of its files. Opcodes and errors are those of the dialect (MAV_FTP_OPCODE,
-// MAV_FTP_ERR). https://mavlink.io/en/services/ftp.html, payload format; the checksum as PX4's mavlink_ftp.cpp and
-// ArduPilot's AP_Filesystem::crc32() compute it.
+// Payload of FILE_TRANSFER_PROTOCOL, and the checksum of its files. Opcodes and errors are those of the dialect
+// (MAV_FTP_OPCODE, MAV_FTP_ERR). https://mavlink.io/en/services/ftp.html, payload format; the checksum as PX4's
+// mavlink_ftp.cpp and ArduPilot's AP_Filesystem::crc32() compute it.
 #pragma once
 
 #include "core/base/bytes.h"

@@ -1,7 +1,7 @@
-// ArduPilot's packed parameter file, @PARAM/param.pck: all parameters by MAVLink FTP, or some of them to be written. The format
-// is that of AP_Filesystem_Param.cpp there ("packed format"): a header of three 16-bit numbers, then for each parameter its type
-// and flags, how much of its name repeats the one before, the rest of the name, and the value, with its default if it has one.
-// Zeros before a parameter are padding.
+// ArduPilot's packed parameter file, @PARAM/param.pck: all parameters by MAVLink FTP, or some of them to be written. The
+// format is that of AP_Filesystem_Param.cpp there ("packed format"): a header of three 16-bit numbers, then for each parameter
+// its type and flags, how much of its name repeats the one before, the rest of the name, and the value, with its default if it
+// has one. Zeros before a parameter are padding.
 #pragma once
 
 #include "core/base/bytes.h"

@@ -60,8 +60,8 @@ public:
     /// Of a transfer that was requested of this client.
     std::optional<TransferProgress> progress() const override;
 
-    /// For another client of the same vehicle: reads a file, whose result goes to `ended` and is not reported. Returns false, and
-    /// does nothing, while another transfer is in progress.
+    /// For another client of the same vehicle: reads a file, whose result goes to `ended` and is not reported. Returns
+    /// false, and does nothing, while another transfer is in progress.
     bool read(TimePoint now, const std::string &path, std::function<void(FileResult)> ended);
     /// Of read(): true before the vehicle has opened the file.
     bool isOpening() const { return m_ended && m_phase == Phase::Opening; }

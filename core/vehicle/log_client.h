@@ -1,15 +1,15 @@
 // Client of the log protocol: LOG_REQUEST_LIST → LOG_ENTRY*, LOG_REQUEST_DATA → LOG_DATA*, one request at a time.
 // https://mavlink.io/en/messages/common.html#LOG_REQUEST_LIST
 //
-// A log is a row of chunks of 90 bytes; a shorter one ends it. Its data is requested in pieces, which the vehicle sends at
-// its own pace; what was lost of a piece is requested in runs when it has paused, and the next piece follows when it is
-// complete. The size that the vehicle announces is bounded, and so is what can arrive ahead.
+// A log is a row of chunks of 90 bytes; a shorter one ends it. Its data is requested in pieces, which the vehicle sends at its
+// own pace; what was lost of a piece is requested in runs when it has paused, and the next piece follows when it is complete.
+// The size that the vehicle announces is bounded, and so is what can arrive ahead.
 //
-// As in ArduPilot's AP_Logger_MAVLinkLogTransfer.cpp and PX4's mavlink_log_handler.cpp: ArduPilot drops requests for data while
-// it answers one, so that the first of several runs is answered, and the others as far as it has ended by then. In PX4 a request
-// replaces the one before: it is asked for one run at a time, which spans small gaps. ArduPilot numbers logs from 1; it answers
-// a list that begins after the last one, or ends before the first one, with entries of no logs up to 65535. It serves logs only
-// while disarmed.
+// As in ArduPilot's AP_Logger_MAVLinkLogTransfer.cpp and PX4's mavlink_log_handler.cpp: ArduPilot drops requests for data
+// while it answers one, so that the first of several runs is answered, and the others as far as it has ended by then. In PX4 a
+// request replaces the one before: it is asked for one run at a time, which spans small gaps. ArduPilot numbers logs from 1;
+// it answers a list that begins after the last one, or ends before the first one, with entries of no logs up to 65535. It
+// serves logs only while disarmed.
 #pragma once
 
 #include "core/vehicle/micro_protocol.h"

@@ -1,9 +1,9 @@
 // Client of the parameter protocol: reads the whole list, and checks each write by the value that the vehicle reports.
 //
-// The list comes as one file, @PARAM/param.pck by MAVLink FTP, of an ArduPilot that does not say it lacks FTP; otherwise, or if
-// it does not open the file soon, by PARAM_REQUEST_LIST. Parameters that are lost then are requested by index while the others still
-// arrive (RequestWindow). Single reads and writes are repeated when the
-// measured round trip has passed without an answer.
+// The list comes as one file, @PARAM/param.pck by MAVLink FTP, of an ArduPilot that does not say it lacks FTP; otherwise, or
+// if it does not open the file soon, by PARAM_REQUEST_LIST. Parameters that are lost then are requested by index while the
+// others still arrive (RequestWindow). Single reads and writes are repeated when the measured round trip has passed without an
+// answer.
 // https://mavlink.io/en/services/parameter.html
 #pragma once
 

@@ -1,5 +1,5 @@
-// The packed parameter file, which a station reads from a vehicle and the simulated vehicle from a station: whatever it holds, it
-// is read within its bounds, and what is read fits what the file says of itself.
+// The packed parameter file, which a station reads from a vehicle and the simulated vehicle from a station: whatever it
+// holds, it is read within its bounds, and what is read fits what the file says of itself.
 #include "core/mavlink/enums.h"
 #include "core/mavlink/packed_parameters.h"
 
