@@ -1,8 +1,8 @@
 // Requests telemetry streams. ArduPilot sends hardly any telemetry until it is requested: its stream groups by
 // REQUEST_DATA_STREAM, single messages by SET_MESSAGE_INTERVAL if the firmware supports that. PX4 streams on its own and gets
-// no requests. Firmware without SET_MESSAGE_INTERVAL (ArduPilot before 4.0) does not stream its home position, which is requested by
-// GET_HOME_POSITION instead. A stream that never arrived is requested again after 2 s, one that stopped after 8 s, and less and less often
-// if the vehicle does not have it.
+// no requests. Firmware without SET_MESSAGE_INTERVAL (ArduPilot before 4.0) does not stream its home position, which is
+// requested by GET_HOME_POSITION instead. A stream that never arrived is requested again after 2 s, one that stopped after 8 s,
+// and less and less often if the vehicle does not have it.
 #pragma once
 
 #include "core/vehicle/micro_protocol.h"
