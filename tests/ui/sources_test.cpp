@@ -3,6 +3,7 @@
 #include "scripted_snapshots.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
+#include "ui/charts/diagnostics_panel.h"
 #include "ui/flight/hold_button.h"
 #include "ui/map/map_view.h"
 #include "ui/messages/messages_panel.h"
@@ -153,6 +154,19 @@ private Q_SLOTS:
         const auto *view = find<QTreeView>("linkView");
         QVERIFY(view->model()->rowCount() > 0);
         QVERIFY(!view->model()->index(0, 0).data().toString().startsWith(QStringLiteral("tlog")));
+    }
+
+    void chartsMeasureTheLiveLinkDuringAReplay()
+    {
+        engine::Snapshot live = sealedSnapshot(1);
+        live.samples = samplesOf(0, 0, 2, crypto::SuiteId::ChaCha20Poly1305, 0);
+        m_station->show(live);
+        m_window->startReplay(QStringLiteral("tlog:/logs/own.tlog"));
+        engine::Snapshot old = recorded(7);
+        old.samples = samplesOf(900, 0, 2, crypto::SuiteId::None, 0);
+        m_station->showReplay(old);
+        const auto &charted = m_window->findChild<DiagnosticsPanel *>()->history().samples();
+        QCOMPARE(charted.back().number, live.samples.back().number);
     }
 
     void quittingAsksWhileAVehicleIsArmed()

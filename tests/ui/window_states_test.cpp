@@ -336,6 +336,7 @@ private Q_SLOTS:
         const QString said = find<StripItem>("stripLock")->text();
         QVERIFY2(said.contains(QStringLiteral("87 refused")), qPrintable(said));
         QVERIFY(find<StripItem>("stripLock")->toolTip().contains(QStringLiteral("Under attack: 87")));
+        QVERIFY(find<QLabel>("secureAdvice")->text().contains(QStringLiteral("87 of impostors")));
     }
 
     void fetchingFromALostVehicleSaysSo()

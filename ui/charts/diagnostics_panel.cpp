@@ -166,12 +166,13 @@ TimeSeriesChart *DiagnosticsPanel::chart(int index) const
 
 void DiagnosticsPanel::onSnapshot(const ViewState &view)
 {
-    if (!view.snapshot || view.snapshot->samples.empty())
+    const SnapshotPtr &station = view.station(); // the charts measure the live link, also while a replay is shown
+    if (!station || station->samples.empty())
         return;
     // Snapshots are more frequent than samples.
-    if (!m_history.empty() && m_history.samples().back().number == view.snapshot->samples.back().number)
+    if (!m_history.empty() && m_history.samples().back().number == station->samples.back().number)
         return;
-    std::vector<engine::MetricsSample> samples = view.snapshot->samples;
+    std::vector<engine::MetricsSample> samples = station->samples;
     for (engine::MetricsSample &sample : samples)
         sample.sessionBytes = m_sessionMemory.of(sample.suite);
     if (m_history.take(samples))

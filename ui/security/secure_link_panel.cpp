@@ -262,6 +262,8 @@ void SecureLinkPanel::showHead(const ViewState &view)
         if (view.session)
             advice = tr("%1 forged, %2 replayed in a minute")
                          .arg(grouped(view.session->forgedLastMinute), grouped(view.session->replayedLastMinute));
+        if (view.refusedLastMinute > 0)
+            advice += QLatin1Char('\n') + tr("%1 of impostors in a minute").arg(grouped(view.refusedLastMinute));
         color = colors.alarm;
         break;
     }
