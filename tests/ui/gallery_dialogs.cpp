@@ -1,5 +1,6 @@
 #include "gallery_dialogs.h"
 
+#include "ui/dialogs/settings_dialog.h"
 #include "ui/keys/change_passphrase_dialog.h"
 #include "ui/keys/keys_dialog.h"
 #include "ui/keys/pairing_dialog.h"
@@ -138,6 +139,8 @@ const std::map<QString, Open> &dialogs()
          }},
         {QStringLiteral("link"),
          [](const Stage &stage) -> QWidget * { return new LinkDialog(QStringLiteral("udpin:0.0.0.0:14550"), &stage.window); }},
+        {QStringLiteral("settings"),
+         [](const Stage &stage) -> QWidget * { return new SettingsDialog(stage.window.settings(), &stage.window); }},
         {QStringLiteral("link-mavsec"),
          [](const Stage &stage) -> QWidget * {
              auto *dialog = new LinkDialog(QStringLiteral("udpin:0.0.0.0:14550"), &stage.window);

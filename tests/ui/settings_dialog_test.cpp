@@ -41,6 +41,21 @@ private Q_SLOTS:
         QCOMPARE(dialog.settings().recordFolder, QStringLiteral("/tmp/flights"));
     }
 
+    void noTextIsCut()
+    {
+        SettingsDialog dialog(Settings{});
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&dialog, skyseal::test::kDeadlineMs));
+        int wrapped = 0;
+        for (const QLabel *label : dialog.findChildren<QLabel *>()) {
+            if (!label->isVisible() || !label->wordWrap())
+                continue;
+            ++wrapped;
+            QVERIFY2(label->height() >= label->heightForWidth(label->width()), qPrintable(label->text()));
+        }
+        QVERIFY(wrapped > 1);
+    }
+
     void warningsSpeakOfTheLink()
     {
         const SettingsDialog dialog{Settings()};

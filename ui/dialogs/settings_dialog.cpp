@@ -57,7 +57,9 @@ SettingsDialog::SettingsDialog(const Settings &settings, QWidget *parent) : QDia
         buttons->button(QDialogButtonBox::Ok)->setEnabled(parsed.has_value());
         m_link->setToolTip(parsed ? QString() : QString::fromStdString(parsed.error().message));
     });
-    setMinimumWidth(64 * kGrid);
+    // A layout's smallest height is that of its texts on one line, while they wrap at this width.
+    constexpr int kWidth = 64 * kGrid;
+    setMinimumSize(kWidth, column->totalHeightForWidth(kWidth));
 }
 
 QWidget *SettingsDialog::makeView()
