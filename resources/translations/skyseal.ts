@@ -169,6 +169,10 @@
         <source>The system does not notify of changes of the list of peers: it is checked once a second</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the key could not be opened</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::app::Demo</name>
@@ -1221,6 +1225,22 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
         <source>Nothing can be sent: %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>a replay is shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A replay is shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A vehicle is there: the demo would end its link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A link is sealed: the demo would end it</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::CountersTable</name>
@@ -2104,6 +2124,22 @@ INSECURE: anyone can read, change and forge this stream. Nothing is sent.</sourc
         <source>Links</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Remove the link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicle %1 at this link is armed. Remove the link?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The vehicles %1 at this link are armed. Remove the link?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without it, nobody can command them from here, and their failsafe may act.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::LockFace</name>
@@ -2142,19 +2178,11 @@ Fingerprint %5</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 forged or replayed in the last minute</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 refused</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>under attack, %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Under attack: %1. All of them were refused.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2222,6 +2250,14 @@ Fingerprint %3</source>
         <source>No sealed links: this station cannot use its key</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Under attack: %1 forged or replayed in the last minute. All of them were refused.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Under attack: %1 frames of impostors of this vehicle in the last minute. All of them were refused.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::LogsPanel</name>
@@ -2278,6 +2314,38 @@ Fingerprint %3</source>
     </message>
     <message>
         <source>Vehicle %1 · %2 · not sealed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End the demo before you replay a log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Skyseal: demo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End the demo before you add a link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quit Skyseal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicle %1 is armed. Quit?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The vehicles %1 are armed. Quit?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without this station, nobody can command it from here, and its failsafe may act.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quit</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2382,6 +2450,10 @@ Fingerprint %3</source>
     </message>
     <message>
         <source>%1. Security → Keys and peers pairs the two</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replay: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2770,6 +2842,18 @@ Then there is no code to compare. It is valid for this pairing only.</source>
         <source>&quot;%1&quot; is not a number</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>not written: not a finite number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not written: %1 is not within %2 and %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not written: %1 is not a whole number</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::ParametersPanel</name>
@@ -2803,6 +2887,26 @@ Then there is no code to compare. It is valid for this pairing only.</source>
     </message>
     <message>
         <source>not fetched</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Result of the last fetch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Requested, but the vehicle has been silent for %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fetched</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not fetched: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Requested…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3351,6 +3455,10 @@ with a pre-shared key</source>
         <source>The counters of handshakes cannot be stored: %1. The link goes on. If this program restarts now, agents refuse its first handshake and return the right number.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 of impostors in a minute</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::SettingsDialog</name>
@@ -3508,6 +3616,53 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>Research suites (%1) are broken: anyone who records the link may be able to read it. They are here to be measured against the others, are never chosen automatically, and work only when the vehicle&apos;s agent allows them as well. While one is in use, the link is not confidential.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::SourceBar</name>
+    <message>
+        <source>DEMO: a simulated vehicle, nothing is real</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>REPLAY: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End the demo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to live</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>REPLAY: %1 · %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>REPLAY: %1 · at its end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Live: vehicle %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ARMED</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>disarmed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lost for %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Live: no vehicle</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4549,6 +4704,18 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
     </message>
     <message>
         <source>the vehicle is armed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The demo runs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;End the demo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No demo runs</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

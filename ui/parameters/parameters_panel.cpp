@@ -84,7 +84,7 @@ ParametersPanel::ParametersPanel(StationInterface &station, QWidget *parent) : D
 void ParametersPanel::fetch()
 {
     m_result->showResult(m_silence > 0 ? tr("Requested, but the vehicle has been silent for %1").arg(durationText(m_silence))
-                                       : tr("Requested …"));
+                                       : tr("Requested…"));
     m_station.perform(m_systemId, vehicle::ReadParameters{});
 }
 
