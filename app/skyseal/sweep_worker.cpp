@@ -63,7 +63,10 @@ void SweepWorker::begin()
 {
     m_setting = describeSetting(QCoreApplication::applicationVersion().toUtf8().constData(),
                                 commandOf(m_plan, m_station != nullptr));
-    m_setting.emplace_back("measured_in", "the window's process; its drawing is in cpu_process and memory, not in cpu");
+    m_setting.emplace_back("measured_in",
+                           m_station ? "the window's process and by its station; drawing is in cpu_process and memory, not in "
+                                       "cpu; snapshots for the window are in cpu, and meter_cpu states their share"
+                                     : "the window's process; its drawing is in cpu_process and memory, not in cpu");
     experiment::SweepConfig config;
     config.plan = m_plan;
     config.borrowed = m_station;

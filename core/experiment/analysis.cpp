@@ -15,7 +15,8 @@ static double stepOf(const Plan &plan, Metric metric, double mean, double other)
 
 static bool isCompared(const SweepArm &arm, Metric metric)
 {
-    return info(metric).independent && !(info(metric).zeroInPlain && arm.suite == crypto::SuiteId::None);
+    return info(metric).independent && !info(metric).explains
+        && !(info(metric).zeroInPlain && arm.suite == crypto::SuiteId::None);
 }
 
 /// Frames or records that a share is of, in one sample.

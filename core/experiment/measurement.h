@@ -29,7 +29,8 @@ struct Reading
 {
     std::shared_ptr<const engine::Snapshot> station; ///< with a probe
     std::optional<AgentCostReport> agent;            ///< made during the run
-    /// From the kernel, for runs without two reports; empty unless the agent is a known process of this machine.
+    /// From the kernel at this time; empty unless the agent is a known process of this machine.
+    TimePoint agentReadAt{};
     std::optional<Duration> agentCpu;
     std::optional<std::uint64_t> agentMemory;
     std::optional<std::uint64_t> microjoules; ///< of the whole processor, monotonic

@@ -65,6 +65,13 @@ constexpr std::array<MetricInfo, kMetrics> kTable{{
      .title = "CPU load, station's process",
      .unit = "%",
      .description = "all threads of the measuring program"},
+    {.metric = Metric::MeterCpu,
+     .key = "meter_cpu",
+     .title = "Share of the measurement in the CPU load, station",
+     .unit = "%",
+     .description = "CPU time in which the station's I/O thread built and handed out snapshots and probes, by its own clock, "
+                    "percent of its CPU time",
+     .explains = true},
     {.metric = Metric::CpuSuite,
      .key = "cpu_suite",
      .title = "CPU load of the suite, station",

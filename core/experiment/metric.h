@@ -24,6 +24,7 @@ enum class Metric : std::uint8_t {
     RecordLossUp,
     Cpu,
     CpuProcess,
+    MeterCpu,
     CpuSuite,
     AgentCpu,
     AgentCpuSuite,
@@ -83,6 +84,7 @@ struct MetricInfo
     bool independent = true;
     /// True if plain MAVLink has the value 0 by definition. It is not compared then.
     bool zeroInPlain = false;
+    bool explains = false;     ///< what may have disturbed a run, and no property of a suite: suites are not compared by it
     bool oncePerSuite = false; ///< measured once for each suite instead of in each run
     unsigned shownIn = 0;      ///< flags of ShownIn
 

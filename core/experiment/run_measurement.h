@@ -13,6 +13,7 @@ namespace skyseal::experiment {
 /// CPU time and memory of the agent's process, read from the kernel; empty where the process is not known.
 struct AgentUsage
 {
+    TimePoint at{};
     std::optional<Duration> cpu;
     std::optional<std::uint64_t> memory;
 };
@@ -20,14 +21,17 @@ struct AgentUsage
 class RunMeasurement
 {
 public:
-    using Snapshot = std::shared_ptr<const engine::Snapshot>;
+    using Snapshot = std::shared_ptr<const engine::Snapshot>; ///< at both edges with a probe
 
     explicit RunMeasurement(std::function<AgentUsage()> agentUsage) : m_agentUsage(std::move(agentUsage)) {}
 
     void begin(const MeasuredLink &link, const Snapshot &snapshot);
     /// Takes the agent's first report of the run: its costs count from there, since the report before it may hold the time of
-    /// another suite. To be called with each snapshot of the run.
+    /// another suite. To be called with each snapshot of the run until hasReport().
     void noteReport(const MeasuredLink &link, const engine::Snapshot &snapshot);
+    bool hasReport() const { return m_begin.agent.has_value(); }
+    /// True if the run is measured with another session than this one.
+    bool isOther(channel::SessionId session) const { return m_session && m_session != session; }
     /// True if the live session differs from that at the beginning. A short silence of the same session does not count.
     bool sessionChanged(const MeasuredLink &link, const engine::Snapshot &snapshot) const;
     /// Fills seconds, values and counters of the sample, or its problem: the session or the vehicle did not last through the

@@ -2,6 +2,7 @@
 
 #include "core/engine/station/snapshot.h"
 #include "core/experiment/statistics.h"
+#include "core/link/steady_now.h"
 #include "core/metrics/process_usage.h"
 
 #include <algorithm>
@@ -22,13 +23,17 @@ constexpr Duration kSettleAgain = milliseconds(200);
 constexpr Duration kMostSettle = std::chrono::seconds(2); ///< for a vehicle that does not answer TIMESYNC
 constexpr double kPaceTrips = 6;                          ///< in which the window of a saturated load finds its size
 constexpr Duration kMostWarmUp = std::chrono::seconds(12);
+constexpr Duration kProbePatience = std::chrono::seconds(10);
+constexpr int kWatching = 20;           ///< snapshots a second while the link is brought into its state
+constexpr int kForReports = 1;          ///< while a run waits for the agent's first report
 constexpr unsigned kMostFailedRuns = 3; ///< in a row; after that the link counts as lost
 
 std::function<AgentUsage()> usageOfAgent(const Lab *lab)
 {
     return [lab] {
-        return lab ? AgentUsage{metrics::processCpuTime(lab->agentProcess()), metrics::residentBytes(lab->agentProcess())}
-                   : AgentUsage{};
+        return lab
+            ? AgentUsage{steadyNow(), metrics::processCpuTime(lab->agentProcess()), metrics::residentBytes(lab->agentProcess())}
+            : AgentUsage{};
     };
 }
 
@@ -40,6 +45,7 @@ SweepRunner::SweepRunner(SweepConfig config)
 {
     m_results.plan = m_config.plan;
     connect(&m_station, &SweepStation::snapshotReady, this, &SweepRunner::handleSnapshot);
+    connect(&m_station, &SweepStation::probeTaken, this, &SweepRunner::handleProbe);
     connect(&m_station, &SweepStation::eventOccurred, this, &SweepRunner::handleEvent);
     connect(&m_station, &SweepStation::closed, this, [this] { isEnding() ? end() : beginNextRun(); });
     connect(&m_station, &SweepStation::lost, this, [this] {
@@ -48,6 +54,9 @@ SweepRunner::SweepRunner(SweepConfig config)
         end();
     });
     connect(&m_tick, &QTimer::timeout, this, &SweepRunner::handleTimeout);
+    m_measured.setSingleShot(true);
+    m_measured.setTimerType(Qt::PreciseTimer);
+    connect(&m_measured, &QTimer::timeout, this, &SweepRunner::requestEnd);
     if (m_config.lab) {
         connect(m_config.lab, &Lab::ended, this, [this](const QString &problem) {
             m_opened = true; // a program failed, not a link
@@ -81,6 +90,19 @@ void SweepRunner::enter(Stage stage, Duration patience)
     m_patience = patience;
     m_stageClock.start();
     m_stageStart = m_snapshot ? m_snapshot->time : 0;
+    if (m_station.isOpen())
+        m_station.setSnapshotsPerSecond(snapshotsPerSecond());
+}
+
+/// That the stage needs. A run that is measured needs none but to see the agent's first report.
+int SweepRunner::snapshotsPerSecond() const
+{
+    switch (m_stage) {
+    case Stage::Beginning:
+    case Stage::Ending: return 0;
+    case Stage::Measuring: return m_link.isPlain() || m_measurement.hasReport() ? 0 : kForReports;
+    default: return kWatching;
+    }
 }
 
 void SweepRunner::beginNextRun()
@@ -124,6 +146,8 @@ void SweepRunner::handleEvent(const engine::Event &event)
             giveUp(link.url + ": " + link.problem);
     } else if (const auto *up = std::get_if<channel::SessionUp>(&event)) {
         m_link.sessionUp(*up);
+        if (m_measurement.isOther(up->session))
+            requestEnd();
     } else if (const auto *done = std::get_if<channel::SwitchDone>(&event)) {
         handleSwitch(*done);
     }
@@ -131,8 +155,6 @@ void SweepRunner::handleEvent(const engine::Event &event)
 
 void SweepRunner::handleSnapshot(const RunMeasurement::Snapshot &snapshot)
 {
-    if (!snapshot->probe)
-        return;
     m_snapshot = snapshot;
     m_link.update(*snapshot);
     m_opened = m_opened || session();
@@ -152,17 +174,26 @@ void SweepRunner::handleSnapshot(const RunMeasurement::Snapshot &snapshot)
         if (!m_link.isUnder(arm().suite, *snapshot))
             beginSwitch(); // the link was lost before the measurement began
         else if (inStage >= warmUpTime())
-            beginMeasuring();
+            requestBegin();
         break;
-    case Stage::Measuring:
-        m_measurement.noteReport(m_link, *snapshot);
-        if (m_measurement.sessionChanged(m_link, *snapshot) || inStage >= seconds(m_config.plan.measure))
-            endRun();
-        break;
+    case Stage::Measuring: watchRun(*snapshot); break;
     case Stage::Restoring: continueRestoring(); break;
     case Stage::Idle:
-    case Stage::Closing: break;
+    case Stage::Closing:
+    case Stage::Beginning:
+    case Stage::Ending: break;
     }
+}
+
+void SweepRunner::handleProbe(const RunMeasurement::Snapshot &snapshot)
+{
+    if (snapshot->time < m_stageStart)
+        return; // of a run that was given up meanwhile
+    if (m_stage != Stage::Beginning && m_stage != Stage::Ending)
+        return;
+    m_snapshot = snapshot;
+    m_link.update(*snapshot);
+    m_stage == Stage::Beginning ? beginMeasuring() : endRun();
 }
 
 /// An answer to TIMESYNC shows that the vehicle is reached as well; in plain MAVLink that takes its next heartbeat.
@@ -241,10 +272,36 @@ void SweepRunner::handleSwitch(const channel::SwitchDone &done)
         endRun(m_switch.problem());
 }
 
+void SweepRunner::requestBegin()
+{
+    enter(Stage::Beginning, kProbePatience);
+    m_station.requestProbe();
+}
+
 void SweepRunner::beginMeasuring()
 {
+    if (!m_link.isUnder(arm().suite, *m_snapshot))
+        return beginSwitch(); // the link was lost at the last moment
     m_measurement.begin(m_link, m_snapshot);
     enter(Stage::Measuring, m_config.plan.measure + kConnectPatience);
+    m_measured.start(std::chrono::duration_cast<milliseconds>(m_config.plan.measure));
+}
+
+void SweepRunner::watchRun(const engine::Snapshot &snapshot)
+{
+    m_measurement.noteReport(m_link, snapshot);
+    if (m_measurement.sessionChanged(m_link, snapshot))
+        requestEnd();
+    else
+        m_station.setSnapshotsPerSecond(snapshotsPerSecond());
+}
+
+void SweepRunner::requestEnd()
+{
+    if (m_stage != Stage::Measuring)
+        return;
+    enter(Stage::Ending, kProbePatience);
+    m_station.requestProbe();
 }
 
 void SweepRunner::endRun(std::string problem)

@@ -1,8 +1,9 @@
 // Carries out the plan of a sweep: schedules the runs, brings the link into the state that each of them needs, measures them,
-// and restores the link at the end. Decides from the station's snapshots alone, whose counters and clock are read at
-// one moment. Lives on the station's thread.
+// and restores the link at the end. Decides from the station's snapshots and events. A run is measured between two probes,
+// whose counters and clock are read at one moment each; in between, the station publishes as little as possible, since that
+// would be measured as well. Lives on the station's thread.
 //
-//   Connecting → Settling → Switching → WarmingUp → Measuring → (next run: Connecting or Switching)
+//   Connecting → Settling → Switching → WarmingUp → Beginning → Measuring → Ending → (next run: Connecting or Switching)
 //   at the end of a block or of the sweep: Restoring → Closing
 #pragma once
 
@@ -57,9 +58,21 @@ Q_SIGNALS:
     void finished(bool opened, const std::string &problem);
 
 private:
-    enum class Stage : std::uint8_t { Idle, Closing, Connecting, Settling, Switching, WarmingUp, Measuring, Restoring };
+    enum class Stage : std::uint8_t {
+        Idle,
+        Closing,
+        Connecting,
+        Settling,
+        Switching,
+        WarmingUp,
+        Beginning, ///< the first probe of the run is requested
+        Measuring,
+        Ending, ///< the last probe of the run is requested
+        Restoring
+    };
 
     void handleSnapshot(const RunMeasurement::Snapshot &snapshot);
+    void handleProbe(const RunMeasurement::Snapshot &snapshot);
     void handleEvent(const engine::Event &event);
     void handleSwitch(const channel::SwitchDone &done);
     void handleTimeout();
@@ -70,7 +83,10 @@ private:
     void beginSwitch();
     void continueSwitch();
     void orderSwitch();
+    void requestBegin();
     void beginMeasuring();
+    void watchRun(const engine::Snapshot &snapshot);
+    void requestEnd();
     void endRun(std::string problem = {});
     void addSessionMemory(Sample &sample);
     void refuseRun(const std::string &problem);
@@ -83,6 +99,7 @@ private:
     void giveUp(const std::string &problem);
     void end();
     void enter(Stage stage, Duration patience);
+    int snapshotsPerSecond() const;
 
     bool isEnding() const { return !m_problem.empty() || m_queue.atEnd(); }
     bool isSettled(double inStage) const;
@@ -110,6 +127,7 @@ private:
     unsigned m_failedRuns = 0; ///< in a row
     std::string m_problem;     ///< reason why the sweep ends early
     QTimer m_tick{this};
+    QTimer m_measured{this}; ///< fires at the end of a run
 };
 
 } // namespace skyseal::experiment

@@ -7,14 +7,13 @@ namespace skyseal::experiment {
 namespace {
 
 constexpr Duration kLatencyEvery = std::chrono::milliseconds(200);
-constexpr int kSnapshotsPerSecond = 20;
 
 engine::StationConfig measuring(engine::StationConfig config)
 {
     config.secure = engine::SecureMode::Required;
     config.record = false;
     config.timeSyncEvery = kLatencyEvery;
-    config.snapshotsPerSecond = kSnapshotsPerSecond;
+    config.diagnostics = false; // nobody watches, and they cost the thread that is measured
     return config;
 }
 
@@ -54,8 +53,15 @@ Result<void, InputError> SweepStation::open(engine::Protection first)
 void SweepStation::listen()
 {
     connect(m_station, &engine::Station::snapshotReady, this, &SweepStation::snapshotReady);
+    connect(m_station, &engine::Station::probeTaken, this, &SweepStation::probeTaken);
     connect(m_station, &engine::Station::eventOccurred, this, &SweepStation::eventOccurred);
     m_station->setMeasuring(true);
+}
+
+void SweepStation::setSnapshotsPerSecond(int perSecond)
+{
+    if (!m_borrowed)
+        m_station->setSnapshotsPerSecond(perSecond);
 }
 
 void SweepStation::setProtection(std::optional<engine::Protection> protection)

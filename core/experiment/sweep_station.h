@@ -1,6 +1,6 @@
 // The station that a sweep measures on: its own one, created for each block of runs, or one that is borrowed from the
-// window. A borrowed station keeps its links and vehicles and carries MAVLink as before when it is given back. Lives on the
-// station's thread.
+// window. A borrowed station keeps its links, its vehicles and the pace of its snapshots, and carries MAVLink as before when it
+// is given back. Lives on the station's thread.
 #pragma once
 
 #include "core/engine/station/station.h"
@@ -27,7 +27,12 @@ public:
     /// Gives a borrowed station back at once, without closed().
     void giveBack(std::optional<crypto::SuiteId> resume);
 
-    /// These three need an open station. Ends holdSuite(): the switch to the suite of a run is measured as well.
+    /// These five need an open station.
+    /// Requests a reading of all counters, which comes as probeTaken().
+    void requestProbe() { m_station->requestProbe(); }
+    /// Of the sweep's own station; a borrowed one keeps its pace.
+    void setSnapshotsPerSecond(int perSecond);
+    /// Ends holdSuite(): the switch to the suite of a run is measured as well.
     void setProtection(std::optional<engine::Protection> protection);
     /// Sessions that come up begin with this suite.
     void holdSuite(crypto::SuiteId suite) { m_station->holdSuite(suite); }
@@ -35,6 +40,7 @@ public:
 
 Q_SIGNALS:
     void snapshotReady(std::shared_ptr<const skyseal::engine::Snapshot> snapshot);
+    void probeTaken(std::shared_ptr<const skyseal::engine::Snapshot> snapshot);
     void eventOccurred(skyseal::engine::Event event);
     void closed();
     /// The borrowed station was destroyed while it was in use.

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <fstream>
 #include <memory>
 #include <string>
 
+#include <sys/resource.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -25,6 +27,30 @@ Duration processCpuTime()
 Duration threadCpuTime()
 {
     return cpuTime(CLOCK_THREAD_CPUTIME_ID);
+}
+
+ContextSwitches threadSwitches()
+{
+#ifdef RUSAGE_THREAD
+    rusage usage{};
+    if (::getrusage(RUSAGE_THREAD, &usage) == 0)
+        return {static_cast<std::uint64_t>(usage.ru_nvcsw), static_cast<std::uint64_t>(usage.ru_nivcsw)};
+#endif
+    return {};
+}
+
+std::optional<ContextSwitches> contextSwitches(std::int64_t process)
+{
+    std::ifstream in("/proc/" + std::to_string(process) + "/status");
+    ContextSwitches out;
+    int found = 0;
+    for (std::string word; in >> word;) {
+        if (word == "voluntary_ctxt_switches:")
+            found += static_cast<bool>(in >> out.voluntary);
+        else if (word == "nonvoluntary_ctxt_switches:")
+            found += static_cast<bool>(in >> out.involuntary);
+    }
+    return process > 0 && found == 2 ? std::optional(out) : std::nullopt;
 }
 
 static std::optional<std::uint64_t> residentBytesFrom(const char *path)

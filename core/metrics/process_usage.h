@@ -12,12 +12,22 @@ namespace skyseal::metrics {
 Duration processCpuTime();
 /// CPU time of the calling thread.
 Duration threadCpuTime();
+/// How often a thread or a process gave up its core so far.
+struct ContextSwitches
+{
+    std::uint64_t voluntary = 0;   ///< to wait for something
+    std::uint64_t involuntary = 0; ///< for the sake of others
+};
+/// Of the calling thread.
+ContextSwitches threadSwitches();
 /// Resident memory in bytes (VmRSS); nullopt where the system does not report it.
 std::optional<std::uint64_t> residentBytes();
 
 /// The same for another process of this machine, by its process id; nullopt if it does not exist or is not readable.
 std::optional<Duration> processCpuTime(std::int64_t process);
 std::optional<std::uint64_t> residentBytes(std::int64_t process);
+/// Of its main thread.
+std::optional<ContextSwitches> contextSwitches(std::int64_t process);
 
 /// CPU load between periodic readings (about once a second), in percent of one core: 200 means two full cores.
 class CpuSampler

@@ -51,7 +51,7 @@ private Q_SLOTS:
     void vehiclesAndTheirFramesAreCounted();
     void badFramesOfLinksAreThoseOfMavlink();
     void refusalsAreShown();
-    void probeIsPartOfAMeasurementOnly();
+    void probeIsOnRequestOnly();
 };
 
 void StationSnapshotTest::withoutAnythingItIsEmpty()
@@ -99,7 +99,7 @@ void StationSnapshotTest::refusalsAreShown()
     QCOMPARE(snapshot->channel.rx.malformed, std::uint64_t(5));
 }
 
-void StationSnapshotTest::probeIsPartOfAMeasurementOnly()
+void StationSnapshotTest::probeIsOnRequestOnly()
 {
     Parts parts;
     parts.datagrams.waitingBytes = 300;

@@ -5,14 +5,11 @@
 // stack holds one of these functions, cipher libraries included. perf samples the thread's CPU clock, since virtual machines
 // seldom have counters of cycles. 3,000 samples with a share of a seventh are exact to some 5 % of it; the limit is 15 %.
 #include "tests/support/eventually.h"
-#include "tests/support/measuring_tool.h"
+#include "tests/support/perf_stacks.h"
 #include "tests/support/test_runner.h"
 
-#include <QtCore/QDir>
-#include <QtCore/QFile>
 #include <QtCore/QJsonDocument>
 #include <QtCore/QJsonObject>
-#include <QtCore/QRegularExpression>
 #include <QtCore/QTemporaryDir>
 #include <QtTest/QTest>
 
@@ -31,29 +28,16 @@ struct Attribution
     double share() const { return static_cast<double>(suite) / all; }
 };
 
-/// Of the stacks that `perf script -F tid,ip,sym` writes: a line with the thread, a line for each frame, an empty line.
 Attribution attributed(const QByteArray &script)
 {
     static const QRegularExpression kSuite(
         QStringLiteral("channel::Endpoint::(handleDatagram|handleInlineFrame|seal|sealInline|State::handleRecord)\\b"));
     Attribution out;
-    for (const QString &stack : QString::fromUtf8(script).split(QStringLiteral("\n\n"), Qt::SkipEmptyParts)) {
+    for (const PerfStack &stack : perfStacks(script)) {
         ++out.all;
-        out.suite += kSuite.match(stack).hasMatch();
+        out.suite += kSuite.match(stack.functions).hasMatch();
     }
     return out;
-}
-
-/// The thread that receives, opens, parses and sends; 0 while there is none.
-qint64 ioThreadOf(qint64 process)
-{
-    const QString tasks = QStringLiteral("/proc/%1/task").arg(process);
-    for (const QString &task : QDir(tasks).entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
-        QFile name(tasks + QLatin1Char('/') + task + QStringLiteral("/comm"));
-        if (name.open(QIODevice::ReadOnly) && name.readAll().trimmed() == "skyseal-io")
-            return task.toLongLong();
-    }
-    return 0;
 }
 
 QStringList words(const char *text)
@@ -94,14 +78,10 @@ void CpuShareTest::suitesShareIsWhatPerfFinds_data()
 void CpuShareTest::suitesShareIsWhatPerfFinds()
 {
     QFETCH(QString, suite);
-    if (!hasTool("perf"))
-        QSKIP("perf is not installed (linux-perf)");
     QTemporaryDir folder;
     const QString data = folder.filePath(QStringLiteral("perf.data"));
-    const RunResult trial = runToItsEnd(QStringLiteral("perf"),
-                                        words("record -q -e cpu-clock:u -o") << data << QStringLiteral("true"));
-    if (trial.status != 0)
-        QSKIP("perf may not sample here (kernel.perf_event_paranoid)");
+    if (const QString problem = perfProblem(data); !problem.isEmpty())
+        QSKIP(qPrintable(problem));
     QProcess sweep;
     sweep.start(QStringLiteral(SKYSEAL_BIN_DIR "/skyseal-cli"),
                 words("sweep --load saturated --seconds 15 --repeats 1 --no-noise --json --suites") << suite);

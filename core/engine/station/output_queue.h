@@ -1,6 +1,6 @@
 // The station's output on its way from the I/O thread to the reader's thread: bounded, so that a reader that hangs costs a
-// fixed amount of memory. Only the newest snapshot is kept, and a limited number of events; pairing events and the
-// final snapshot are always delivered. Items keep their order. Thread-safe.
+// fixed amount of memory. Only the newest snapshot is kept, and a limited number of events; pairing events, snapshots with a
+// probe, each of which the reader requested, and the final snapshot are always delivered. Items keep their order. Thread-safe.
 #pragma once
 
 #include "core/channel/pairing.h"
@@ -18,6 +18,12 @@ struct Snapshot;
 
 using SnapshotPtr = std::shared_ptr<const Snapshot>;
 
+/// A snapshot with a probe.
+struct Probed
+{
+    SnapshotPtr snapshot;
+};
+
 /// The last snapshot of a station that was stopped.
 struct Stopped
 {
@@ -27,7 +33,7 @@ struct Stopped
 class OutputQueue
 {
 public:
-    using Item = std::variant<SnapshotPtr, Event, channel::PairingEvent, Stopped>;
+    using Item = std::variant<SnapshotPtr, Event, channel::PairingEvent, Probed, Stopped>;
 
     /// Events that wait at most; then the oldest one is dropped.
     static constexpr std::size_t kMostEvents = 1000;

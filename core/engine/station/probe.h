@@ -1,5 +1,6 @@
-// Additional sums for measurements. They only grow and are read on the I/O thread together with the rest of a snapshot, so
-// that the difference of two snapshots is exactly the traffic between them.
+// Additional sums for measurements, read on request. They only grow and are read on the I/O thread together with the rest of a
+// snapshot, so that the difference of two snapshots is exactly the traffic between them. The CPU times are read first: what it
+// costs to take a probe belongs to the time after it.
 #pragma once
 
 #include "core/base/clock.h"
@@ -11,8 +12,11 @@ namespace skyseal::engine {
 
 struct Probe
 {
-    Duration processCpu{};  ///< all threads
-    Duration ioThreadCpu{}; ///< the thread that receives, opens, parses and sends
+    Duration processCpu{};    ///< all threads
+    Duration ioThreadCpu{};   ///< the thread that receives, opens, parses and sends
+    Duration publishingCpu{}; ///< of ioThreadCpu: snapshots and probes, built and handed out while a measurement is in progress
+    std::uint64_t wakeUps = 0;     ///< of the I/O thread: voluntary context switches
+    std::uint64_t preemptions = 0; ///< of the I/O thread: involuntary context switches
     std::uint64_t residentBytes = 0;
     metrics::Histogram open; ///< ns per record, session look-up and replay window included
     metrics::Histogram seal;

@@ -51,7 +51,7 @@ struct Snapshot
     std::uint64_t eventsDropped = 0;    ///< events that a reader which hung did not receive, see OutputQueue
     MavlinkTotals mavlink;              ///< since the start, all links
     ChannelTotals channel;              ///< since the start, including ended sessions
-    std::shared_ptr<const Probe> probe; ///< null unless a measurement is in progress
+    std::shared_ptr<const Probe> probe; ///< null unless it was requested, see Station::requestProbe()
 };
 
 } // namespace skyseal::engine

@@ -1,4 +1,4 @@
-// When the next snapshot is due: at most 30 a second while something changes, two a second otherwise. No clock.
+// When the next snapshot is due: at most 30 a second while something changes, two a second otherwise; or none at all. No clock.
 #pragma once
 
 #include "core/base/clock.h"
@@ -12,8 +12,13 @@ class SnapshotPace
 public:
     static constexpr Duration kIdlePeriod = std::chrono::milliseconds(500);
 
-    /// `perSecond`: snapshots at most, 1 to 30.
-    explicit SnapshotPace(int perSecond) : m_least(std::chrono::seconds(1) / std::clamp(perSecond, 1, 30)) {}
+    /// `perSecond`: snapshots at most, up to 30; 0: none becomes due.
+    explicit SnapshotPace(int perSecond) { setPerSecond(perSecond); }
+    void setPerSecond(int perSecond)
+    {
+        m_paused = perSecond <= 0;
+        m_least = std::chrono::seconds(1) / std::clamp(perSecond, 1, 30);
+    }
 
     /// Something that a snapshot shows has changed.
     void markChanged() { m_changed = true; }
@@ -21,7 +26,7 @@ public:
     bool takeIfDue(TimePoint now)
     {
         const bool first = m_last == TimePoint::min();
-        if (!first && (now - m_last < m_least || (!m_changed && now - m_last < kIdlePeriod)))
+        if (m_paused || (!first && (now - m_last < m_least || (!m_changed && now - m_last < kIdlePeriod))))
             return false;
         m_last = now;
         m_changed = false;
@@ -30,10 +35,11 @@ public:
     /// The number of the next snapshot, from 1.
     std::uint64_t takeNumber() { return ++m_number; }
     /// kNever while nothing has changed; the idle period is met by any other wake-up.
-    TimePoint nextDeadline() const { return m_changed ? m_last + m_least : kNever; }
+    TimePoint nextDeadline() const { return m_changed && !m_paused ? m_last + m_least : kNever; }
 
 private:
-    const Duration m_least;
+    Duration m_least{};
+    bool m_paused = false;
     TimePoint m_last = TimePoint::min();
     bool m_changed = true;
     std::uint64_t m_number = 0;

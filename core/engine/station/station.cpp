@@ -41,7 +41,8 @@ public:
     {
         StationSinks sinks{
             [this](SnapshotPtr snapshot) { publish(std::move(snapshot)); }, [this](Event event) { publish(std::move(event)); },
-            [this](channel::PairingEvent event) { publish(std::move(event)); }, [this] { return output.eventsDropped(); }};
+            [this](channel::PairingEvent event) { publish(std::move(event)); },
+            [this](SnapshotPtr snapshot) { publish(Probed{std::move(snapshot)}); }, [this] { return output.eventsDropped(); }};
         m_core = std::make_unique<StationCore>(m_config, std::move(m_secrets), std::move(sinks));
         m_answered = steadyNow();
         m_ask = std::make_unique<QTimer>();
@@ -167,6 +168,8 @@ Station::Station(std::unique_ptr<Private> parts) : d(std::move(parts))
                 Q_EMIT eventOccurred(*event);
             else if (const auto *pairingEvent = std::get_if<channel::PairingEvent>(&item))
                 Q_EMIT pairing(*pairingEvent);
+            else if (const auto *probed = std::get_if<Probed>(&item))
+                Q_EMIT probeTaken(probed->snapshot);
             else
                 Q_EMIT stopped(std::get<Stopped>(item).last);
         }
@@ -296,6 +299,16 @@ void Station::setRecording(bool recording)
 void Station::setMeasuring(bool measuring)
 {
     d->post([measuring](StationCore &core) { core.setMeasuring(measuring); });
+}
+
+void Station::requestProbe()
+{
+    d->post([](StationCore &core) { core.requestProbe(); });
+}
+
+void Station::setSnapshotsPerSecond(int perSecond)
+{
+    d->post([perSecond](StationCore &core) { core.setSnapshotsPerSecond(perSecond); });
 }
 
 void Station::setProtection(std::optional<Protection> protection)

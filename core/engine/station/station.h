@@ -78,8 +78,12 @@ public:
     vehicle::RequestId perform(std::uint8_t systemId, vehicle::Request request);
     void setInspecting(bool);
     void setRecording(bool);
-    /// While true, snapshots carry a Probe.
+    /// While true, the cost of each record is kept for probes, and peers report theirs once a second.
     void setMeasuring(bool);
+    /// Takes one snapshot with a Probe, in the order of the calls; it comes as probeTaken(), and none after stop().
+    void requestProbe();
+    /// Changes StationConfig::snapshotsPerSecond. 0: no snapshots but requested ones, and the last.
+    void setSnapshotsPerSecond(int);
     /// How links carry MAVLink during a measurement, in place of the configuration; nullopt ends that. Sessions that do not
     /// fit end and begin anew; links stay open.
     void setProtection(std::optional<Protection>);
@@ -92,6 +96,8 @@ Q_SIGNALS:
     void snapshotReady(std::shared_ptr<const skyseal::engine::Snapshot> snapshot);
     void eventOccurred(skyseal::engine::Event event);
     void pairing(skyseal::channel::PairingEvent event);
+    /// A snapshot that requestProbe() requested; it is not among those of snapshotReady().
+    void probeTaken(std::shared_ptr<const skyseal::engine::Snapshot> snapshot);
     /// The final signal, with all counters as they were at the end.
     void stopped(std::shared_ptr<const skyseal::engine::Snapshot> last);
 

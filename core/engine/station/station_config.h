@@ -26,8 +26,9 @@ struct StationConfig
     bool lowBandwidth = false; ///< ask vehicles for slower streams
     double streamRate = 0;     ///< Hz for every stream of every vehicle, instead of a profile; 0 = the profile's
     Duration timeSyncEvery = std::chrono::seconds(1); ///< how often latency is measured
-    int snapshotsPerSecond = 30;                      ///< at most 30
-    bool ownHeartbeat = true;                         ///< off: vehicles hear no heartbeat of this station, which has no pilot
+    int snapshotsPerSecond = 30;                      ///< at most 30; 0: none but at the end
+    bool diagnostics = true;  ///< off: snapshots have no time lines, and neither CPU load nor memory of the process
+    bool ownHeartbeat = true; ///< off: vehicles hear no heartbeat of this station, which has no pilot
 };
 
 } // namespace skyseal::engine

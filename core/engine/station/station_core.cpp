@@ -4,6 +4,7 @@
 #include "core/engine/station/snapshot.h"
 #include "core/keys/counter_file.h"
 #include "core/crypto/mavsec_cipher.h"
+#include "core/metrics/process_usage.h"
 #include "core/vehicle/request_failure.h"
 
 #include <algorithm>
@@ -235,6 +236,18 @@ void StationCore::setMeasuring(bool measuring)
         m_channel->driver.setMeasuring(measuring);
 }
 
+void StationCore::requestProbe()
+{
+    if (!m_stopped)
+        publishSnapshot(steadyNow(), true);
+}
+
+void StationCore::setSnapshotsPerSecond(int perSecond)
+{
+    m_pace.setPerSecond(perSecond);
+    finishWake();
+}
+
 void StationCore::setRecording(bool recording)
 {
     if (!recording)
@@ -337,7 +350,7 @@ void StationCore::finishWake()
     if (m_gateway)
         m_gateway->flush();
     if (m_pace.takeIfDue(now))
-        m_sinks.snapshot(takeSnapshot(now));
+        publishSnapshot(now, false);
     m_timer.set(nextDeadline());
 }
 
@@ -420,13 +433,15 @@ void StationCore::everyQuarterSecond(TimePoint now)
     const bool anyHeard = m_fleet.sample(now, m_sinks.event);
     if (m_channel)
         m_channel->sampleQuarter();
+    m_pace.markChanged();
+    if (!m_config.diagnostics)
+        return;
     MetricsSampler::Reading reading{channelTotals(sources()), mavlinkTotals(sources()), anyHeard, m_fleet.latency(now)};
     m_links.forEach([&](const link::Link &link) {
         reading.rxBytes += link.counters().rxBytes;
         reading.txBytes += link.counters().txBytes;
     });
     m_sampler.sample(now, seconds(now - m_clock.start), reading);
-    m_pace.markChanged();
 }
 
 void StationCore::everySecond(TimePoint now)
@@ -477,12 +492,25 @@ void StationCore::saveSealedSystems(TimePoint now)
 
 SnapshotSources StationCore::sources()
 {
-    return {m_links, m_channel.get(), m_receiver.datagrams(), m_receiver.gate(), m_fleet, m_sampler, m_recorder.get()};
+    return {m_links, m_channel.get(), m_receiver.datagrams(), m_receiver.gate(),
+            m_fleet, m_sampler,       m_recorder.get(),       m_publishingCpu};
 }
 
-std::shared_ptr<Snapshot> StationCore::takeSnapshot(TimePoint now)
+/// A measurement wants to know what its meter costs.
+void StationCore::publishSnapshot(TimePoint now, bool withProbe)
 {
-    auto out = buildSnapshot(sources(), now, m_measuring);
+    const Duration before = m_measuring ? metrics::threadCpuTime() : Duration::zero();
+    if (!withProbe)
+        m_sinks.snapshot(takeSnapshot(now));
+    else if (m_sinks.probed)
+        m_sinks.probed(takeSnapshot(now, true));
+    if (m_measuring)
+        m_publishingCpu += metrics::threadCpuTime() - before;
+}
+
+std::shared_ptr<Snapshot> StationCore::takeSnapshot(TimePoint now, bool withProbe)
+{
+    auto out = buildSnapshot(sources(), now, withProbe);
     out->number = m_pace.takeNumber();
     out->time = seconds(now - m_clock.start);
     if (m_gateway) {

@@ -33,6 +33,7 @@ struct StationSinks
     std::function<void(std::shared_ptr<const Snapshot>)> snapshot;
     Notify event;
     std::function<void(channel::PairingEvent)> pairing = {};
+    std::function<void(std::shared_ptr<const Snapshot>)> probed = {};
     /// Events that did not reach the reader; shown in snapshots.
     std::function<std::uint64_t()> eventsDropped = {};
 };
@@ -79,6 +80,8 @@ public:
     void resumeSuite(crypto::SuiteId suite);
     void setProtection(std::optional<Protection> protection);
     void setMeasuring(bool measuring);
+    void requestProbe();
+    void setSnapshotsPerSecond(int perSecond);
 
     // Observation.
     void setInspecting(bool inspecting) { m_fleet.inspector().setWatching(inspecting); }
@@ -134,7 +137,8 @@ private:
     bool isClearAllowed() const { return m_settings.mode() != SecureMode::Required; }
     bool isSealing() const { return m_channel && !m_settings.isPlain(); }
     SnapshotSources sources();
-    std::shared_ptr<Snapshot> takeSnapshot(TimePoint now);
+    std::shared_ptr<Snapshot> takeSnapshot(TimePoint now, bool withProbe = false);
+    void publishSnapshot(TimePoint now, bool withProbe);
 
     StationConfig m_config;
     StationSinks m_sinks;
@@ -155,6 +159,7 @@ private:
     Storage m_storage;
     Clock m_clock;
     bool m_measuring = false;
+    Duration m_publishingCpu{}; ///< while measuring
     bool m_stopped = false;
     DeadlineTimer m_timer;
 };

@@ -12,6 +12,10 @@ std::shared_ptr<const Probe> makeProbe(const SnapshotSources &from)
     auto out = std::make_shared<Probe>();
     out->processCpu = metrics::processCpuTime();
     out->ioThreadCpu = metrics::threadCpuTime();
+    out->publishingCpu = from.publishingCpu;
+    const metrics::ContextSwitches switches = metrics::threadSwitches();
+    out->wakeUps = switches.voluntary;
+    out->preemptions = switches.involuntary;
     out->residentBytes = metrics::residentBytes().value_or(0);
     out->waitingBytes = from.datagrams.waitingBytes;
     out->waitingDatagrams = from.datagrams.waitingCount;
@@ -44,6 +48,8 @@ ChannelTotals channelTotals(const SnapshotSources &from)
 std::shared_ptr<Snapshot> buildSnapshot(const SnapshotSources &from, TimePoint now, bool withProbe)
 {
     auto out = std::make_shared<Snapshot>();
+    if (withProbe)
+        out->probe = makeProbe(from);
     out->links = from.links.snapshots(now);
     if (from.channel) {
         from.channel->describe(now, *out);
@@ -63,8 +69,6 @@ std::shared_ptr<Snapshot> buildSnapshot(const SnapshotSources &from, TimePoint n
     out->spoofed = from.gate.refusals().systemFrames();
     out->mavlink = mavlinkTotals(from);
     out->channel = channelTotals(from);
-    if (withProbe)
-        out->probe = makeProbe(from);
     out->security = securityOf(*out);
     return out;
 }

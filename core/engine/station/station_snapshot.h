@@ -26,12 +26,13 @@ struct SnapshotSources
     const Fleet &fleet;
     const MetricsSampler &sampler;
     const Recorder *recorder; ///< null when nothing is recorded
+    Duration publishingCpu{}; ///< see Probe
 };
 
 MavlinkTotals mavlinkTotals(const SnapshotSources &from);
 ChannelTotals channelTotals(const SnapshotSources &from);
 
-/// `withProbe`: a measurement is in progress. The caller fills in the number and the time.
+/// The caller fills in the number and the time.
 std::shared_ptr<Snapshot> buildSnapshot(const SnapshotSources &from, TimePoint now, bool withProbe);
 
 } // namespace skyseal::engine
