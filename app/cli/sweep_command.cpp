@@ -49,11 +49,14 @@ int conclude(const experiment::Results &results, const SweepOptions &options, ex
             remark("written to " + options.folder.toStdString());
     }
     const std::string failed = experiment::failedRuns(results), ended = experiment::endedEarly(results);
-    if (!failed.empty())
-        complain(kName, failed);
+    const std::string invalid = experiment::invalidRuns(results);
+    for (const std::string &problem : {failed, invalid}) {
+        if (!problem.empty())
+            complain(kName, problem);
+    }
     if (!ended.empty())
         complain(kName, ended);
-    return hold && failed.empty() && ended.empty() ? kDone : kNotReached;
+    return hold && failed.empty() && invalid.empty() && ended.empty() ? kDone : kNotReached;
 }
 
 } // namespace

@@ -39,7 +39,8 @@ static double trialsOf(const Results &results, const Cell &cell, const MetricInf
 {
     double out = 0;
     for (const Sample &sample : results.samples) {
-        if (Cell{sample.run.condition, sample.run.load, sample.run.arm} == cell && std::isfinite(sample.values[metric.metric]))
+        if (Cell{sample.run.condition, sample.run.load, sample.run.arm} == cell && sample.isValid()
+            && std::isfinite(sample.values[metric.metric]))
             out += trialsOf(sample, metric.shareOf);
     }
     return out;
@@ -139,7 +140,7 @@ double meanOf(const Results &results, std::size_t condition, std::size_t load, c
 bool wasMeasured(const Results &results, Metric metric)
 {
     return std::any_of(results.samples.begin(), results.samples.end(),
-                       [metric](const Sample &sample) { return std::isfinite(sample.values[metric]); });
+                       [metric](const Sample &sample) { return sample.isValid() && std::isfinite(sample.values[metric]); });
 }
 
 } // namespace skyseal::experiment

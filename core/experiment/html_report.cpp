@@ -258,9 +258,14 @@ std::string rawTable(const Results &results)
         for (const Metric metric : shown)
             cells.push_back(readable(sample.values[metric]));
         out += row(cells);
-        if (!sample.problem.empty())
-            out += "<tr><td colspan=\"" + std::to_string(head.size()) + "\" class=\"bad\">" + escaped(sample.problem)
-                + "</td></tr>\n";
+        const auto note = [&](const std::string &text) {
+            if (!text.empty())
+                out += "<tr><td colspan=\"" + std::to_string(head.size()) + "\" class=\"bad\">" + escaped(text) + "</td></tr>\n";
+        };
+        note(sample.problem);
+        if (!sample.invalid.empty())
+            note("left out of every comparison, " + sample.invalid
+                 + (sample.attempts > 1 ? ", the last of " + std::to_string(sample.attempts) + " attempts" : ""));
     }
     return out + "</table>\n";
 }
@@ -304,6 +309,8 @@ std::string body(const ReportParts &parts, bool inlineFigures)
         out += "<p class=\"bad\">This sweep is incomplete: it " + ended + ".</p>\n";
     if (const std::string failed = failedRuns(results); !failed.empty())
         out += "<p class=\"bad\">" + escaped(failed) + "</p>\n";
+    if (const std::string invalid = invalidRuns(results); !invalid.empty())
+        out += "<p class=\"bad\">" + escaped(invalid) + ".</p>\n";
     out += "<p>Means of " + runsText(results)
         + " each, in random order, ± half of the 95 % confidence interval (Student's t, from two runs on), or (≤ its end) "
           "where it begins at zero, below which nothing can be; where nothing was lost in any run, that end is the 95 % bound "

@@ -151,6 +151,25 @@ bool sequenceNumbersCountLoss(const impair::ImpairmentSettings &link, Load load)
     return link.baud > 0 && most <= metrics::SequenceTracker::kShortWindow;
 }
 
+std::optional<double> lineRate(const impair::ImpairmentSettings &line)
+{
+    constexpr double kBitsOfByte = 10;
+    return line.baud > 0 ? std::optional(static_cast<double>(line.baud) / kBitsOfByte) : std::nullopt;
+}
+
+/// The relay loses datagrams before the line, and makes duplicates behind it.
+double lineLoad(const Reading &begin, const Reading &end, const impair::ImpairmentSettings &line)
+{
+    const auto received = [](const Reading &reading) {
+        return trafficOf(*reading.station).rxBytes + reading.station->probe->waitingBytes;
+    };
+    const auto rate = lineRate(line);
+    if (!rate)
+        return std::numeric_limits<double>::quiet_NaN();
+    const double carried = growth(received(begin), received(end)) / (1 + line.duplicate);
+    return 100 * carried / (end.station->time - begin.station->time) / *rate;
+}
+
 Values valuesBetween(const Reading &begin, const Reading &end, bool sealed, bool countsLoss)
 {
     Values out;

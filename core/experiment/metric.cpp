@@ -168,6 +168,13 @@ constexpr std::array<MetricInfo, kMetrics> kTable{{
      .title = "Bytes on the wire, to the station",
      .unit = "B/s",
      .description = "UDP payload per second"},
+    {.metric = Metric::LineLoad,
+     .key = "line_load",
+     .title = "Use of the line, to the station",
+     .unit = "%",
+     .description = "bytes that the impaired line carried to the station, announcements of the agent included and duplicates of the "
+                    "relay left out, percent of its rate; empty without a limited rate",
+     .explains = true},
     {.metric = Metric::WirePerFrame,
      .key = "wire_per_frame",
      .title = "Wire cost of a frame",

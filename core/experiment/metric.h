@@ -40,6 +40,7 @@ enum class Metric : std::uint8_t {
     AgentMemory,
     WireBytes,
     WireRate,
+    LineLoad,
     WirePerFrame,
     Overhead,
     Latency,

@@ -1,6 +1,7 @@
 #include "core/experiment/results.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace skyseal::experiment {
 
@@ -35,7 +36,7 @@ std::vector<double> valuesOf(const Results &results, const Cell &cell, Metric me
 {
     std::vector<double> out;
     for (const Sample *sample : samplesOf(results, cell))
-        out.push_back(sample->values[metric]);
+        out.push_back(sample->isValid() ? sample->values[metric] : std::numeric_limits<double>::quiet_NaN());
     return out;
 }
 

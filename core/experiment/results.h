@@ -34,6 +34,11 @@ struct Sample
     Values values;
     Counted begin, end;  ///< at the run's edges
     std::string problem; ///< reason why nothing was measured; empty on success
+    std::string invalid; ///< reason why the values are not those of the run's load; empty if they are
+    unsigned attempts = 1; ///< a run that is not valid is repeated; the values are those of the last attempt
+
+    /// Its values count. The others are shown with the run itself only.
+    bool isValid() const { return problem.empty() && invalid.empty(); }
 };
 
 /// Names and values in display order: "machine", "processor", "libsodium", …
@@ -56,7 +61,7 @@ struct Cell
 };
 
 std::vector<Cell> cells(const Plan &plan);
-/// The values of a cell in the order of the repeats; NaN where a value could not be measured.
+/// The values of a cell in the order of the repeats; NaN where a value could not be measured, and for runs that are not valid.
 std::vector<double> valuesOf(const Results &results, const Cell &cell, Metric metric);
 /// Sample::order of each value of valuesOf().
 std::vector<unsigned> ordersOf(const Results &results, const Cell &cell);

@@ -1,6 +1,7 @@
 #include "core/experiment/run_measurement.h"
 
 #include "core/engine/station/snapshot.h"
+#include "core/experiment/load_check.h"
 
 namespace skyseal::experiment {
 
@@ -50,14 +51,17 @@ void RunMeasurement::end(const MeasuredLink &link, const Snapshot &snapshot, con
         sample.problem = "the session did not last through the run";
         return;
     }
-    const bool countsLoss = sequenceNumbersCountLoss(plan.conditions[sample.run.condition].settings,
-                                                     plan.loads[sample.run.load]);
-    const Values values = valuesBetween(m_begin, readingOf(link, snapshot), !link.isPlain(), countsLoss);
+    const impair::ImpairmentSettings &line = plan.conditions[sample.run.condition].settings;
+    const Load load = plan.loads[sample.run.load];
+    const Reading end = readingOf(link, snapshot);
+    Values values = valuesBetween(m_begin, end, !link.isPlain(), sequenceNumbersCountLoss(line, load));
+    values[Metric::LineLoad] = lineLoad(m_begin, end, line);
     if (!link.hasVehicle(*snapshot) || values[Metric::Packets] == 0) {
         sample.problem = "the vehicle fell silent during the run";
         return;
     }
     sample.values = values;
+    sample.invalid = loadProblem(load, values);
     sample.seconds = snapshot->time - m_begin.station->time;
     sample.begin = countedBy(*m_begin.station);
     sample.end = countedBy(*snapshot);

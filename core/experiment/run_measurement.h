@@ -34,8 +34,8 @@ public:
     bool isOther(channel::SessionId session) const { return m_session && m_session != session; }
     /// True if the live session differs from that at the beginning. A short silence of the same session does not count.
     bool sessionChanged(const MeasuredLink &link, const engine::Snapshot &snapshot) const;
-    /// Fills seconds, values and counters of the sample, or its problem: the session or the vehicle did not last through the
-    /// run. Metric::Switch and Metric::SessionMemory stay as they are.
+    /// Fills seconds, values, validity and counters of the sample, or its problem: the session or the vehicle did not last
+    /// through the run. Metric::Switch and Metric::SessionMemory stay as they are.
     void end(const MeasuredLink &link, const Snapshot &snapshot, const Plan &plan, Sample &sample);
 
 private:

@@ -99,6 +99,9 @@ void writeSample(JsonWriter &json, const Plan &plan, const Sample &sample)
     json.field("repeat", std::uint64_t(sample.run.repeat)).field("start", sample.start).field("seconds", sample.seconds);
     if (!sample.problem.empty())
         json.field("problem", sample.problem);
+    json.field("valid", sample.isValid()).field("attempts", std::uint64_t(sample.attempts));
+    if (!sample.invalid.empty())
+        json.field("invalid", sample.invalid);
     values(json, sample.values);
     json.key("counted").beginObject();
     writeCounted(json, "begin", sample.begin);
@@ -262,7 +265,7 @@ std::string sweepCsv(const Results &results)
     std::string out = "order,condition,load,suite,framing,again,repeat,start,seconds";
     for (const MetricInfo &metric : metrics())
         out.append(",").append(metric.key);
-    out += ",problem\n";
+    out += ",valid,attempts,invalid,problem\n";
     for (const Sample &sample : results.samples) {
         const Plan &plan = results.plan;
         const SweepArm &one = plan.arms[sample.run.arm];
@@ -273,7 +276,10 @@ std::string sweepCsv(const Results &results)
             + csvNumber(sample.seconds);
         for (const MetricInfo &metric : metrics())
             out += "," + csvNumber(sample.values[metric.metric]);
-        out += "," + (sample.problem.empty() ? std::string() : csvText(sample.problem)) + "\n";
+        out += std::string(sample.isValid() ? ",1," : ",0,") + std::to_string(sample.attempts);
+        for (const std::string &text : {sample.invalid, sample.problem})
+            out += "," + (text.empty() ? std::string() : csvText(text));
+        out += "\n";
     }
     return out;
 }

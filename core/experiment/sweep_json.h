@@ -10,7 +10,7 @@
 
 namespace skyseal::experiment {
 
-inline constexpr unsigned kSweepSchemaVersion = 2;
+inline constexpr unsigned kSweepSchemaVersion = 3;
 
 std::string sweepJson(const Results &results, const std::vector<Verdict> &verdicts);
 /// The samples: one line per run, one column per metric; empty where a value could not be measured.

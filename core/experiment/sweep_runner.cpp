@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace skyseal::experiment {
@@ -21,8 +22,8 @@ constexpr Duration kRestorePatience = std::chrono::seconds(6); ///< a switch is 
 constexpr Duration kSettle = milliseconds(500);                ///< a new station requests much that it requests only once
 constexpr Duration kSettleAgain = milliseconds(200);
 constexpr Duration kMostSettle = std::chrono::seconds(2); ///< for a vehicle that does not answer TIMESYNC
-constexpr double kPaceTrips = 6;                          ///< in which the window of a saturated load finds its size
-constexpr Duration kMostWarmUp = std::chrono::seconds(12);
+constexpr Duration kMostSettling = std::chrono::seconds(30); ///< of a saturated load; the run is measured all the same
+constexpr unsigned kMostAttempts = 3;                        ///< of a run whose load is not what its name says
 constexpr Duration kProbePatience = std::chrono::seconds(10);
 constexpr int kWatching = 20;           ///< snapshots a second while the link is brought into its state
 constexpr int kForReports = 1;          ///< while a run waits for the agent's first report
@@ -119,6 +120,8 @@ void SweepRunner::beginNextRun()
     m_runStart = now();
     m_switch.begin(arm().suite);
     m_fresh = !m_station.isOpen();
+    m_attempts = 1;
+    m_hopeless = m_hopeless && !m_queue.atBlockStart();
     Q_EMIT runBegan(run);
     if (m_fresh)
         openStation();
@@ -173,7 +176,7 @@ void SweepRunner::handleSnapshot(const RunMeasurement::Snapshot &snapshot)
     case Stage::WarmingUp:
         if (!m_link.isUnder(arm().suite, *snapshot))
             beginSwitch(); // the link was lost before the measurement began
-        else if (inStage >= warmUpTime())
+        else if (isWarm(inStage))
             requestBegin();
         break;
     case Stage::Measuring: watchRun(*snapshot); break;
@@ -203,17 +206,22 @@ bool SweepRunner::isSettled(double inStage) const
     return inStage >= seconds(kMostSettle) || (inStage >= seconds(least) && m_link.isAnswering(*m_snapshot));
 }
 
-/// Seconds. A load that follows the answers of the other end takes several round trips to find its pace.
-double SweepRunner::warmUpTime() const
+/// A load that follows the answers of the other end takes its time to find its rate, most of all after a pause.
+bool SweepRunner::isWarm(double inStage)
 {
-    double out = seconds(m_config.plan.warmUp);
     if (m_config.plan.loads[m_queue.current().load] != Load::Saturated)
-        return out;
+        return inStage >= seconds(m_config.plan.warmUp);
+    std::uint64_t bytes = 0;
+    double trip = std::numeric_limits<double>::quiet_NaN();
+    for (const engine::LinkSnapshot &link : m_snapshot->links)
+        bytes += link.rxBytes;
     for (const engine::VehicleSnapshot &vehicle : m_snapshot->vehicles) {
-        if (!vehicle.state.lost && !std::isnan(vehicle.state.latency))
-            out = std::max(out, std::min(kPaceTrips * vehicle.state.latency, seconds(kMostWarmUp)));
+        if (!vehicle.state.lost)
+            trip = vehicle.state.latency;
     }
-    return out;
+    m_settling.note(m_snapshot->time, bytes, trip);
+    const bool settled = m_settling.settled() || inStage >= seconds(kMostSettling);
+    return settled && inStage >= seconds(m_config.plan.warmUp);
 }
 
 /// On a link that works: changes how it carries MAVLink if the run needs another mode, and its suite otherwise.
@@ -246,9 +254,16 @@ void SweepRunner::beginSwitch()
 void SweepRunner::continueSwitch()
 {
     if (m_link.isUnder(arm().suite, *m_snapshot))
-        enter(Stage::WarmingUp, m_config.plan.warmUp + kConnectPatience);
+        beginWarmUp();
     else
         orderSwitch();
+}
+
+void SweepRunner::beginWarmUp()
+{
+    const Run &run = m_queue.current();
+    m_settling = LoadSettling(lineRate(m_config.plan.conditions[run.condition].settings));
+    enter(Stage::WarmingUp, m_config.plan.warmUp + kMostSettling + kConnectPatience);
 }
 
 void SweepRunner::orderSwitch()
@@ -310,9 +325,14 @@ void SweepRunner::endRun(std::string problem)
     sample.problem = std::move(problem);
     if (sample.problem.empty())
         m_measurement.end(m_link, m_snapshot, m_config.plan, sample);
+    if (!sample.invalid.empty() && mayRepeat()) {
+        ++m_attempts;
+        return beginWarmUp();
+    }
     if (sample.problem.empty()) {
         sample.values[Metric::Switch] = m_switch.milliseconds();
         addSessionMemory(sample);
+        m_hopeless = !sample.invalid.empty();
         if (m_link.isPlain())
             m_link.plainSucceeded();
         m_failedRuns = 0;
@@ -324,6 +344,12 @@ void SweepRunner::endRun(std::string problem)
         return giveUp("given up after " + std::to_string(kMostFailedRuns)
                       + " runs in a row that failed; the last one: " + sample.problem);
     beginNextRun();
+}
+
+/// Once, if the run before in this block was not valid in spite of that: the machine cannot make the load.
+bool SweepRunner::mayRepeat() const
+{
+    return m_attempts < (m_hopeless ? 1 : kMostAttempts);
 }
 
 /// Measured once for each suite, so one sample of each cell has it, however often the suite is run.
@@ -355,6 +381,7 @@ Sample SweepRunner::sampleOfRun() const
     out.run = m_queue.current();
     out.order = static_cast<unsigned>(m_queue.position());
     out.start = m_runStart;
+    out.attempts = m_attempts;
     return out;
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/experiment/heap_figures.h"
 #include "core/experiment/lab.h"
+#include "core/experiment/load_settling.h"
 #include "core/experiment/measured_link.h"
 #include "core/experiment/results.h"
 #include "core/experiment/run_measurement.h"
@@ -83,6 +84,7 @@ private:
     void beginSwitch();
     void continueSwitch();
     void orderSwitch();
+    void beginWarmUp();
     void requestBegin();
     void beginMeasuring();
     void watchRun(const engine::Snapshot &snapshot);
@@ -103,7 +105,8 @@ private:
 
     bool isEnding() const { return !m_problem.empty() || m_queue.atEnd(); }
     bool isSettled(double inStage) const;
-    double warmUpTime() const;
+    bool isWarm(double inStage);
+    bool mayRepeat() const;
     const SweepArm &arm() const { return m_config.plan.arms[m_queue.current().arm]; }
     const engine::SessionSnapshot *session() const { return m_snapshot ? m_link.session(*m_snapshot) : nullptr; }
     double now() const { return static_cast<double>(m_clock.nsecsElapsed()) / 1e9; }
@@ -114,6 +117,7 @@ private:
     SweepStation m_station;
     MeasuredLink m_link;
     SuiteSwitch m_switch;
+    LoadSettling m_settling;
     RunMeasurement m_measurement;
     RunMeasurement::Snapshot m_snapshot; ///< the newest one
     Stage m_stage = Stage::Idle;
@@ -125,6 +129,8 @@ private:
     bool m_fresh = false;      ///< the station was opened for this run
     bool m_opened = false;     ///< a link worked at least once
     unsigned m_failedRuns = 0; ///< in a row
+    unsigned m_attempts = 1;   ///< of this run
+    bool m_hopeless = false;   ///< no attempt of the run before reached its load
     std::string m_problem;     ///< reason why the sweep ends early
     QTimer m_tick{this};
     QTimer m_measured{this}; ///< fires at the end of a run

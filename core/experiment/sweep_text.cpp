@@ -76,7 +76,7 @@ std::string runsText(const Results &results)
     for (const Cell &cell : cells(results.plan)) {
         counts.push_back(static_cast<std::size_t>(
             std::count_if(results.samples.begin(), results.samples.end(), [&cell](const Sample &sample) {
-                return Cell{sample.run.condition, sample.run.load, sample.run.arm} == cell && sample.problem.empty();
+                return Cell{sample.run.condition, sample.run.load, sample.run.arm} == cell && sample.isValid();
             })));
     }
     return runsText(counts);
@@ -114,6 +114,24 @@ std::string failedRuns(const Results &results)
     for (std::size_t i = 0; i < reasons.size(); ++i)
         out += (i > 0 ? "; " : "") + reasons[i];
     return out;
+}
+
+std::string invalidRuns(const Results &results)
+{
+    const Plan &plan = results.plan;
+    std::size_t invalid = 0;
+    const Sample *first = nullptr;
+    for (const Sample &sample : results.samples) {
+        if (sample.invalid.empty())
+            continue;
+        first = first ? first : &sample;
+        ++invalid;
+    }
+    if (!first)
+        return {};
+    return std::to_string(invalid) + " of " + std::to_string(results.samples.size())
+        + " runs are not valid and left out of every comparison; the first of them, " + fullName(plan.arms[first->run.arm]) + " ("
+        + std::string(name(plan.loads[first->run.load])) + " load): " + first->invalid;
 }
 
 std::vector<std::string> sweepText(const Results &results)
@@ -172,7 +190,9 @@ std::string runText(const Plan &plan, const Sample &sample, std::size_t runs, do
         out += readable(sample.values[Metric::Packets]) + " packets, " + lossText(sample.values) + ", CPU "
             + readable(sample.values[Metric::Cpu]) + " %";
     else
-        out += sample.problem;
+ out += sample.problem;
+    if (!sample.invalid.empty())
+        out += "; NOT VALID, " + sample.invalid + (sample.attempts > 1 ? ", in " + std::to_string(sample.attempts) + " attempts" : "");
     return out + "; " + leftText(remaining);
 }
 

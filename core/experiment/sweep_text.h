@@ -25,6 +25,10 @@ std::string endedEarly(const Results &results);
 /// "2 of 72 runs failed: none (natural load): no vehicle was heard", each arm, load and reason once; empty if no run failed.
 std::string failedRuns(const Results &results);
 
+/// "3 of 72 runs are not valid and left out of every comparison; the first of them, rc4 (saturated load): not saturated: …";
+/// empty if all are valid.
+std::string invalidRuns(const Results &results);
+
 /// One table for each condition and load, then the notes below them.
 std::vector<std::string> sweepText(const Results &results);
 

@@ -33,11 +33,11 @@ Result<void, InputError> fits(const Expectation &expectation, const Plan &plan)
 
 namespace {
 
-/// True if any run of the cell succeeded.
+/// True if any run of the cell succeeded and was valid.
 bool ran(const Results &results, const Cell &cell)
 {
     return std::any_of(results.samples.begin(), results.samples.end(), [&](const Sample &sample) {
-        return Cell{sample.run.condition, sample.run.load, sample.run.arm} == cell && sample.problem.empty();
+        return Cell{sample.run.condition, sample.run.load, sample.run.arm} == cell && sample.isValid();
     });
 }
 

@@ -95,6 +95,7 @@ private Q_SLOTS:
     void comparedIsWhatThePaperCompared();
     void singleRunsAreNotCompared();
     void framingsAreTold();
+    void invalidRunsAreLeftOut();
     void reportIsWholeAndSafe();
 };
 
@@ -530,6 +531,49 @@ void ReportTest::framingsAreTold()
     QVERIFY(html.find("not in this framing") != std::string::npos);
     QVERIFY(html.find("framing inline") != std::string::npos);                    // that the claims are judged in
     QCOMPARE(compareArms(results, 0, 0, Metric::Packets).size(), std::size_t(6)); // four arms, each with each
+}
+
+void ReportTest::invalidRunsAreLeftOut()
+{
+    Results results = resultsWith(Metric::CpuPerFrame, [](SuiteId suite) { return suite == SuiteId::Rc4 ? 5000.0 : 1000.0; });
+    const auto rc4 = static_cast<std::size_t>(std::ranges::find(results.plan.arms, SuiteId::Rc4, &SweepArm::suite)
+                                              - results.plan.arms.begin());
+    QVERIFY(invalidRuns(results).empty());
+    const std::size_t pairs = compareArms(results, 0, 0, Metric::CpuPerFrame).size();
+    std::size_t left = 0;
+    for (Sample &sample : results.samples) {
+        if (sample.run.arm != rc4 || left == 4)
+            continue;
+        ++left;
+        sample.values[Metric::CpuPerFrame] = 9e9;
+        sample.invalid = "not saturated: nothing reached 95 % (41 % of the station's core)";
+        sample.attempts = 3;
+    }
+    // One value is left, which is no comparison; the nonsense of the others is in no mean.
+    QCOMPARE(summaryOf(results, {0, 0, rc4}, Metric::CpuPerFrame).count, std::size_t(1));
+    QVERIFY(summaryOf(results, {0, 0, rc4}, Metric::CpuPerFrame).mean < 6000);
+    const auto compared = compareArms(results, 0, 0, Metric::CpuPerFrame);
+    QVERIFY(compared.size() < pairs);
+    for (const ArmComparison &pair : compared)
+        QVERIFY(pair.first != rc4 && pair.second != rc4);
+    const std::string said = "4 of " + std::to_string(results.samples.size()) + " runs are not valid";
+    QVERIFY(invalidRuns(results).starts_with(said));
+    const std::string page = htmlReport({results, {}, {}, {}});
+    QVERIFY(page.find(said) < page.find("<h2>Figures"));
+    QVERIFY(page.find("left out of every comparison, not saturated") != std::string::npos);
+    const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(sweepJson(results, {}))).object();
+    int valid = 0;
+    for (const QJsonValue sample : json[QLatin1String("samples")].toArray()) {
+        valid += sample[QLatin1String("valid")].toBool();
+        QCOMPARE(sample[QLatin1String("valid")].toBool(), sample[QLatin1String("invalid")].isUndefined());
+        QCOMPARE(sample[QLatin1String("attempts")].toInt(), sample[QLatin1String("valid")].toBool() ? 1 : 3);
+    }
+    QCOMPARE(valid, static_cast<int>(results.samples.size()) - 4);
+    const QByteArray csv = QByteArray::fromStdString(sweepCsv(results));
+    QCOMPARE(csv.count(",0,3,\"not saturated: "), qsizetype(4));
+    QVERIFY(runText(results.plan, *std::ranges::find(results.samples, 3u, &Sample::attempts), 10, 0)
+                .find("NOT VALID, not saturated")
+            != std::string::npos);
 }
 
 void ReportTest::reportIsWholeAndSafe()

@@ -1,0 +1,18 @@
+// Whether the load of a run was what its name says. A run that was not is no measurement of that load. Pure function.
+#pragma once
+
+#include "core/experiment/metric.h"
+#include "core/experiment/plan.h"
+
+#include <string>
+
+namespace skyseal::experiment {
+
+/// Per cent of a line's rate, or of a core, from which on it counts as used up.
+inline constexpr double kUsedUp = 95;
+
+/// The reason why these are no values of a run under this load; empty if they are. A saturated load fills the line, the core
+/// of the station's I/O thread or that of the agent; with less, the generator sets the rate, and not what is measured.
+std::string loadProblem(Load load, const Values &values);
+
+} // namespace skyseal::experiment
