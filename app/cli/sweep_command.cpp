@@ -8,6 +8,7 @@
 #include "app/common/sweep_files.h"
 #include "app/common/sweep_setting.h"
 #include "core/crypto/system_random.h"
+#include "core/experiment/disturbances.h"
 #include "core/experiment/setting.h"
 #include "core/experiment/sweep_json.h"
 #include "core/experiment/sweep_runner.h"
@@ -49,7 +50,9 @@ int conclude(const experiment::Results &results, const SweepOptions &options, ex
             remark("written to " + options.folder.toStdString());
     }
     const std::string failed = experiment::failedRuns(results), ended = experiment::endedEarly(results);
-    const std::string invalid = experiment::invalidRuns(results);
+    const std::string invalid = experiment::invalidRuns(results), disturbed = experiment::disturbedRuns(results);
+    if (!disturbed.empty())
+        remark(disturbed);
     for (const std::string &problem : {failed, invalid}) {
         if (!problem.empty())
             complain(kName, problem);

@@ -2,6 +2,7 @@
 
 #include "core/experiment/analysis.h"
 #include "core/experiment/bar_chart.h"
+#include "core/experiment/disturbances.h"
 #include "core/experiment/setting.h"
 #include "core/experiment/sweep_text.h"
 
@@ -232,6 +233,8 @@ std::string settingTable(const Results &results)
     line("runs",
          std::to_string(results.samples.size()) + " of " + readable(seconds(plan.measure)) + " s, after "
              + readable(seconds(plan.warmUp)) + " s of warm-up each; the sweep took " + readable(results.seconds) + " s");
+    if (!results.placement.empty())
+        line("placement", results.placement);
     line("framing", framingText(plan));
     for (const Condition &condition : plan.conditions)
         line("link",
@@ -260,9 +263,12 @@ std::string rawTable(const Results &results)
         out += row(cells);
         const auto note = [&](const std::string &text) {
             if (!text.empty())
-                out += "<tr><td colspan=\"" + std::to_string(head.size()) + "\" class=\"bad\">" + escaped(text) + "</td></tr>\n";
+                out += "<tr><td colspan=\"" + std::to_string(head.size()) + "\" class=\"bad\">" + escaped(text)
+                    + "</td></tr>\n";
         };
         note(sample.problem);
+        for (const std::string &text : disturbances(sample))
+            note("disturbed: " + text);
         if (!sample.invalid.empty())
             note("left out of every comparison, " + sample.invalid
                  + (sample.attempts > 1 ? ", the last of " + std::to_string(sample.attempts) + " attempts" : ""));
@@ -311,6 +317,8 @@ std::string body(const ReportParts &parts, bool inlineFigures)
         out += "<p class=\"bad\">" + escaped(failed) + "</p>\n";
     if (const std::string invalid = invalidRuns(results); !invalid.empty())
         out += "<p class=\"bad\">" + escaped(invalid) + ".</p>\n";
+    if (const std::string disturbed = disturbedRuns(results); !disturbed.empty())
+        out += "<p class=\"bad\">" + escaped(disturbed) + ".</p>\n";
     out += "<p>Means of " + runsText(results)
         + " each, in random order, ± half of the 95 % confidence interval (Student's t, from two runs on), or (≤ its end) "
           "where it begins at zero, below which nothing can be; where nothing was lost in any run, that end is the 95 % bound "

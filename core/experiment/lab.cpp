@@ -77,7 +77,14 @@ Lab::Lab(LabPrograms programs) : m_programs(std::move(programs))
                 reportEnd(*process);
         });
 #ifdef Q_OS_LINUX
-        process->setChildProcessModifier([] { ::prctl(PR_SET_PDEATHSIG, SIGTERM); });
+        const std::optional<int> core = process == &m_simulator ? m_placement.simulator
+            : process == &m_agent                               ? m_placement.agent
+                                                                : m_placement.relay;
+        process->setChildProcessModifier([core] {
+            ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+            if (core)
+                runOnCore(*core);
+        });
 #endif
     }
 }

@@ -6,6 +6,7 @@
 #include "core/base/random_source.h"
 #include "core/base/result.h"
 #include "core/engine/station/station_config.h"
+#include "core/experiment/placement.h"
 #include "core/experiment/plan.h"
 
 #include <QtCore/QObject>
@@ -39,7 +40,12 @@ public:
     /// since it is reachable on loopback only.
     void start(Load load, const Condition &condition, std::uint64_t seed);
     void stop();
+    /// Process ids; 0 for a program that does not run.
     qint64 agentProcess() const { return m_agent.processId(); }
+    qint64 simulatorProcess() const { return m_simulator.processId(); }
+    qint64 relayProcess() const { return m_relay.processId(); }
+    /// Which core each program runs on. The owner of the station places that.
+    const Placement &placement() const { return m_placement; }
 
 Q_SIGNALS:
     /// A program ended unexpectedly or could not be started. `problem` is a sentence with the reason.
@@ -53,6 +59,7 @@ private:
     QString file(const char *name) const { return m_folder.filePath(QLatin1String(name)); }
 
     LabPrograms m_programs;
+    const Placement m_placement = placementHere();
     QTemporaryDir m_folder;
     QProcess m_simulator, m_agent, m_relay;
     quint16 m_vehiclePort, m_relayPort, m_groundPort;

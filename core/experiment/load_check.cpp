@@ -7,7 +7,8 @@ namespace skyseal::experiment {
 
 std::string loadProblem(Load load, const Values &values)
 {
-    constexpr std::array kParts{std::pair(Metric::LineLoad, "of the line's rate"), std::pair(Metric::Cpu, "of the station's core"),
+    constexpr std::array kParts{std::pair(Metric::LineLoad, "of the line's rate"),
+                                std::pair(Metric::Cpu, "of the station's core"),
                                 std::pair(Metric::AgentCpu, "of the agent's core")};
     if (load != Load::Saturated)
         return {};

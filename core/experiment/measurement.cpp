@@ -4,6 +4,7 @@
 #include "core/metrics/sequence_tracker.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace skyseal::experiment {
@@ -124,12 +125,47 @@ void addAgent(Values &out, const Reading &begin, const Reading &end, double time
     if (!sealed)
         out[Metric::AgentCpuSuite] = 0;
     if (!(sealed && addReported(out, begin, end))) {
-        if (begin.agentCpu && end.agentCpu)
-            out[Metric::AgentCpu] = 100 * seconds(*end.agentCpu - *begin.agentCpu) / time;
-        if (end.agentMemory)
-            out[Metric::AgentMemory] = static_cast<double>(*end.agentMemory);
+        if (begin.programs.agentCpu && end.programs.agentCpu)
+            out[Metric::AgentCpu] = 100 * seconds(*end.programs.agentCpu - *begin.programs.agentCpu) / time;
+        if (end.programs.agentMemory)
+            out[Metric::AgentMemory] = static_cast<double>(*end.programs.agentMemory);
     }
     out[Metric::AgentCpuPerFrame] = 1e7 * out[Metric::AgentCpu] / out[Metric::FrameRate]; // from percent to ns
+}
+
+/// Percent of one core.
+double load(const std::optional<Duration> &begin, const std::optional<Duration> &end, double time)
+{
+    return begin && end ? 100 * seconds(*end - *begin) / time : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// What may explain the values of the run. The programs and the machine are read beside the station's thread, with a clock of
+/// their own.
+void addCircumstances(Values &out, const Reading &begin, const Reading &end, double stationTime)
+{
+    const engine::Probe &before = *begin.station->probe, &after = *end.station->probe;
+    out[Metric::WakeUps] = growth(before.wakeUps, after.wakeUps) / stationTime;
+    out[Metric::Preemptions] = growth(before.preemptions, after.preemptions) / stationTime;
+    const ProgramUsage &from = begin.programs, &to = end.programs;
+    const double time = seconds(to.at - from.at);
+    if (from.agentSwitches && to.agentSwitches) {
+        out[Metric::AgentWakeUps] = growth(from.agentSwitches->voluntary, to.agentSwitches->voluntary) / time;
+        out[Metric::AgentPreemptions] = growth(from.agentSwitches->involuntary, to.agentSwitches->involuntary) / time;
+    }
+    out[Metric::SimulatorCpu] = load(from.simulatorCpu, to.simulatorCpu, time);
+    out[Metric::RelayCpu] = load(from.relayCpu, to.relayCpu, time);
+    double other = load(begin.machine.busy, end.machine.busy, time) - out[Metric::CpuProcess];
+    for (const double own : {load(from.agentCpu, to.agentCpu, time), out[Metric::SimulatorCpu], out[Metric::RelayCpu]})
+        other -= std::isnan(own) ? 0 : own;
+    out[Metric::OtherCpu] = std::isnan(other) ? other : std::max(0.0, other);
+    out[Metric::Steal] = load(begin.machine.stolen, end.machine.stolen, time);
+    if (begin.machine.megahertz && end.machine.megahertz) {
+        const double mean = (*begin.machine.megahertz + *end.machine.megahertz) / 2;
+        out[Metric::Frequency] = mean;
+        out[Metric::FrequencyChange] = 100 * std::abs(*end.machine.megahertz - *begin.machine.megahertz) / mean;
+    }
+    out[Metric::LoadBegin] = begin.machine.load.value_or(std::numeric_limits<double>::quiet_NaN());
+    out[Metric::LoadEnd] = end.machine.load.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 } // namespace
@@ -187,12 +223,14 @@ Values valuesBetween(const Reading &begin, const Reading &end, bool sealed, bool
     out[Metric::WireBytes] = received + growth(traffic.txBytes, later.txBytes);
     out[Metric::WireRate] = received / time;
     out[Metric::WirePerFrame] = (received + kHeaders * growth(traffic.rxDatagrams, later.rxDatagrams)) / frames;
+    out[Metric::FramesPerDatagram] = frames / growth(traffic.rxDatagrams, later.rxDatagrams);
     out[Metric::Overhead] = 100 * (received / mavlink - 1);
     addCosts(out, *before.probe, *after.probe, time, frames, sealed);
     if (sealed)
         addChannel(out, before.channel, after.channel);
     addLatency(out, before, after);
     addAgent(out, begin, end, time, sealed);
+    addCircumstances(out, begin, end, time);
     if (begin.microjoules && end.microjoules) {
         const double joules = growth(*begin.microjoules, *end.microjoules) / 1e6;
         out[Metric::Power] = joules / time;

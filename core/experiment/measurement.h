@@ -4,6 +4,8 @@
 #include "core/experiment/metric.h"
 #include "core/experiment/results.h"
 #include "core/impair/impairment.h"
+#include "core/metrics/machine_usage.h"
+#include "core/metrics/process_usage.h"
 
 #include <memory>
 #include <optional>
@@ -24,15 +26,22 @@ struct AgentCostReport
 /// nullopt before the first report.
 std::optional<AgentCostReport> agentCostReport(const engine::SessionSnapshot &session);
 
+/// What the kernel says of the programs of a sweep at one time; empty for those that are no known processes of this machine.
+struct ProgramUsage
+{
+    TimePoint at{};
+    std::optional<Duration> agentCpu, simulatorCpu, relayCpu;
+    std::optional<std::uint64_t> agentMemory;
+    std::optional<metrics::ContextSwitches> agentSwitches;
+};
+
 /// State of all counters at one edge of a run.
 struct Reading
 {
     std::shared_ptr<const engine::Snapshot> station; ///< with a probe
     std::optional<AgentCostReport> agent;            ///< made during the run
-    /// From the kernel at this time; empty unless the agent is a known process of this machine.
-    TimePoint agentReadAt{};
-    std::optional<Duration> agentCpu;
-    std::optional<std::uint64_t> agentMemory;
+    ProgramUsage programs;
+    metrics::MachineUsage machine;            ///< read together with `programs`
     std::optional<std::uint64_t> microjoules; ///< of the whole processor, monotonic
 };
 

@@ -43,13 +43,26 @@ enum class Metric : std::uint8_t {
     LineLoad,
     WirePerFrame,
     Overhead,
+    FramesPerDatagram,
     Latency,
     SessionMemory,
     Power,
     EnergyPerFrame,
-    Switch
+    Switch,
+    WakeUps,
+    Preemptions,
+    AgentWakeUps,
+    AgentPreemptions,
+    SimulatorCpu,
+    RelayCpu,
+    OtherCpu,
+    Steal,
+    Frequency,
+    FrequencyChange,
+    LoadBegin,
+    LoadEnd
 };
-inline constexpr std::size_t kMetrics = static_cast<std::size_t>(Metric::Switch) + 1;
+inline constexpr std::size_t kMetrics = static_cast<std::size_t>(Metric::LoadEnd) + 1;
 
 /// Precision of an instrument. A difference of means within it is never significant, however often the runs are repeated.
 struct Resolution

@@ -32,9 +32,9 @@ struct Sample
     double start = 0;   ///< seconds since the sweep began
     double seconds = 0; ///< duration of the measurement
     Values values;
-    Counted begin, end;  ///< at the run's edges
-    std::string problem; ///< reason why nothing was measured; empty on success
-    std::string invalid; ///< reason why the values are not those of the run's load; empty if they are
+    Counted begin, end;    ///< at the run's edges
+    std::string problem;   ///< reason why nothing was measured; empty on success
+    std::string invalid;   ///< reason why the values are not those of the run's load; empty if they are
     unsigned attempts = 1; ///< a run that is not valid is repeated; the values are those of the last attempt
 
     /// Its values count. The others are shown with the run itself only.
@@ -48,6 +48,7 @@ struct Results
 {
     Plan plan;
     Setting setting;
+    std::string placement; ///< which core each program ran on; empty if the sweep started none
     std::vector<Sample> samples;
     bool complete = false; ///< false: cancelled or given up
     double seconds = 0;    ///< duration of the sweep

@@ -17,8 +17,7 @@ std::optional<AgentCostReport> reportIn(const MeasuredLink &link, const engine::
 
 Reading RunMeasurement::readingOf(const MeasuredLink &link, const Snapshot &snapshot)
 {
-    const AgentUsage usage = m_agentUsage();
-    return {snapshot, reportIn(link, *snapshot), usage.at, usage.cpu, usage.memory, m_energy.microjoules()};
+    return {snapshot, reportIn(link, *snapshot), m_programs(), metrics::machineUsage(), m_energy.microjoules()};
 }
 
 void RunMeasurement::begin(const MeasuredLink &link, const Snapshot &snapshot)

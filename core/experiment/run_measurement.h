@@ -10,20 +10,12 @@
 
 namespace skyseal::experiment {
 
-/// CPU time and memory of the agent's process, read from the kernel; empty where the process is not known.
-struct AgentUsage
-{
-    TimePoint at{};
-    std::optional<Duration> cpu;
-    std::optional<std::uint64_t> memory;
-};
-
 class RunMeasurement
 {
 public:
     using Snapshot = std::shared_ptr<const engine::Snapshot>; ///< at both edges with a probe
 
-    explicit RunMeasurement(std::function<AgentUsage()> agentUsage) : m_agentUsage(std::move(agentUsage)) {}
+    explicit RunMeasurement(std::function<ProgramUsage()> programs) : m_programs(std::move(programs)) {}
 
     void begin(const MeasuredLink &link, const Snapshot &snapshot);
     /// Takes the agent's first report of the run: its costs count from there, since the report before it may hold the time of
@@ -41,7 +33,7 @@ public:
 private:
     Reading readingOf(const MeasuredLink &link, const Snapshot &snapshot);
 
-    std::function<AgentUsage()> m_agentUsage;
+    std::function<ProgramUsage()> m_programs;
     metrics::EnergyMeter m_energy;
     Reading m_begin;
     std::optional<channel::SessionId> m_session;

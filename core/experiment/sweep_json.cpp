@@ -2,6 +2,7 @@
 
 #include "core/base/json_writer.h"
 #include "core/experiment/analysis.h"
+#include "core/experiment/disturbances.h"
 
 #include <cmath>
 #include <charconv>
@@ -102,6 +103,10 @@ void writeSample(JsonWriter &json, const Plan &plan, const Sample &sample)
     json.field("valid", sample.isValid()).field("attempts", std::uint64_t(sample.attempts));
     if (!sample.invalid.empty())
         json.field("invalid", sample.invalid);
+    json.key("disturbances").beginArray();
+    for (const std::string &text : disturbances(sample))
+        json.value(text);
+    json.endArray();
     values(json, sample.values);
     json.key("counted").beginObject();
     writeCounted(json, "begin", sample.begin);
@@ -226,6 +231,8 @@ std::string sweepJson(const Results &results, const std::vector<Verdict> &verdic
     for (const auto &[key, value] : results.setting)
         json.field(key, value);
     json.endObject();
+    if (!results.placement.empty())
+        json.field("placement", results.placement);
     writePlan(json, plan);
     json.key("metrics").beginArray();
     for (const MetricInfo &metric : metrics()) {
@@ -265,7 +272,7 @@ std::string sweepCsv(const Results &results)
     std::string out = "order,condition,load,suite,framing,again,repeat,start,seconds";
     for (const MetricInfo &metric : metrics())
         out.append(",").append(metric.key);
-    out += ",valid,attempts,invalid,problem\n";
+    out += ",valid,attempts,invalid,disturbances,problem\n";
     for (const Sample &sample : results.samples) {
         const Plan &plan = results.plan;
         const SweepArm &one = plan.arms[sample.run.arm];
@@ -277,7 +284,10 @@ std::string sweepCsv(const Results &results)
         for (const MetricInfo &metric : metrics())
             out += "," + csvNumber(sample.values[metric.metric]);
         out += std::string(sample.isValid() ? ",1," : ",0,") + std::to_string(sample.attempts);
-        for (const std::string &text : {sample.invalid, sample.problem})
+        std::string disturbed;
+        for (const std::string &text : disturbances(sample))
+            disturbed += (disturbed.empty() ? "" : "; ") + text;
+        for (const std::string &text : {sample.invalid, disturbed, sample.problem})
             out += "," + (text.empty() ? std::string() : csvText(text));
         out += "\n";
     }

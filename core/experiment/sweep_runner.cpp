@@ -21,7 +21,7 @@ constexpr Duration kSwitchPatience = std::chrono::seconds(15);
 constexpr Duration kRestorePatience = std::chrono::seconds(6); ///< a switch is confirmed or rolled back within five
 constexpr Duration kSettle = milliseconds(500);                ///< a new station requests much that it requests only once
 constexpr Duration kSettleAgain = milliseconds(200);
-constexpr Duration kMostSettle = std::chrono::seconds(2); ///< for a vehicle that does not answer TIMESYNC
+constexpr Duration kMostSettle = std::chrono::seconds(2);    ///< for a vehicle that does not answer TIMESYNC
 constexpr Duration kMostSettling = std::chrono::seconds(30); ///< of a saturated load; the run is measured all the same
 constexpr unsigned kMostAttempts = 3;                        ///< of a run whose load is not what its name says
 constexpr Duration kProbePatience = std::chrono::seconds(10);
@@ -29,22 +29,33 @@ constexpr int kWatching = 20;           ///< snapshots a second while the link i
 constexpr int kForReports = 1;          ///< while a run waits for the agent's first report
 constexpr unsigned kMostFailedRuns = 3; ///< in a row; after that the link counts as lost
 
-std::function<AgentUsage()> usageOfAgent(const Lab *lab)
+std::function<ProgramUsage()> programsOf(const Lab *lab)
 {
     return [lab] {
-        return lab
-            ? AgentUsage{steadyNow(), metrics::processCpuTime(lab->agentProcess()), metrics::residentBytes(lab->agentProcess())}
-            : AgentUsage{};
+        ProgramUsage out;
+        out.at = steadyNow();
+        if (!lab)
+            return out;
+        out.agentCpu = metrics::processCpuTime(lab->agentProcess());
+        out.simulatorCpu = metrics::processCpuTime(lab->simulatorProcess());
+        out.relayCpu = metrics::processCpuTime(lab->relayProcess());
+        out.agentMemory = metrics::residentBytes(lab->agentProcess());
+        out.agentSwitches = metrics::contextSwitches(lab->agentProcess());
+        return out;
     };
 }
 
 } // namespace
 
 SweepRunner::SweepRunner(SweepConfig config)
-    : m_config(std::move(config)), m_queue(m_config.plan), m_station(m_config.station, m_config.link, m_config.borrowed),
-      m_measurement(usageOfAgent(m_config.lab))
+    : m_config(std::move(config)), m_queue(m_config.plan),
+      m_station(m_config.station, m_config.link, m_config.borrowed,
+                m_config.lab ? m_config.lab->placement().station : std::nullopt),
+      m_measurement(programsOf(m_config.lab))
 {
     m_results.plan = m_config.plan;
+    if (m_config.lab)
+        m_results.placement = m_config.lab->placement().text();
     connect(&m_station, &SweepStation::snapshotReady, this, &SweepRunner::handleSnapshot);
     connect(&m_station, &SweepStation::probeTaken, this, &SweepRunner::handleProbe);
     connect(&m_station, &SweepStation::eventOccurred, this, &SweepRunner::handleEvent);

@@ -1,5 +1,7 @@
 #include "core/experiment/sweep_station.h"
 
+#include "core/experiment/placement.h"
+
 #include <QtCore/QTimer>
 
 namespace skyseal::experiment {
@@ -19,8 +21,9 @@ engine::StationConfig measuring(engine::StationConfig config)
 
 } // namespace
 
-SweepStation::SweepStation(engine::StationConfig config, std::optional<link::LinkUrl> link, engine::Station *borrowed)
-    : m_config(measuring(std::move(config))), m_link(std::move(link)), m_borrowed(borrowed)
+SweepStation::SweepStation(engine::StationConfig config, std::optional<link::LinkUrl> link, engine::Station *borrowed,
+                           std::optional<int> core)
+    : m_config(measuring(std::move(config))), m_link(std::move(link)), m_borrowed(borrowed), m_core(core)
 {}
 
 Result<void, InputError> SweepStation::open(engine::Protection first)
@@ -34,6 +37,7 @@ Result<void, InputError> SweepStation::open(engine::Protection first)
         });
         return {};
     }
+    const OnCore onCore(m_core); // threads begin where their creator runs
     auto station = engine::Station::create(m_config);
     if (!station)
         return tl::unexpected(station.error());

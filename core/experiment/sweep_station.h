@@ -16,7 +16,9 @@ class SweepStation : public QObject
 
 public:
     /// With `borrowed`, `config` and `link` are not used; without it, `link` must have a value.
-    SweepStation(engine::StationConfig config, std::optional<link::LinkUrl> link, engine::Station *borrowed);
+    /// `core`: on which the threads of an own station run; nullopt: left to the system.
+    SweepStation(engine::StationConfig config, std::optional<link::LinkUrl> link, engine::Station *borrowed,
+                 std::optional<int> core);
 
     bool isOpen() const { return m_station != nullptr; }
     bool isBorrowed() const { return m_borrowed != nullptr; }
@@ -52,6 +54,7 @@ private:
     const engine::StationConfig m_config;
     const std::optional<link::LinkUrl> m_link;
     engine::Station *m_borrowed;
+    const std::optional<int> m_core;
     std::unique_ptr<engine::Station> m_own;
     engine::Station *m_station = nullptr; ///< one of the two while it is in use
 };

@@ -1,6 +1,7 @@
 #include "core/experiment/sweep_text.h"
 
 #include "core/experiment/analysis.h"
+#include "core/experiment/disturbances.h"
 
 #include <algorithm>
 #include <array>
@@ -130,8 +131,8 @@ std::string invalidRuns(const Results &results)
     if (!first)
         return {};
     return std::to_string(invalid) + " of " + std::to_string(results.samples.size())
-        + " runs are not valid and left out of every comparison; the first of them, " + fullName(plan.arms[first->run.arm]) + " ("
-        + std::string(name(plan.loads[first->run.load])) + " load): " + first->invalid;
+        + " runs are not valid and left out of every comparison; the first of them, " + fullName(plan.arms[first->run.arm])
+        + " (" + std::string(name(plan.loads[first->run.load])) + " load): " + first->invalid;
 }
 
 std::vector<std::string> sweepText(const Results &results)
@@ -190,9 +191,12 @@ std::string runText(const Plan &plan, const Sample &sample, std::size_t runs, do
         out += readable(sample.values[Metric::Packets]) + " packets, " + lossText(sample.values) + ", CPU "
             + readable(sample.values[Metric::Cpu]) + " %";
     else
- out += sample.problem;
+        out += sample.problem;
     if (!sample.invalid.empty())
-        out += "; NOT VALID, " + sample.invalid + (sample.attempts > 1 ? ", in " + std::to_string(sample.attempts) + " attempts" : "");
+        out += "; NOT VALID, " + sample.invalid
+            + (sample.attempts > 1 ? ", in " + std::to_string(sample.attempts) + " attempts" : "");
+    for (const std::string &text : disturbances(sample))
+        out += "; disturbed: " + text;
     return out + "; " + leftText(remaining);
 }
 

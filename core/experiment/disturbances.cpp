@@ -1,0 +1,73 @@
+#include "core/experiment/disturbances.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace skyseal::experiment {
+
+namespace {
+
+struct Threshold
+{
+    Metric metric{};
+    double most = 0; ///< not a disturbance yet
+    const char *before, *after;
+};
+
+// Loose enough for an idle machine: its background services and the timer of its kernel stay below.
+constexpr Threshold kThresholds[] = {
+    {Metric::OtherCpu, 10, "other programs used ", " % of a core"},
+    {Metric::Steal, 1, "the hypervisor took ", " % of a core"},
+    {Metric::Preemptions, 50, "the station's I/O thread had to give up its core ", " times a second"},
+    {Metric::AgentPreemptions, 50, "the agent had to give up its core ", " times a second"},
+    {Metric::FrequencyChange, 5, "the frequency of the cores differed by ", " % between begin and end"},
+    {Metric::LoadBegin, 1.5, "the load average at the begin was ", " per core"},
+    {Metric::LoadEnd, 1.5, "the load average at the end was ", " per core"},
+    {Metric::MeterCpu, 2, "the measurement itself took ", " % of the CPU time of the station's I/O thread"},
+    {Metric::SimulatorCpu, 95, "the simulator (which makes the load) used ", " % of a core"},
+};
+
+bool isBeyond(const Sample &sample, const Threshold &threshold)
+{
+    return sample.problem.empty() && sample.values[threshold.metric] > threshold.most;
+}
+
+} // namespace
+
+std::vector<std::string> disturbances(const Sample &sample)
+{
+    std::vector<std::string> out;
+    for (const Threshold &threshold : kThresholds) {
+        if (isBeyond(sample, threshold))
+            out.push_back(threshold.before + readable(sample.values[threshold.metric]) + threshold.after);
+    }
+    return out;
+}
+
+std::string disturbedRuns(const Results &results)
+{
+    std::string list;
+    std::size_t disturbed = 0;
+    for (const Sample &sample : results.samples)
+        disturbed += !disturbances(sample).empty();
+    if (disturbed == 0)
+        return {};
+    for (const Threshold &threshold : kThresholds) {
+        double highest = 0;
+        std::size_t runs = 0;
+        for (const Sample &sample : results.samples) {
+            if (!isBeyond(sample, threshold))
+                continue;
+            highest = std::max(highest, sample.values[threshold.metric]);
+            ++runs;
+        }
+        if (runs > 0)
+            list += (list.empty() ? "" : "; ") + std::string(threshold.before) + "up to " + readable(highest) + threshold.after
+                + " (" + std::to_string(runs) + (runs == 1 ? " run)" : " runs)");
+    }
+    return std::to_string(disturbed) + " of " + std::to_string(results.samples.size())
+        + " runs were disturbed, so that their figures are noisier and may be wrong: " + list;
+}
+
+} // namespace skyseal::experiment

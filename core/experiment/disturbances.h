@@ -1,0 +1,20 @@
+// What may have disturbed a run, as sentences without a full stop: its values beyond thresholds. They warn and exclude nothing.
+// Pure functions of the results.
+#pragma once
+
+#include "core/experiment/results.h"
+
+#include <string>
+#include <vector>
+
+namespace skyseal::experiment {
+
+/// "other programs used 35 % of a core", without a comma; empty for a run that nothing is known to have disturbed, and for one
+/// that failed.
+std::vector<std::string> disturbances(const Sample &sample);
+
+/// For the first page of a report: "12 of 72 runs were disturbed, so that their figures are noisier and may be wrong: other
+/// programs used up to 35 % of a core (9 runs); …". Empty if none was.
+std::string disturbedRuns(const Results &results);
+
+} // namespace skyseal::experiment

@@ -1,0 +1,28 @@
+// The load of the whole machine, as far as its kernel tells: CPU time of all programs, stolen time, frequency, load average.
+#pragma once
+
+#include "core/base/clock.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace skyseal::metrics {
+
+struct MachineUsage
+{
+    std::optional<Duration> busy;    ///< CPU time of all programs and of the kernel on all cores, since the machine started
+    std::optional<Duration> stolen;  ///< time that a hypervisor gave to others while a core had work
+    std::optional<double> megahertz; ///< mean of all cores
+    std::optional<double> load;      ///< load average of the last minute, divided by the number of cores
+};
+
+/// Reads all of it; takes some 100 µs.
+MachineUsage machineUsage();
+
+/// CPU times of the first line of /proc/stat, whose columns are `ticks` to a second; see proc(5).
+void readCpuTimes(std::string_view stat, double ticks, MachineUsage &out);
+/// Mean of the lines "cpu MHz" of /proc/cpuinfo; nullopt without one.
+std::optional<double> meanMegahertz(const std::string &cpuInfo);
+
+} // namespace skyseal::metrics
