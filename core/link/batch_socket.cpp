@@ -11,6 +11,7 @@
 
 #include <linux/sock_diag.h>
 #include <netinet/in.h>
+#include <netinet/udp.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -99,16 +100,64 @@ struct Slots
     std::array<std::array<std::uint8_t, kMaxDatagram>, kBatch> bytes;
 };
 
+/// Messages of sendmmsg that stand for several datagrams of one size, and their control data.
+struct Segments
+{
+    static constexpr std::size_t kMostBytes = 60'000; ///< in one piece; IP carries 65,507
+
+    /// Joins the slots from `first` on, `run` of them; returns the number of messages.
+    std::size_t join(Slots &slots, std::size_t first, std::size_t run);
+
+    struct Control
+    {
+        alignas(cmsghdr) std::array<std::uint8_t, CMSG_SPACE(sizeof(std::uint16_t))> bytes;
+    };
+    std::array<mmsghdr, kBatch> headers;
+    std::array<Control, kBatch> controls;
+    std::array<std::size_t, kBatch> datagrams; ///< in each message
+};
+
+std::size_t Segments::join(Slots &slots, std::size_t first, std::size_t run)
+{
+    std::size_t messages = 0;
+    for (std::size_t begin = 0, end = 0; begin < run; begin = end, ++messages) {
+        const std::size_t slot = first + begin, size = slots.vectors[slot].iov_len;
+        const auto fits = [&](std::size_t i) {
+            return slots.vectors[first + i].iov_len == size && (i - begin + 1) * size <= kMostBytes
+                && std::memcmp(&slots.addresses[first + i], &slots.addresses[slot], slots.headers[slot].msg_hdr.msg_namelen)
+                == 0;
+        };
+        for (end = begin + 1; end < run && size > 0 && fits(end);)
+            ++end;
+        headers[messages] = slots.headers[slot];
+        datagrams[messages] = end - begin;
+        if (end - begin == 1)
+            continue;
+        msghdr &header = headers[messages].msg_hdr;
+        header.msg_iovlen = end - begin; // the vectors of the slots follow one another
+        header.msg_control = controls[messages].bytes.data();
+        header.msg_controllen = controls[messages].bytes.size();
+        cmsghdr *control = CMSG_FIRSTHDR(&header);
+        control->cmsg_level = SOL_UDP;
+        control->cmsg_type = UDP_SEGMENT;
+        control->cmsg_len = CMSG_LEN(sizeof(std::uint16_t));
+        const auto segment = static_cast<std::uint16_t>(size);
+        std::memcpy(CMSG_DATA(control), &segment, sizeof segment);
+    }
+    return messages;
+}
+
 } // namespace
 
 struct BatchSocket::Buffers
 {
     Slots in;
     Slots out;
+    Segments segments;
     std::array<ReceivedBlock, kBatch> blocks;
 };
 
-BatchSocket::BatchSocket() : m_buffers(std::make_unique<Buffers>()) {}
+BatchSocket::BatchSocket(bool segmented) : m_segmented(segmented), m_buffers(std::make_unique<Buffers>()) {}
 
 BatchSocket::~BatchSocket()
 {
@@ -206,12 +255,31 @@ void BatchSocket::send(const Address &to, ByteView datagram, LinkCounters &count
     out.headers[slot].msg_hdr.msg_namelen = toSocket(to, m_ipv6, out.addresses[slot]);
 }
 
+/// Hands the next `run` datagrams of the ring to the system. Returns how many it took; -1 if it rejects the first.
+int BatchSocket::sendRun(std::size_t run)
+{
+    Slots &out = m_buffers->out;
+    if (!m_segmented)
+        return ::sendmmsg(m_fd, out.headers.data() + m_first, static_cast<unsigned>(run), MSG_DONTWAIT);
+    Segments &segments = m_buffers->segments;
+    const std::size_t messages = segments.join(out, m_first, run);
+    const int sent = ::sendmmsg(m_fd, segments.headers.data(), static_cast<unsigned>(messages), MSG_DONTWAIT);
+    int datagrams = sent < 0 ? -1 : 0;
+    for (int i = 0; i < sent; ++i)
+        datagrams += static_cast<int>(segments.datagrams[static_cast<std::size_t>(i)]);
+    return datagrams;
+}
+
 void BatchSocket::flush(LinkCounters &counters)
 {
     while (m_queued > 0 && !m_blocked) {
         Slots &out = m_buffers->out;
         const std::size_t run = std::min(m_queued, kBatch - m_first);
-        int sent = ::sendmmsg(m_fd, out.headers.data() + m_first, static_cast<unsigned>(run), MSG_DONTWAIT);
+        int sent = sendRun(run);
+        if (sent < 0 && m_segmented && (errno == EINVAL || errno == EIO || errno == EMSGSIZE || errno == EOPNOTSUPP)) {
+            m_segmented = false; // this system or route does not do it
+            continue;
+        }
         if (sent < 0 && (errno == EAGAIN || errno == ENOBUFS)) {
             m_blocked = true;
             m_writeNotifier->setEnabled(true);

@@ -1,4 +1,5 @@
-// UDP on Linux with recvmmsg and sendmmsg behind a QSocketNotifier: one system call for up to 64 datagrams.
+// UDP on Linux with recvmmsg and sendmmsg behind a QSocketNotifier: one system call for up to 64 datagrams. With segmentation
+// (udp(7), UDP_SEGMENT) datagrams of one size also go through the system's network stack as one piece, and arrive as usual.
 #pragma once
 
 #include "core/link/datagram_socket.h"
@@ -12,7 +13,7 @@ class BatchSocket final : public DatagramSocket
     Q_OBJECT
 
 public:
-    BatchSocket();
+    explicit BatchSocket(bool segmented);
     ~BatchSocket() override;
 
     std::optional<LinkError> bind(const Address &local, int receiveBufferBytes) override;
@@ -26,7 +27,10 @@ public:
 private:
     struct Buffers;
 
+    int sendRun(std::size_t run);
+
     int m_fd = -1;
+    bool m_segmented;
     bool m_ipv6 = false;
     bool m_blocked = false;  ///< the send buffer of the system is full; m_writeNotifier signals when it has room
     std::size_t m_first = 0; ///< oldest queued datagram, in the ring of kBatch

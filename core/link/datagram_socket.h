@@ -69,7 +69,7 @@ private:
     Listener *m_listener = nullptr;
 };
 
-/// Returns a BatchSocket on Linux unless `portable` is set, otherwise a QtDatagramSocket.
-std::unique_ptr<DatagramSocket> makeDatagramSocket(bool portable);
+/// Returns a BatchSocket on Linux unless LinkOptions::portableUdp is set, otherwise a QtDatagramSocket.
+std::unique_ptr<DatagramSocket> makeDatagramSocket(const LinkOptions &options);
 
 } // namespace skyseal::link

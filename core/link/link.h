@@ -75,6 +75,9 @@ struct LinkOptions
 {
     /// Use QUdpSocket even where the system can receive in batches.
     bool portableUdp = false;
+    /// UDP on Linux: give the system consecutive datagrams of one size to one address as one piece, which it cuts
+    /// (UDP_SEGMENT). For generators of load; datagrams of ordinary traffic seldom have the same size.
+    bool segmentedUdp = false;
     int receiveBufferBytes = 4 << 20; ///< requested from the system for UDP
     /// Approximate time that the datagrams of one wake-up may take before timers and the other links are served. Bounds the
     /// delay of a frame from the vehicle while another link receives a burst of handshakes.

@@ -87,13 +87,13 @@ void QtDatagramSocket::send(const Address &to, ByteView datagram, LinkCounters &
     }
 }
 
-std::unique_ptr<DatagramSocket> makeDatagramSocket(bool portable)
+std::unique_ptr<DatagramSocket> makeDatagramSocket(const LinkOptions &options)
 {
 #if defined(__linux__)
-    if (!portable)
-        return std::make_unique<BatchSocket>();
+    if (!options.portableUdp)
+        return std::make_unique<BatchSocket>(options.segmentedUdp);
 #endif
-    static_cast<void>(portable);
+    static_cast<void>(options);
     return std::make_unique<QtDatagramSocket>();
 }
 

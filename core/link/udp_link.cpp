@@ -62,7 +62,7 @@ void UdpLink::use(const Address &address)
     const bool sameFamily = m_socket && isIpv4(m_socket->local()) == isIpv4(address);
     if (!sameFamily) {
         dropSocket();
-        auto socket = makeDatagramSocket(options().portableUdp);
+        auto socket = makeDatagramSocket(options());
         const Address any = isIpv4(address) ? ipv4(0, 0) : Address{};
         if (auto failed = socket->bind(listening ? address : any, options().receiveBufferBytes)) {
             if (failed->code == LinkErrorCode::PortInUse)

@@ -26,6 +26,7 @@ private Q_SLOTS:
     void initTestCase_data();
     void carriesBothWays();
     void tenThousandDatagramsArriveCompleteAndInOrder();
+    void datagramsOfAnySizesKeepTheirBounds();
     void carriesIpv6();
     void dualStackReportsIpv4AsIpv4();
     void portInUseFailsAndOpensWhenFree();
@@ -47,6 +48,8 @@ private:
         QFETCH_GLOBAL(bool, portable);
         LinkOptions out;
         out.portableUdp = portable;
+        QFETCH_GLOBAL(bool, segmented);
+        out.segmentedUdp = segmented;
         out.retryFirst = std::chrono::milliseconds(20);
         return out;
     }
@@ -60,8 +63,10 @@ static ByteView text(std::string_view words)
 void UdpLinkTest::initTestCase_data()
 {
     QTest::addColumn<bool>("portable");
-    QTest::newRow("batch") << false;
-    QTest::newRow("qt") << true;
+    QTest::addColumn<bool>("segmented");
+    QTest::newRow("batch") << false << false;
+    QTest::newRow("segmented") << false << true;
+    QTest::newRow("qt") << true << false;
 }
 
 void UdpLinkTest::carriesBothWays()
@@ -125,6 +130,35 @@ void UdpLinkTest::tenThousandDatagramsArriveCompleteAndInOrder()
     QCOMPARE(in->counters().rxKernelDrops, std::uint64_t(0));
     QCOMPARE(out->counters().txBlocks, std::uint64_t(kCount));
     QVERIFY(ground.largestBatch > 1);
+}
+
+void UdpLinkTest::datagramsOfAnySizesKeepTheirBounds()
+{
+    Recorder ground, other, air;
+    const auto in = openLink("udpin:127.0.0.1:0", ground, options());
+    const auto second = openLink("udpin:127.0.0.1:0", other, options());
+    const auto out = openLink("udpin:127.0.0.1:0", air, options());
+    // Runs of one size, single ones, sizes that come again, the longest, and two destinations in between.
+    std::vector<std::size_t> sizes;
+    for (const std::size_t size : {40u, 40u, 40u, 41u, 40u, 1400u, 1400u, 1400u, 7u, 7u, 1u, 1400u})
+        sizes.insert(sizes.end(), size == 7 ? 50 : 1, size);
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        const std::vector<std::uint8_t> datagram(sizes[i], static_cast<std::uint8_t>(i));
+        out->send(*in->localEndpoint(), datagram);
+        if (i % 10 == 0)
+            out->send(*second->localEndpoint(), datagram);
+    }
+    out->flush();
+    EVENTUALLY_EQUAL(ground.blocks.size(), sizes.size());
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        QCOMPARE(ground.blocks[i].bytes.size(), sizes[i]);
+        const Bytes expected(sizes[i], static_cast<std::uint8_t>(i));
+        QVERIFY(ground.blocks[i].bytes == expected);
+    }
+    EVENTUALLY_EQUAL(other.blocks.size(), (sizes.size() + 9) / 10);
+    for (std::size_t i = 0; i < other.blocks.size(); ++i)
+        QCOMPARE(other.blocks[i].bytes.size(), sizes[10 * i]);
+    QCOMPARE(out->counters().txBlocks, std::uint64_t(sizes.size() + other.blocks.size()));
 }
 
 void UdpLinkTest::carriesIpv6()
