@@ -29,10 +29,12 @@ SimHost::SimHost(const SimSettings &settings) : m_settings(settings)
 void SimHost::start()
 {
     makeVehicles(steadyNow());
+    link::LinkOptions options;
+    options.segmentedUdp = m_settings.saturate; // a generator of load must not be what limits it
     for (const link::LinkUrl &url : m_settings.links) {
         const LinkId id{static_cast<std::uint32_t>(m_links.size() + 1)};
-        m_links.push_back(
-            std::make_unique<SimLink>(url, id, [this](TimePoint time, const mavlink::Frame &frame) { received(time, frame); }));
+        m_links.push_back(std::make_unique<SimLink>(
+            url, id, [this](TimePoint time, const mavlink::Frame &frame) { received(time, frame); }, options));
         link::Link &opened = m_links.back()->link();
         connect(&opened, &link::Link::stateChanged, this, [this, &opened] { report(opened); });
         opened.open();

@@ -7,8 +7,8 @@ constexpr Duration kForget = std::chrono::seconds(30);
 constexpr std::size_t kMostPeers = 16;
 } // namespace
 
-SimLink::SimLink(const link::LinkUrl &url, LinkId id, Receive receive)
-    : m_link(link::makeLink(url, id, *this)), m_receive(std::move(receive))
+SimLink::SimLink(const link::LinkUrl &url, LinkId id, Receive receive, const link::LinkOptions &options)
+    : m_link(link::makeLink(url, id, *this, options)), m_receive(std::move(receive))
 {}
 
 void SimLink::send(TimePoint now, ByteView frame)

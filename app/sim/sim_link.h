@@ -16,7 +16,7 @@ public:
     using Receive = std::function<void(TimePoint, const mavlink::Frame &)>;
 
     /// `receive` is called for every valid frame, from inside the event loop.
-    SimLink(const link::LinkUrl &url, LinkId id, Receive receive);
+    SimLink(const link::LinkUrl &url, LinkId id, Receive receive, const link::LinkOptions &options = {});
 
     link::Link &link() { return *m_link; }
     void open() { m_link->open(); }

@@ -159,9 +159,13 @@ void SimulatedVehicle::sendBurst(TimePoint now, std::size_t messages, std::int64
     constexpr std::array<std::uint32_t, 8> kUsual{
         mavlink::Attitude::kId,   mavlink::RawImu::kId,    mavlink::VfrHud::kId,         mavlink::GlobalPositionInt::kId,
         mavlink::RcChannels::kId, mavlink::GpsRawInt::kId, mavlink::ServoOutputRaw::kId, mavlink::SysStatus::kId};
+    // Two kinds a burst and all in four, each together: a link may send those of one size as one piece.
+    constexpr std::size_t kKinds = 2;
     advance(now);
-    for (std::size_t i = 0; i < messages; ++i)
-        m_parts->telemetry.send(kUsual[i % kUsual.size()]);
+    for (std::size_t i = 0; i < messages; ++i) {
+        const std::size_t kind = i * kKinds / messages + kKinds * static_cast<std::size_t>(ticket);
+        m_parts->telemetry.send(kUsual[kind % kUsual.size()]);
+    }
     mavlink::Timesync request;
     request.ts1 = ticket;
     m_parts->outbox.send(request);
