@@ -92,8 +92,10 @@ int runSweep(const QStringList &arguments)
         link = *link::LinkUrl::parse("udpin:127.0.0.1:" + std::to_string(lab->groundPort()));
     }
 
-    const experiment::Setting setting = describeSetting(SKYSEAL_CLI_VERSION,
-                                                        kName + QLatin1Char(' ') + arguments.join(QLatin1Char(' ')));
+    QString command = kName + QLatin1Char(' ') + arguments.join(QLatin1Char(' '));
+    if (!options.seedGiven)
+        command += QStringLiteral(" --seed %1").arg(options.plan.seed); // the command line that repeats this sweep
+    const experiment::Setting setting = describeSetting(SKYSEAL_CLI_VERSION, command);
     for (const std::string &warning : experiment::warningsOf(setting))
         remark(warning);
     experiment::SweepRunner runner({options.plan, *link, station, lab.get(), &heap});

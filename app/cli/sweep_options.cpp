@@ -2,8 +2,10 @@
 
 #include "app/common/options.h"
 #include "core/base/research.h"
+#include "core/crypto/system_random.h"
 
 #include <algorithm>
+#include <array>
 
 namespace skyseal::app {
 
@@ -27,8 +29,12 @@ void declare(Options &options)
         "sealed");
     options.addValue("seconds", "S", "Length of each run.", "5");
     options.addValue("repeats", "R", "Runs for each suite; comparisons need 2 or more.", "3");
-    options.addValue("warm-up", "S", "Seconds before each run that are not measured.", "0.3");
-    options.addValue("seed", "N", "Repeats the same order of runs and the same impairment.", "1");
+    options.addValue("warm-up", "S",
+                     "Seconds before each run that are not measured, and four times as many when programs have just started.",
+                     "2");
+    options.addValue(
+        "seed", "N",
+        "Repeats the order of runs and the impairment of the sweep that names it; without it, each sweep draws another one.");
     options.addValue(
         "load", "LIST",
         "natural = the streams that a station requests, saturated = as fast as possible; default without --link: both.");
@@ -45,6 +51,17 @@ void declare(Options &options)
         "An assertion, e.g. 'loss<=0.001' or 'cpu(aes-256-gcm)<=1.1*cpu(chacha20)'. Each side is a number or a "
         "metric with an optional factor. Without a suite or load it must hold for each. May be given several times.");
     options.addFlag("json", "One JSON object per line on stdout.");
+}
+
+/// Short enough to be typed again.
+std::uint64_t drawnSeed()
+{
+    std::array<std::uint8_t, 4> bytes{};
+    crypto::SystemRandom().fill(bytes);
+    std::uint64_t out = 0;
+    for (const std::uint8_t byte : bytes)
+        out = out << 8 | byte;
+    return out;
 }
 
 Duration inSeconds(double value)
@@ -122,7 +139,7 @@ void readPlan(Options &options, bool ownAgent, experiment::Plan &plan)
     plan.measure = inSeconds(options.number("seconds", 0.2, 3600));
     plan.warmUp = inSeconds(options.number("warm-up", 0, 600));
     plan.repeats = static_cast<unsigned>(options.wholeNumber("repeats", 1, 1000));
-    plan.seed = options.wholeNumber("seed", 0, UINT64_MAX);
+    plan.seed = options.has("seed") ? options.wholeNumber("seed", 0, UINT64_MAX) : drawnSeed();
     plan.arms = experiment::armsOf(suites, readFramings(options), !options.has("no-noise") && plan.repeats > 1);
     if (std::none_of(plan.arms.begin(), plan.arms.end(), experiment::exists))
         options.fail("--suites: none of them supports this framing");
@@ -161,6 +178,7 @@ std::optional<int> readSweepOptions(const QString &name, const QStringList &argu
     out.station.policy.allowPlain = ownAgent || options.has("allow-plain");
     readPlan(options, ownAgent, out.plan);
     readExpectations(options, out);
+    out.seedGiven = options.has("seed");
     out.folder = QString::fromStdString(options.text("out"));
     out.json = options.has("json");
     return options.finish();

@@ -19,7 +19,8 @@ struct SweepOptions
     std::optional<link::LinkUrl> link; ///< empty: the sweep's own simulator and agent
     engine::StationConfig station;
     std::vector<experiment::Expectation> expectations;
-    QString folder; ///< empty: no files
+    QString folder;         ///< empty: no files
+    bool seedGiven = false; ///< otherwise the seed was drawn
     bool json = false;
 };
 

@@ -127,6 +127,56 @@ std::vector<NoiseCheck> noiseOf(const Results &results)
     return out;
 }
 
+/// One test, not corrected yet.
+static std::optional<OrderTrend> orderTrendAt(const Results &results, std::size_t condition, std::size_t load, Metric metric)
+{
+    std::vector<double> places, residuals;
+    std::size_t groups = 0;
+    for (std::size_t arm = 0; arm < results.plan.arms.size(); ++arm) {
+        const std::vector<double> values = valuesOf(results, {condition, load, arm}, metric);
+        const std::vector<unsigned> orders = ordersOf(results, {condition, load, arm});
+        std::vector<double> logs, at;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (!(values[i] > 0) || !std::isfinite(values[i]))
+                continue;
+            logs.push_back(std::log(values[i]));
+            at.push_back(orders[i]);
+        }
+        if (logs.size() < 2)
+            continue;
+        ++groups;
+        const double mean = summarise(logs).mean, meanPlace = summarise(at).mean;
+        for (std::size_t i = 0; i < logs.size(); ++i) {
+            residuals.push_back(logs[i] - mean);
+            places.push_back(at[i] - meanPlace);
+        }
+    }
+    const Trend trend = trendOf(places, residuals, groups);
+    if (std::isnan(trend.p))
+        return std::nullopt;
+    return OrderTrend{condition, load, metric, std::expm1(trend.slope), trend.p};
+}
+
+std::vector<OrderTrend> orderTrends(const Results &results)
+{
+    std::vector<OrderTrend> out;
+    std::vector<double> p;
+    for (std::size_t condition = 0; condition < results.plan.conditions.size(); ++condition) {
+        for (std::size_t load = 0; load < results.plan.loads.size(); ++load) {
+            for (const Metric metric : {Metric::CpuPerFrame, Metric::AgentCpuPerFrame, Metric::OpenP50, Metric::Latency}) {
+                if (const auto trend = orderTrendAt(results, condition, load, metric)) {
+                    out.push_back(*trend);
+                    p.push_back(trend->p);
+                }
+            }
+        }
+    }
+    const std::vector<double> adjusted = holm(p);
+    for (std::size_t i = 0; i < out.size(); ++i)
+        out[i].p = adjusted[i];
+    return out;
+}
+
 double meanOf(const Results &results, std::size_t condition, std::size_t load, const SweepArm &wanted, Metric metric)
 {
     const std::vector<SweepArm> &arms = results.plan.arms;

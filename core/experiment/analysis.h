@@ -40,6 +40,20 @@ Summary summaryOf(const Results &results, const Cell &cell, Metric metric);
 std::vector<ArmComparison> compareArms(const Results &results, std::size_t condition, std::size_t load, Metric metric);
 /// For every condition, load and metric. Empty without a repeated arm; metrics with fewer than two samples are left out.
 std::vector<NoiseCheck> noiseOf(const Results &results);
+/// Whether the values of a metric rose or fell with the order of the runs, whatever the arm: programs that had not warmed up,
+/// or a machine that slowed down.
+struct OrderTrend
+{
+    std::size_t condition = 0, load = 0;
+    Metric metric{};
+    double perRun = 0; ///< relative change from one run to the next: 0.001 is a tenth of a per cent
+    double p = 1;      ///< corrected over all such tests of the sweep
+    bool remains() const { return p < 0.05; }
+};
+
+/// By the logarithms of the values less the mean of their arm, within each condition and load, for the metrics that compare
+/// costs. Arms and metrics without two positive values are left out.
+std::vector<OrderTrend> orderTrends(const Results &results);
 /// Mean of the samples of an arm; NaN if there are none.
 double meanOf(const Results &results, std::size_t condition, std::size_t load, const SweepArm &arm, Metric metric);
 /// True if any sample of the sweep has a value.

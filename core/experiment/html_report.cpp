@@ -173,6 +173,56 @@ std::string noiseTable(const Results &results)
         + rows + "</table>\n";
 }
 
+/// For the first page; empty if no trend remains.
+std::string trendWarning(const Results &results)
+{
+    std::string list;
+    for (const OrderTrend &trend : orderTrends(results)) {
+        if (trend.remains())
+            list += (list.empty() ? "" : "; ") + std::string(info(trend.metric).title) + ", "
+                + std::string(name(results.plan.loads[trend.load])) + " load, " + readable(100 * trend.perRun)
+                + " % for each run";
+    }
+    return list.empty()
+        ? list
+        : "values change with the order of the runs, so that the warm-up was too short or the machine drifts: " + list;
+}
+
+std::string trendTable(const Results &results)
+{
+    std::string rows;
+    for (const OrderTrend &trend : orderTrends(results))
+        rows += row({placeText(results.plan, trend.condition, trend.load) + ": " + escaped(info(trend.metric).title),
+                     readable(100 * trend.perRun) + " %", readable(trend.p), trend.remains() ? "remains" : "none found"});
+    if (rows.empty())
+        return "<p>No suite was measured twice, so that no trend can be tested.</p>\n";
+    return "<p>Whether the values rise or fall with the order of the runs, whatever the suite: a line through the logarithms of "
+           "all runs, each less the mean of its suite, Student's t test of its slope, corrected by Holm's method over these "
+           "lines.</p>\n<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
+        + row({"metric", "change for each run", "p corrected", "trend"}, "th") + rows + "</table>\n";
+}
+
+/// How much of the thread that is measured is the measurement.
+std::string meterText(const Results &results)
+{
+    std::string out;
+    for (std::size_t load = 0; load < results.plan.loads.size(); ++load) {
+        double highest = 0;
+        for (const Sample &sample : results.samples) {
+            const double share = sample.values[Metric::MeterCpu];
+            highest = sample.run.load == load && share > highest ? share : highest;
+        }
+        if (highest > 0)
+            out += (out.empty() ? "" : ", ") + ("up to " + readable(highest)) + " % under the "
+                + std::string(name(results.plan.loads[load])) + " load";
+    }
+    return out.empty()
+        ? out
+        : "<p>A run is the difference of two readings, taken by the thread that is measured. Of its CPU time, taking and "
+          "publishing readings was "
+            + out + " (meter_cpu).</p>\n";
+}
+
 /// Number of combinations of metric, condition and load in which at least one pair of suites was tested.
 std::size_t familiesOf(const Results &results)
 {
@@ -317,6 +367,8 @@ std::string body(const ReportParts &parts, bool inlineFigures)
         out += "<p class=\"bad\">" + escaped(failed) + "</p>\n";
     if (const std::string invalid = invalidRuns(results); !invalid.empty())
         out += "<p class=\"bad\">" + escaped(invalid) + ".</p>\n";
+    if (const std::string trend = trendWarning(results); !trend.empty())
+        out += "<p class=\"bad\">" + escaped(trend) + ".</p>\n";
     if (const std::string disturbed = disturbedRuns(results); !disturbed.empty())
         out += "<p class=\"bad\">" + escaped(disturbed) + ".</p>\n";
     out += "<p>Means of " + runsText(results)
@@ -325,7 +377,7 @@ std::string body(const ReportParts &parts, bool inlineFigures)
           "by all frames of these runs together, about 3 divided by their number; * marks outliers by Tukey's fences, which "
           "stay in. Resident memory is that of one process through all suites: its runs are not independent, so it has no "
           "interval, and suites are not compared by it.</p>\n<p>"
-        + criterion(familiesOf(results)) + "</p>\n<h2>Figures</h2>\n";
+        + criterion(familiesOf(results)) + "</p>\n" + meterText(results) + "<h2>Figures</h2>\n";
     out += inlineFigures ? inlined(parts.figures) : inPairs(parts.figures);
     // In the PDF each section begins a page, so that no table head is left alone at the bottom of one.
     const std::string section = inlineFigures ? "<h2>" : "<h2 style=\"page-break-before:always\">";
@@ -335,6 +387,7 @@ std::string body(const ReportParts &parts, bool inlineFigures)
             + differences(results, condition, load);
     });
     out += section + "The machine's noise (A/A)</h2>\n<div class=\"wide\">" + noiseTable(results) + "</div>\n";
+    out += "<h2>Trend with the order of the runs</h2>\n<div class=\"wide\">" + trendTable(results) + "</div>\n";
     out += "<h2>The paper's claims</h2>\n" + claimsTable(parts.claims);
     out += expectationList(results, parts.verdicts);
     out += section + "Setting</h2>\n" + settingTable(results);

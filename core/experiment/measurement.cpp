@@ -100,14 +100,14 @@ void addLatency(Values &out, const engine::Snapshot &begin, const engine::Snapsh
 }
 
 /// Costs between two reports. Each report holds the agent's time, so its delay on the link does not matter.
-bool addReported(Values &out, const Reading &begin, const Reading &end)
+void addReported(Values &out, const Reading &begin, const Reading &end)
 {
     if (!begin.agent || !end.agent)
-        return false;
+        return;
     const channel::EndCosts &before = begin.agent->costs, &after = end.agent->costs;
     const double time = static_cast<std::uint32_t>(end.agent->stamp - begin.agent->stamp) / 1e6;
     if (time < kLeastReported)
-        return false;
+        return;
     const double sealing = growth(before.sealNanoseconds, after.sealNanoseconds);
     const double opening = growth(before.openNanoseconds, after.openNanoseconds);
     out[Metric::AgentCpu] = 100 * growth(before.cpuMicroseconds, after.cpuMicroseconds) / 1e6 / time;
@@ -117,19 +117,20 @@ bool addReported(Values &out, const Reading &begin, const Reading &end)
         out[Metric::AgentSeal] = sealing / growth(before.sealed, after.sealed);
     if (after.opened > before.opened)
         out[Metric::AgentOpen] = opening / growth(before.opened, after.opened);
-    return true;
 }
 
-void addAgent(Values &out, const Reading &begin, const Reading &end, double time, bool sealed)
+void addAgent(Values &out, const Reading &begin, const Reading &end, bool sealed)
 {
     if (!sealed)
         out[Metric::AgentCpuSuite] = 0;
-    if (!(sealed && addReported(out, begin, end))) {
-        if (begin.programs.agentCpu && end.programs.agentCpu)
-            out[Metric::AgentCpu] = 100 * seconds(*end.programs.agentCpu - *begin.programs.agentCpu) / time;
-        if (end.programs.agentMemory)
-            out[Metric::AgentMemory] = static_cast<double>(*end.programs.agentMemory);
-    }
+    if (sealed)
+        addReported(out, begin, end);
+    // One source for all arms: the kernel, over the whole run, wherever it knows the agent.
+    const ProgramUsage &from = begin.programs, &to = end.programs;
+    if (from.agentCpu && to.agentCpu)
+        out[Metric::AgentCpu] = 100 * seconds(*to.agentCpu - *from.agentCpu) / seconds(to.at - from.at);
+    if (to.agentMemory)
+        out[Metric::AgentMemory] = static_cast<double>(*to.agentMemory);
     out[Metric::AgentCpuPerFrame] = 1e7 * out[Metric::AgentCpu] / out[Metric::FrameRate]; // from percent to ns
 }
 
@@ -229,7 +230,7 @@ Values valuesBetween(const Reading &begin, const Reading &end, bool sealed, bool
     if (sealed)
         addChannel(out, before.channel, after.channel);
     addLatency(out, before, after);
-    addAgent(out, begin, end, time, sealed);
+    addAgent(out, begin, end, sealed);
     addCircumstances(out, begin, end, time);
     if (begin.microjoules && end.microjoules) {
         const double joules = growth(*begin.microjoules, *end.microjoules) / 1e6;

@@ -83,8 +83,8 @@ constexpr std::array<MetricInfo, kMetrics> kTable{{
      .title = "CPU load, agent",
      .unit = "%",
      .description =
-         "CPU time of the agent's process, reported over the sealed link; in plain MAVLink and in runs of under 2 s from "
-         "the kernel's clock of that process, on the same machine only",
+         "CPU time of the agent's process, by the kernel's clock of it over the whole run for all arms alike; where the agent "
+         "runs on another machine, between its reports over the sealed link, and empty in plain MAVLink, which has no reports",
      .shownIn = kFigure | kDifferences | kEveryRun | kTerminal},
     {.metric = Metric::AgentCpuSuite,
      .key = "agent_cpu_suite",
@@ -102,7 +102,7 @@ constexpr std::array<MetricInfo, kMetrics> kTable{{
      .key = "agent_cpu_per_frame",
      .title = "CPU time per frame, agent",
      .unit = "ns",
-     .description = "CPU load of the agent between its reports, divided by the frame rate of the run",
+     .description = "CPU load of the agent divided by the frame rate of the run",
      .shownIn = kFigure | kDifferences},
     {.metric = Metric::OpenP50,
      .key = "open_p50",
@@ -154,8 +154,8 @@ constexpr std::array<MetricInfo, kMetrics> kTable{{
      .title = "Memory, agent",
      .unit = "B",
      .description =
-         "resident set of the agent at the end of the run, reported over the sealed link, otherwise from /proc, on the "
-         "same machine only; one process runs all suites, so the value does not belong to one suite",
+         "resident set of the agent at the end of the run, from /proc for all arms alike; where the agent runs on another "
+         "machine, as reported over the sealed link; one process runs all suites, so the value does not belong to one suite",
      .independent = false,
      .shownIn = kFigure},
     {.metric = Metric::WireBytes,

@@ -64,8 +64,8 @@ struct Plan
     std::vector<SweepArm> arms;
     std::vector<Load> loads{Load::Natural};
     std::vector<Condition> conditions{Condition{}};
-    Duration measure = std::chrono::seconds(5);       ///< of each run
-    Duration warmUp = std::chrono::milliseconds(300); ///< before each, not measured
+    Duration measure = std::chrono::seconds(5); ///< of each run
+    Duration warmUp = std::chrono::seconds(2);  ///< before each, not measured; four times as long before the first of a block
     unsigned repeats = 3;
     std::uint64_t seed = 1;
 };

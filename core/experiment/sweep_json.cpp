@@ -258,6 +258,15 @@ std::string sweepJson(const Results &results, const std::vector<Verdict> &verdic
     json.endArray().key("noise").beginArray();
     for (const NoiseCheck &noise : noiseOf(results))
         writeNoise(json, plan, noise);
+    json.endArray().key("trends").beginArray();
+    for (const OrderTrend &trend : orderTrends(results)) {
+        json.beginObject();
+        place(json, plan, trend.condition, trend.load);
+        json.field("metric", info(trend.metric).key);
+        number(json, "change_per_run", trend.perRun);
+        number(json, "p_holm", trend.p);
+        json.field("remains", trend.remains()).endObject();
+    }
     json.endArray().key("expectations").beginArray();
     for (const Verdict &verdict : verdicts) {
         json.beginObject();

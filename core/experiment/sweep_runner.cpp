@@ -23,7 +23,8 @@ constexpr Duration kSettle = milliseconds(500);                ///< a new statio
 constexpr Duration kSettleAgain = milliseconds(200);
 constexpr Duration kMostSettle = std::chrono::seconds(2);    ///< for a vehicle that does not answer TIMESYNC
 constexpr Duration kMostSettling = std::chrono::seconds(30); ///< of a saturated load; the run is measured all the same
-constexpr unsigned kMostAttempts = 3;                        ///< of a run whose load is not what its name says
+constexpr int kFirstWarmUps = 4;      ///< warm-ups before the first run of programs that have just started
+constexpr unsigned kMostAttempts = 3; ///< of a run whose load is not what its name says
 constexpr Duration kProbePatience = std::chrono::seconds(10);
 constexpr int kWatching = 20;           ///< snapshots a second while the link is brought into its state
 constexpr int kForReports = 1;          ///< while a run waits for the agent's first report
@@ -220,8 +221,9 @@ bool SweepRunner::isSettled(double inStage) const
 /// A load that follows the answers of the other end takes its time to find its rate, most of all after a pause.
 bool SweepRunner::isWarm(double inStage)
 {
+    const double least = (m_fresh ? kFirstWarmUps : 1) * seconds(m_config.plan.warmUp);
     if (m_config.plan.loads[m_queue.current().load] != Load::Saturated)
-        return inStage >= seconds(m_config.plan.warmUp);
+        return inStage >= least;
     std::uint64_t bytes = 0;
     double trip = std::numeric_limits<double>::quiet_NaN();
     for (const engine::LinkSnapshot &link : m_snapshot->links)
@@ -232,7 +234,7 @@ bool SweepRunner::isWarm(double inStage)
     }
     m_settling.note(m_snapshot->time, bytes, trip);
     const bool settled = m_settling.settled() || inStage >= seconds(kMostSettling);
-    return settled && inStage >= seconds(m_config.plan.warmUp);
+    return settled && inStage >= least;
 }
 
 /// On a link that works: changes how it carries MAVLink if the run needs another mode, and its suite otherwise.
@@ -274,7 +276,7 @@ void SweepRunner::beginWarmUp()
 {
     const Run &run = m_queue.current();
     m_settling = LoadSettling(lineRate(m_config.plan.conditions[run.condition].settings));
-    enter(Stage::WarmingUp, m_config.plan.warmUp + kMostSettling + kConnectPatience);
+    enter(Stage::WarmingUp, kFirstWarmUps * m_config.plan.warmUp + kMostSettling + kConnectPatience);
 }
 
 void SweepRunner::orderSwitch()

@@ -4178,6 +4178,10 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>; %1 not valid: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Writing the files …</source>
         <translation type="unfinished"></translation>
     </message>

@@ -78,6 +78,9 @@ private Q_SLOTS:
     void coinsAreNoDifference();
     void zeroByDefinitionIsNotCompared();
     void rareLongCallsDoNotMoveThePercentile();
+    void trendWithTheOrderIsFound();
+    void trendIsSeldomFoundWhereThereIsNone();
+    void invalidRunsHaveNoPartInATrend();
 };
 
 void AnalysisTest::sameSettingTwiceAgrees()
@@ -233,6 +236,54 @@ void AnalysisTest::rareLongCallsDoNotMoveThePercentile()
     calls.record(400, 1000);
     calls.record(3'000'000, 9); // the core was given away
     QVERIFY(calls.percentile(0.5) < 413 && calls.percentile(0.99) < 413);
+}
+
+/// Each run costs 2 per mil less than the one before it: programs that are still warming up.
+void AnalysisTest::trendWithTheOrderIsFound()
+{
+    std::mt19937 random(kSeed);
+    std::normal_distribution<double> noise(0, 10);
+    Results results = sweepOf(Metric::CpuPerFrame, 10, [](std::size_t) { return 0.0; });
+    for (Sample &sample : results.samples)
+        sample.values[Metric::CpuPerFrame] = (1000 + 300 * static_cast<double>(sample.run.arm) + noise(random))
+            * std::pow(0.998, static_cast<double>(sample.order));
+    const std::vector<OrderTrend> trends = orderTrends(results);
+    QCOMPARE(trends.size(), std::size_t(1));
+    QCOMPARE(int(trends[0].metric), int(Metric::CpuPerFrame));
+    QVERIFY2(trends[0].remains(), qPrintable(QString::number(trends[0].p)));
+    QVERIFY2(std::abs(trends[0].perRun + 0.002) < 0.0005, qPrintable(QString::number(trends[0].perRun)));
+}
+
+void AnalysisTest::trendIsSeldomFoundWhereThereIsNone()
+{
+    std::mt19937 random(kSeed);
+    std::normal_distribution<double> around(1000, 30);
+    int found = 0;
+    constexpr int kSweeps = 2000;
+    for (int i = 0; i < kSweeps; ++i) {
+        Results results = sweepOf(Metric::CpuPerFrame, 5,
+                                  [&](std::size_t arm) { return around(random) + 500.0 * double(arm); });
+        for (Sample &sample : results.samples)
+            sample.values[Metric::Latency] = around(random);
+        const auto trends = orderTrends(results);
+        found += std::any_of(trends.begin(), trends.end(), [](const OrderTrend &trend) { return trend.remains(); });
+    }
+    qInfo("seed %u: a trend is reported in %.1f %% of sweeps that have none", kSeed, 100.0 * found / kSweeps);
+    QVERIFY(found > 0.03 * kSweeps && found < 0.06 * kSweeps); // one in twenty
+}
+
+void AnalysisTest::invalidRunsHaveNoPartInATrend()
+{
+    Results results = sweepOf(Metric::CpuPerFrame, 5, [](std::size_t) { return 1000.0; });
+    for (Sample &sample : results.samples) {
+        sample.values[Metric::CpuPerFrame] += sample.order % 3; // not constant
+        if (sample.order > 10) {
+            sample.values[Metric::CpuPerFrame] *= 3;
+            sample.invalid = "not saturated";
+        }
+    }
+    for (const OrderTrend &trend : orderTrends(results))
+        QVERIFY2(!trend.remains(), qPrintable(QString::number(trend.p)));
 }
 
 SKYSEAL_TEST_APPLESS(AnalysisTest)

@@ -44,6 +44,9 @@ private Q_SLOTS:
     void announcementsDoNotCountAsOverheadOfPlain();
     void lossIsEmptyWhereSequenceNumbersDoNotCountIt();
     void sequenceNumbersCountLossWithLittleJitter();
+    void agentsCpuHasOneSourceForAllArms();
+    void reportsCountWhereTheAgentIsElsewhere();
+    void lineLoadIsThatOfTheLine();
 };
 
 void MeasurementTest::announcementsDoNotCountAsOverheadOfPlain()
@@ -83,6 +86,64 @@ void MeasurementTest::sequenceNumbersCountLossWithLittleJitter()
     QVERIFY(sequenceNumbersCountLoss(link, Load::Saturated)); // a frame overtakes ten others at most
     link.baud = 921'600;
     QVERIFY(!sequenceNumbersCountLoss(link, Load::Saturated));
+}
+
+/// The agent's report: `microseconds` after the first one, it has used `used`.
+static AgentCostReport report(std::uint32_t microseconds, Duration used)
+{
+    AgentCostReport out;
+    out.stamp = 4'000'000'000 + microseconds; // passes 2^32
+    out.costs.cpuMicroseconds = static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(used).count());
+    out.costs.residentBytes = 7'000'000;
+    out.costs.sealNanoseconds = microseconds * 50;
+    out.costs.sealed = microseconds / 100;
+    return out;
+}
+
+/// The kernel has read the agent over the whole run, and its reports cover a part of it in which it did twice as much.
+void MeasurementTest::agentsCpuHasOneSourceForAllArms()
+{
+    Reading begin = reading(0, 0, 0), end = reading(5, 1000, 0);
+    begin.programs.at = TimePoint(1s);
+    begin.programs.agentCpu = 2s;
+    end.programs.at = TimePoint(6s); // read beside the station's thread
+    end.programs.agentCpu = 3s;
+    end.programs.agentMemory = 5'000'000;
+    begin.agent = report(0, 0s);
+    end.agent = report(1'000'000, 400ms);
+    const Values sealed = valuesBetween(begin, end, true, true), plain = valuesBetween(begin, end, false, true);
+    QCOMPARE(sealed[Metric::AgentCpu], 20.0);
+    QCOMPARE(plain[Metric::AgentCpu], 20.0);
+    QCOMPARE(sealed[Metric::AgentMemory], 5e6);
+    QCOMPARE(plain[Metric::AgentMemory], 5e6);
+    QCOMPARE(plain[Metric::AgentCpuPerFrame], 0.2e9 / (900 / 5.0)); // a tenth are duplicates
+    QCOMPARE(sealed[Metric::AgentSeal], 5000.0);                    // only the agent knows
+    QVERIFY(std::isnan(plain[Metric::AgentSeal]));
+}
+
+void MeasurementTest::reportsCountWhereTheAgentIsElsewhere()
+{
+    Reading begin = reading(0, 0, 0), end = reading(5, 1000, 0);
+    begin.agent = report(0, 0s);
+    end.agent = report(1'000'000, 400ms);
+    const Values sealed = valuesBetween(begin, end, true, true), plain = valuesBetween(begin, end, false, true);
+    QCOMPARE(sealed[Metric::AgentCpu], 40.0);
+    QCOMPARE(sealed[Metric::AgentMemory], 7e6);
+    QVERIFY(std::isnan(plain[Metric::AgentCpu]) && std::isnan(plain[Metric::AgentMemory])
+            && std::isnan(plain[Metric::AgentCpuPerFrame]));
+}
+
+void MeasurementTest::lineLoadIsThatOfTheLine()
+{
+    impair::ImpairmentSettings line;
+    const Reading begin = reading(0, 0, 0), end = reading(10, 1200, 72); // 57,576 bytes, announcements included
+    QVERIFY(std::isnan(lineLoad(begin, end, line)));
+    line.baud = 57'600;
+    QVERIFY(std::abs(lineLoad(begin, end, line) - 99.96) < 0.01);
+    line.loss = 0.2; // before the line
+    QVERIFY(std::abs(lineLoad(begin, end, line) - 99.96) < 0.01);
+    line.duplicate = 0.25; // behind the line: a fifth of what arrived
+    QVERIFY(std::abs(lineLoad(begin, end, line) - 79.97) < 0.01);
 }
 
 SKYSEAL_TEST(MeasurementTest)

@@ -60,6 +60,15 @@ QList<QJsonObject> events(const QByteArray &out, const char *kind)
     return found;
 }
 
+/// Whether nothing but unsaturated runs kept the sweep from success: a machine with other work, or without enough cores, cannot
+/// make that load, and says so.
+bool isDone(const RunResult &run)
+{
+    const bool unsaturated = run.err.contains("not saturated: ") && !run.err.contains(" failed: ")
+        && !run.out.contains("\"holds\":false");
+    return run.status == 0 || (run.status == 1 && unsaturated);
+}
+
 double valueOf(const QJsonObject &sample, const char *metric)
 {
     return sample[QLatin1String("values")][QLatin1String(metric)].toDouble(std::nan(""));
@@ -86,6 +95,7 @@ private Q_SLOTS:
     void plainComesBackOverABadLink();
 
 private:
+    QSet<QString> m_seeds; ///< that sweeps drew
     void checkSummaries(const QJsonObject &report);
     void checkCsv(const QJsonObject &report, const QByteArray &csv);
     void checkPage(const QJsonObject &report, const QString &page);
@@ -146,6 +156,7 @@ void SweepTest::checkSummaries(const QJsonObject &report)
                 same = same && sample[QLatin1String(key)] == summary[QLatin1String(key)];
             const double value = sample[QLatin1String("values")][summary[QLatin1String("metric")].toString()].toDouble(
                 std::nan(""));
+            same = same && sample[QLatin1String("valid")].toBool();
             if (same && std::isfinite(value)) {
                 values.append(value);
                 frames += sharedBy(sample.toObject(), summary[QLatin1String("metric")].toString());
@@ -239,6 +250,8 @@ void SweepTest::checkFigure(const QJsonObject &report, const char *metric, const
             means.append(summary[QLatin1String("mean")].toDouble());
     }
     QCOMPARE(widths.size(), means.size());
+    if (means.isEmpty())
+        return; // no valid run under this load
     const double scale = *std::max_element(widths.begin(), widths.end()) / *std::max_element(means.begin(), means.end());
     for (qsizetype i = 0; i < means.size(); ++i)
         QVERIFY2(std::abs(widths[i] - means[i] * scale) < 0.2, metric); // in tenths of a pixel, from zero
@@ -248,7 +261,8 @@ void SweepTest::filesAgree()
 {
     QTemporaryDir folder;
     QStringList arguments = sweep("--suites none,chacha20-poly1305,rc4 --seconds 0.5 --warm-up 0.2 --repeats 2 --json --expect "
-                                  "loss<=0.2 --expect packets(none)>=1 --expect frame_rate(rc4,saturated)>frame_rate(rc4)");
+                                  "loss(*,natural)<=0.2 --expect packets(none,natural)>=1 --expect "
+                                  "frame_rate(rc4,natural)<=1000");
     arguments << q("--out") << folder.filePath(q("out"));
     const QStringList older{q("out/figures/switch-natural-3.svg"), q("out/figures/switch-natural-3.png")};
     const QStringList others{q("out/figures/own.png"), q("out/figures/packets-natural-draft.svg")};
@@ -258,19 +272,25 @@ void SweepTest::filesAgree()
     QFile before(folder.filePath(q("out/sweep.json")));
     QVERIFY(before.open(QIODevice::WriteOnly) && before.write("{\"schema\": \"skyseal-sweep\", \"schema_version\": 2}") > 0);
     before.close();
-    const RunResult run = runProgram("skyseal-cli", arguments, {}, 120000);
-    QVERIFY2(run.status == 0, run.err.constData());
+    const RunResult run = runProgram("skyseal-cli", arguments, {}, 240000);
+    QVERIFY2(isDone(run), run.err.constData());
     QVERIFY2(!run.err.contains("QStandardPaths"), run.err.constData());
     for (const QString &name : older)
         QVERIFY(!QFile::exists(folder.filePath(name))); // of another sweep
     for (const QString &name : others)
         QVERIFY2(QFile::exists(folder.filePath(name)), qPrintable(name));
-    QCOMPARE(events(run.out, "run").size(), 4 * 2 * 2);            // three suites and one of them again, two loads, two repeats
-    QCOMPARE(events(run.out, "expect").size(), 3 * 2 + 1 * 2 + 1); // for each load where none is named
+    QCOMPARE(events(run.out, "run").size(), 4 * 2 * 2); // three suites and one of them again, two loads, two repeats
+    QCOMPARE(events(run.out, "expect").size(), 3 + 1 + 1);
     const QByteArray json = contentOf(folder.filePath(q("out/sweep.json")));
     const QJsonObject report = QJsonDocument::fromJson(json).object();
     QCOMPARE(report[QLatin1String("schema")].toString(), q("skyseal-sweep"));
-    QCOMPARE(report[QLatin1String("schema_version")].toInt(), 2);
+    QCOMPARE(report[QLatin1String("schema_version")].toInt(), 3);
+    const QString seed = report[QLatin1String("plan")][QLatin1String("seed")].toString();
+    QVERIFY(report[QLatin1String("setting")][QLatin1String("command_line")].toString().endsWith(q(" --seed ") + seed));
+    QVERIFY(!m_seeds.contains(seed));
+    m_seeds << seed;
+    QVERIFY(!report[QLatin1String("placement")].toString().isEmpty());
+    QVERIFY(!report[QLatin1String("trends")].toArray().isEmpty());
     QVERIFY(report[QLatin1String("complete")].toBool());
     for (const char *key :
          {"skyseal", "command_line", "processor", "processor_features", "libsodium", "openssl", "qt", "build"})
@@ -283,6 +303,16 @@ void SweepTest::filesAgree()
         QVERIFY(valueOf(object, "agent_cpu") > 0 && valueOf(object, "agent_memory") > 1e6);
         QVERIFY(valueOf(object, "cpu") > 0 && valueOf(object, "cpu") <= valueOf(object, "cpu_process") * 1.05);
         QVERIFY(valueOf(object, "latency") > 0);
+        const bool saturated = object[QLatin1String("load")] == q("saturated");
+        QVERIFY(saturated || object[QLatin1String("valid")].toBool());
+        QCOMPARE(object[QLatin1String("valid")].toBool(),
+                 !saturated || valueOf(object, "cpu") >= 95 || valueOf(object, "agent_cpu") >= 95);
+        QCOMPARE(object[QLatin1String("valid")].toBool(), object[QLatin1String("invalid")].isUndefined());
+        for (const char *metric : {"meter_cpu", "wake_ups", "agent_wake_ups", "simulator_cpu", "load_begin", "load_end"})
+            QVERIFY2(valueOf(object, metric) > 0, metric);
+        for (const char *metric : {"preemptions", "agent_preemptions", "other_cpu", "steal"})
+            QVERIFY2(valueOf(object, metric) >= 0, metric);
+        QVERIFY(valueOf(object, "frames_per_datagram") >= 1);
         QCOMPARE(std::isnan(valueOf(object, "open_p50")), plain);
         QVERIFY(plain ? valueOf(object, "overhead") == 0 : valueOf(object, "overhead") > 1);
     }
@@ -311,8 +341,8 @@ void SweepTest::filesAgree()
 /// Plain MAVLink and every suite under both loads: as a sweep is that names none.
 void SweepTest::everySuiteIsMeasured()
 {
-    const RunResult run = runProgram("skyseal-cli", sweep("--seconds 0.5 --warm-up 0.2 --repeats 1 --json"), {}, 120000);
-    QVERIFY2(run.status == 0, run.err.constData());
+    const RunResult run = runProgram("skyseal-cli", sweep("--seconds 0.5 --warm-up 0.2 --repeats 1 --json"), {}, 240000);
+    QVERIFY2(isDone(run), run.err.constData());
     QSet<QString> suites;
     const QList<QJsonObject> runs = events(run.out, "run");
     for (const QJsonObject &sample : runs) {
@@ -338,10 +368,10 @@ void SweepTest::lossIsThatOfTheLink()
     // Saturated, so that there are records enough for the share to be near the probability.
     const RunResult run = runProgram(
         "skyseal-cli",
-        sweep("--suites none,aes-256-gcm --load saturated --seconds 2 --repeats 2 --no-noise --impair loss=0.05 "
-              "--json --expect loss<=0.01"),
+        sweep("--suites none,aes-256-gcm --load saturated --seconds 2 --warm-up 0.3 --repeats 2 --no-noise "
+              "--impair loss=0.05 --json --expect loss<=0.01"),
         {}, 240000);
-    QCOMPARE(run.status, 1); // and the assertion notices
+    QCOMPARE(run.status, 1); // and the assertion notices, also where no run of that load is valid
     QVERIFY(!events(run.out, "expect").at(0)[QLatin1String("holds")].toBool());
     QCOMPARE(events(run.out, "run").size(), 4);
     for (const QJsonObject &sample : events(run.out, "run")) {
@@ -361,13 +391,16 @@ void SweepTest::radioSetsThePace()
               "--no-noise --impair rate=57600,delay=20 --json"),
         {}, 240000);
     // Also the second one, which is switched to through a queue of seconds.
-    QVERIFY2(run.status == 0, run.err.constData());
+    QVERIFY2(isDone(run), run.err.constData());
     QCOMPARE(events(run.out, "run").size(), 2);
     for (const QJsonObject &sample : events(run.out, "run")) {
         // 57,600 baud are 5,760 bytes a second. On a busy machine the relay delivers in bursts at the ends of the interval;
         // without the radio it is a thousand times as much.
         const double rate = valueOf(sample, "wire_rate");
         QVERIFY2(rate > 3000 && rate < 9000, qPrintable(QString::number(rate)));
+        // A line that is not full is no saturated one, whatever the machine does meanwhile.
+        QVERIFY2(std::abs(valueOf(sample, "line_load") - rate / 57.6) < 1, qPrintable(QString::number(rate)));
+        QCOMPARE(sample[QLatin1String("valid")].toBool(), valueOf(sample, "line_load") >= 95);
         QVERIFY(valueOf(sample, "latency") >= 40);
     }
 }
@@ -376,7 +409,7 @@ void SweepTest::cancelKeepsWhatThereIs()
 {
     QTemporaryDir folder;
     QProcess process;
-    QStringList arguments = sweep("--suites none,aes-256-gcm --seconds 1 --repeats 50 --load natural --json");
+    QStringList arguments = sweep("--suites none,aes-256-gcm --seconds 1 --warm-up 0.3 --repeats 50 --load natural --json");
     process.start(q(SKYSEAL_BIN_DIR "/skyseal-cli"), arguments << q("--out") << folder.path());
     QVERIFY(process.waitForStarted());
     QByteArray out;
@@ -391,6 +424,9 @@ void SweepTest::cancelKeepsWhatThereIs()
     const QJsonObject report = QJsonDocument::fromJson(contentOf(folder.filePath(q("sweep.json")))).object();
     QVERIFY(!report[QLatin1String("complete")].toBool());
     QVERIFY(!report[QLatin1String("samples")].toArray().isEmpty());
+    const QString seed = report[QLatin1String("plan")][QLatin1String("seed")].toString();
+    QVERIFY(!seed.isEmpty() && !m_seeds.contains(seed)); // of each sweep another one
+    m_seeds << seed;
 }
 
 void SweepTest::nobodyAnswers()
@@ -432,7 +468,7 @@ void SweepTest::cancelOnALinkRestoresTheSuite()
     QTemporaryDir folder;
     Program process(q("skyseal-cli"),
                     onLink(flight,
-                           "--allow-research --suites rc4 --seconds 1 --repeats 50 --no-noise "
+                           "--allow-research --suites rc4 --seconds 1 --warm-up 0.3 --repeats 50 --no-noise "
                            "--json")
                         + QStringList{q("--out"), folder.path()});
     QVERIFY2(!process.waitFor(q("run")).isEmpty(), process.errors().constData());
@@ -457,7 +493,7 @@ void SweepTest::refusalsAreTold()
     Program process(q("skyseal-cli"),
                     onLink(flight,
                            "--allow-plain --suites none,aes-256-ctr --framing both --seconds 0.5 "
-                           "--repeats 1 --seed 3 --json"));
+                           "--warm-up 0.3 --repeats 1 --seed 3 --json"));
     QCOMPARE(process.waitForExit(), 1);
     QHash<QString, QString> problems;
     for (const QJsonObject &sample : process.events(q("run")))
@@ -497,7 +533,7 @@ void SweepTest::agentTellsItsCosts()
 void SweepTest::plainComesBackOverABadLink()
 {
     const RunResult run = runProgram("skyseal-cli",
-                                     sweep("--suites none,aes-256-gcm --load natural --seconds 0.5 --repeats 8 "
+                                     sweep("--suites none,aes-256-gcm --load natural --seconds 0.5 --warm-up 0.3 --repeats 8 "
                                            "--seed 1 --no-noise --impair loss=0.3 --json"),
                                      {}, 200000);
     QVERIFY2(run.status == 0, run.err.constData());

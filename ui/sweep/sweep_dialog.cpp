@@ -8,6 +8,7 @@
 #include "ui/theme/grid.h"
 #include "ui/theme/suite_style.h"
 
+#include <QtCore/QRandomGenerator>
 #include <QtGui/QValidator>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QDialogButtonBox>
@@ -139,7 +140,9 @@ QWidget *SweepDialog::makeRunsGroup()
     m_repeats = named(new QSpinBox(box), "sweepRepeats", tr("Runs for each suite"));
     m_repeats->setRange(1, 1000);
     m_repeats->setValue(3);
-    m_seed = named(new QLineEdit(QStringLiteral("1"), box), "sweepSeed", tr("Seed"));
+    constexpr quint32 kDrawnBelow = 1'000'000'000; // short enough to be typed again
+    const QString drawn = QString::number(QRandomGenerator::system()->bounded(kDrawnBelow));
+    m_seed = named(new QLineEdit(drawn, box), "sweepSeed", tr("Seed"));
     m_seed->setValidator(new QRegularExpressionValidator(QRegularExpression(QStringLiteral("[0-9]{1,19}")), m_seed));
     m_seed->setToolTip(tr("The same seed gives the same order of runs"));
     m_noise = named(new QCheckBox(tr("One suite twice, to see the noise (A/A)"), box), "sweepNoise", tr("Measure the noise"));
@@ -206,7 +209,9 @@ void SweepDialog::updateSummary()
     const std::size_t runs = experiment::schedule(plan).size();
     const bool possible = runs > 0 && (m_connected->isEnabled() || m_own->isEnabled());
     const double each = seconds(plan.measure) + seconds(plan.warmUp) + kBetweenRuns;
-    const QString time = aboutTime(static_cast<double>(runs) * each);
+    // The first run of a block has four times the warm-up.
+    const double first = 3 * seconds(plan.warmUp) * static_cast<double>(plan.loads.size() * plan.conditions.size());
+    const QString time = aboutTime(static_cast<double>(runs) * each + first);
     m_summary->setText(possible ? (runs == 1 ? tr("One run, %1").arg(time) : tr("%1 runs, %2").arg(runs).arg(time))
                                 : tr("Choose a link, a suite, a framing that the suite supports, and a load."));
     const bool plain = !ownVehicle() && m_suites.back().box->isChecked();
