@@ -17,7 +17,7 @@ public:
     void setPerSecond(int perSecond)
     {
         m_paused = perSecond <= 0;
-        m_least = std::chrono::seconds(1) / std::clamp(perSecond, 1, 30);
+        m_least = Duration(std::chrono::seconds(1)) / std::clamp(perSecond, 1, 30); // not of whole seconds
     }
 
     /// Something that a snapshot shows has changed.
