@@ -22,8 +22,6 @@ public:
     /// another suite. To be called with each snapshot of the run until hasReport().
     void noteReport(const MeasuredLink &link, const engine::Snapshot &snapshot);
     bool hasReport() const { return m_begin.agent.has_value(); }
-    /// True if the run is measured with another session than this one.
-    bool isOther(channel::SessionId session) const { return m_session && m_session != session; }
     /// True if the live session differs from that at the beginning. A short silence of the same session does not count.
     bool sessionChanged(const MeasuredLink &link, const engine::Snapshot &snapshot) const;
     /// Fills seconds, values, validity and counters of the sample, or its problem: the session or the vehicle did not last

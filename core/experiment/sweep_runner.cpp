@@ -133,6 +133,7 @@ void SweepRunner::beginNextRun()
     m_switch.begin(arm().suite);
     m_fresh = !m_station.isOpen();
     m_attempts = 1;
+    m_isCurrent = false;
     m_hopeless = m_hopeless && !m_queue.atBlockStart();
     Q_EMIT runBegan(run);
     if (m_fresh)
@@ -161,8 +162,6 @@ void SweepRunner::handleEvent(const engine::Event &event)
             giveUp(link.url + ": " + link.problem);
     } else if (const auto *up = std::get_if<channel::SessionUp>(&event)) {
         m_link.sessionUp(*up);
-        if (m_measurement.isOther(up->session))
-            requestEnd();
     } else if (const auto *done = std::get_if<channel::SwitchDone>(&event)) {
         handleSwitch(*done);
     }
@@ -204,11 +203,16 @@ void SweepRunner::handleProbe(const RunMeasurement::Snapshot &snapshot)
 {
     if (snapshot->time < m_stageStart)
         return; // of a run that was given up meanwhile
-    if (m_stage != Stage::Beginning && m_stage != Stage::Ending)
+    if (m_stage != Stage::Beginning && m_stage != Stage::Ending && m_stage != Stage::Restoring)
         return;
     m_snapshot = snapshot;
     m_link.update(*snapshot);
-    m_stage == Stage::Beginning ? beginMeasuring() : endRun();
+    if (m_stage == Stage::Beginning)
+        return beginMeasuring();
+    if (m_stage == Stage::Ending)
+        return endRun();
+    m_isCurrent = true;
+    continueRestoring();
 }
 
 /// An answer to TIMESYNC shows that the vehicle is reached as well; in plain MAVLink that takes its next heartbeat.
@@ -221,7 +225,8 @@ bool SweepRunner::isSettled(double inStage) const
 /// A load that follows the answers of the other end takes its time to find its rate, most of all after a pause.
 bool SweepRunner::isWarm(double inStage)
 {
-    const double least = (m_fresh ? kFirstWarmUps : 1) * seconds(m_config.plan.warmUp);
+    const bool started = m_fresh && !m_station.isBorrowed();
+    const double least = (started ? kFirstWarmUps : 1) * seconds(m_config.plan.warmUp);
     if (m_config.plan.loads[m_queue.current().load] != Load::Saturated)
         return inStage >= least;
     std::uint64_t bytes = 0;
@@ -436,6 +441,7 @@ void SweepRunner::giveUp(const std::string &problem)
 /// Puts the link back on the suite that it had first. A station of the sweep's own is closed at once where that cannot be done.
 void SweepRunner::restoreLink()
 {
+    m_isCurrent = false;
     if (!m_station.isOpen())
         return end();
     if (!m_link.firstSuite() || (!m_station.isBorrowed() && (m_link.isPlain() || !session())))
@@ -445,12 +451,12 @@ void SweepRunner::restoreLink()
         setProtection(std::nullopt);
     m_station.holdSuite(*m_link.firstSuite());
     enter(Stage::Restoring, kRestorePatience);
-    continueRestoring();
+    m_station.requestProbe(); // behind every order so far
 }
 
 void SweepRunner::continueRestoring()
 {
-    if (m_link.isRestored(*m_snapshot) || (!session() && !m_station.isBorrowed()))
+    if ((m_isCurrent && m_link.isRestored(*m_snapshot)) || (!session() && !m_station.isBorrowed()))
         return closeStation();
     orderSwitch();
 }
@@ -461,10 +467,10 @@ void SweepRunner::closeStation()
     m_station.close(suiteToResume());
 }
 
-/// A link that is not back on its first suite goes over to it with the next session.
+/// A link that is not known to be back on its first suite goes over to it, at the latest with the next session.
 std::optional<crypto::SuiteId> SweepRunner::suiteToResume() const
 {
-    return m_snapshot && m_link.isRestored(*m_snapshot) ? std::nullopt : m_link.firstSuite();
+    return m_isCurrent && m_link.isRestored(*m_snapshot) ? std::nullopt : m_link.firstSuite();
 }
 
 void SweepRunner::end()

@@ -120,6 +120,7 @@ private:
     LoadSettling m_settling;
     RunMeasurement m_measurement;
     RunMeasurement::Snapshot m_snapshot; ///< the newest one
+    bool m_isCurrent = false;            ///< while restoring: it was taken after the last run's orders
     Stage m_stage = Stage::Idle;
     double m_stageStart = 0; ///< snapshot time
     QElapsedTimer m_stageClock;

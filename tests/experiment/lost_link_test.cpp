@@ -229,6 +229,10 @@ void LostLinkTest::switchTakesFromItsFirstOrder()
           sweep.lastTook, sweep.runTook);
     QVERIFY(took > sweep.lastTook);
     QVERIFY(took >= sweep.lastOrderAfter && took <= sweep.runTook);
+    // Its reader's snapshots go on, and the sample says what they cost.
+    const double meter = sweep.samples[0].first.values[experiment::Metric::MeterCpu];
+    qInfo("%.1f %% of the I/O thread's CPU time went into snapshots", meter);
+    QVERIFY(meter > 0 && meter < 100);
 }
 
 void LostLinkTest::vehicleFallsSilent_data()
