@@ -84,6 +84,18 @@ private Q_SLOTS:
         EVENTUALLY_EQUAL(find<QDockWidget>("dockDiagnostics")->height(), before);
     }
 
+    void sweepNamesItsInvalidRuns()
+    {
+        FakeSweep sweeps;
+        m_window->setSweep(sweeps);
+        m_station->show(sealedSnapshot(1));
+        std::vector<experiment::Sample> samples(3);
+        samples[1].invalid = "not saturated: nothing reached 95 %";
+        runSweep(sweeps, std::move(samples));
+        const QString shown = find<QLabel>("sweepStatus")->text();
+        QVERIFY2(shown.contains(QStringLiteral("1 not valid: not saturated")), qPrintable(shown));
+    }
+
     void missionPanelShowsWhyItIsEmpty()
     {
         const auto *why = find<QLabel>("missionEmpty");
@@ -137,14 +149,14 @@ private:
         while (choice->currentIndex() != index)
             QTest::keyClick(choice, key);
     }
-    void runSweep(FakeSweep &sweeps)
+    void runSweep(FakeSweep &sweeps, std::vector<experiment::Sample> samples = {})
     {
         find<QAction>("actionSweep")->trigger();
         auto *dialog = m_window->findChild<SweepDialog *>();
         QVERIFY(dialog);
         QTest::mouseClick(dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
         QCOMPARE(sweeps.orders.size(), std::size_t(1));
-        sweeps.finish();
+        sweeps.finish(std::move(samples));
     }
 
     int m_said = 0;

@@ -26,9 +26,10 @@ public:
             ++run.arm;
         Q_EMIT runBegan(run, {});
     }
-    void finish()
+    void finish(std::vector<experiment::Sample> samples = {})
     {
         auto results = std::make_shared<experiment::Results>();
+        results->samples = std::move(samples);
         results->plan = orders.back().plan;
         Q_EMIT finished(std::move(results), {});
     }
