@@ -44,9 +44,9 @@ std::uint8_t CommandServer::execute(TimePoint now, const Command &command)
     case MAV_CMD_DO_SET_HOME: return setHome(command);
     case MAV_CMD_DO_SET_MISSION_CURRENT: return setCurrent(command);
     case MAV_CMD_DO_FENCE_ENABLE: return enableFence(index(command.parameters[0]));
-    case MAV_CMD_MISSION_START: return answer(m_autopilot.startMission());
+    case MAV_CMD_MISSION_START: return answer(m_autopilot.requests().startMission());
     case MAV_CMD_RUN_PREARM_CHECKS:
-        if (const auto reason = m_autopilot.preArm())
+        if (const auto reason = m_autopilot.arming().preArm())
             m_autopilot.texts().say(Severity::Critical, "PreArm: " + *reason);
         return MAV_RESULT_ACCEPTED;
     default: return fly(command);
@@ -56,10 +56,10 @@ std::uint8_t CommandServer::execute(TimePoint now, const Command &command)
 std::uint8_t CommandServer::fly(const Command &command)
 {
     switch (command.id) {
-    case MAV_CMD_NAV_TAKEOFF: return answer(m_autopilot.takeOff(static_cast<double>(command.z)));
-    case MAV_CMD_NAV_LAND: return answer(m_autopilot.enterMode(FlightMode::Land));
-    case MAV_CMD_NAV_RETURN_TO_LAUNCH: return answer(m_autopilot.enterMode(FlightMode::Rtl));
-    case MAV_CMD_NAV_LOITER_UNLIM: return answer(m_autopilot.enterMode(FlightMode::Loiter));
+    case MAV_CMD_NAV_TAKEOFF: return answer(m_autopilot.requests().takeOff(static_cast<double>(command.z)));
+    case MAV_CMD_NAV_LAND: return answer(m_autopilot.requests().enterMode(FlightMode::Land));
+    case MAV_CMD_NAV_RETURN_TO_LAUNCH: return answer(m_autopilot.requests().enterMode(FlightMode::Rtl));
+    case MAV_CMD_NAV_LOITER_UNLIM: return answer(m_autopilot.requests().enterMode(FlightMode::Loiter));
     case MAV_CMD_DO_REPOSITION: return reposition(command);
     case MAV_CMD_CONDITION_YAW: return yaw(command);
     case MAV_CMD_DO_CHANGE_SPEED: return changeSpeed(command);
@@ -67,7 +67,7 @@ std::uint8_t CommandServer::fly(const Command &command)
     }
 }
 
-std::uint8_t CommandServer::answer(const Autopilot::Refusal &refusal)
+std::uint8_t CommandServer::answer(const Refusal &refusal)
 {
     if (!refusal)
         return MAV_RESULT_ACCEPTED;
@@ -80,9 +80,10 @@ std::uint8_t CommandServer::arm(const Command &command)
 {
     const bool force = command.parameters[1] == kForce;
     if (command.parameters[0] == 1)
-        return answer(m_autopilot.arm(force || command.parameters[1] == 2989)); // 2989: ArduPilot's own, for arming only
+        return answer(
+            m_autopilot.arming().arm(force || command.parameters[1] == 2989)); // 2989: ArduPilot's own, for arming only
     if (command.parameters[0] == 0)
-        return answer(m_autopilot.disarm(force));
+        return answer(m_autopilot.arming().disarm(force));
     return MAV_RESULT_UNSUPPORTED;
 }
 
@@ -93,7 +94,7 @@ std::uint8_t CommandServer::setMode(const Command &command)
     const auto mode = flightMode(index(command.parameters[1]));
     if (!mode)
         return answer("No such mode " + std::to_string(index(command.parameters[1])));
-    return answer(m_autopilot.enterMode(*mode));
+    return answer(m_autopilot.requests().enterMode(*mode));
 }
 
 std::optional<Vector3> CommandServer::place(const Autopilot &autopilot, std::uint8_t frame, double latitude, double longitude,
@@ -103,17 +104,17 @@ std::optional<Vector3> CommandServer::place(const Autopilot &autopilot, std::uin
     if (latitude != 0 || longitude != 0) {
         if (!(std::abs(latitude) <= 90) || !(std::abs(longitude) <= 180))
             return std::nullopt;
-        out = autopilot.world().toLocal({latitude, longitude, 0});
+        out = autopilot.flight().world.toLocal({latitude, longitude, 0});
     }
     if (!std::isfinite(altitude) || std::abs(altitude) > 10000)
         return std::nullopt;
     switch (frame) {
     case MAV_FRAME_GLOBAL:
-    case MAV_FRAME_GLOBAL_INT: out.z = autopilot.world().origin().altitude - altitude; return out;
+    case MAV_FRAME_GLOBAL_INT: out.z = autopilot.flight().world.origin().altitude - altitude; return out;
     case MAV_FRAME_GLOBAL_RELATIVE_ALT:
     case MAV_FRAME_GLOBAL_RELATIVE_ALT_INT: // flat ground: terrain is where home is
     case MAV_FRAME_GLOBAL_TERRAIN_ALT:
-    case MAV_FRAME_GLOBAL_TERRAIN_ALT_INT: out.z = autopilot.situation().home.z - altitude; return out;
+    case MAV_FRAME_GLOBAL_TERRAIN_ALT_INT: out.z = autopilot.flight().situation().home.z - altitude; return out;
     default: return std::nullopt;
     }
 }
@@ -126,13 +127,14 @@ std::uint8_t CommandServer::reposition(const Command &command)
     if (m_autopilot.modes().current() != FlightMode::Guided) {
         if (!(index(command.parameters[1]) & MAV_DO_REPOSITION_FLAGS_CHANGE_MODE))
             return MAV_RESULT_DENIED;
-        if (const auto refusal = m_autopilot.enterMode(FlightMode::Guided))
+        if (const auto refusal = m_autopilot.requests().enterMode(FlightMode::Guided))
             return answer(refusal);
     }
-    if (const auto refusal = m_autopilot.goTo(*target))
+    if (const auto refusal = m_autopilot.requests().goTo(*target))
         return answer(refusal);
     if (command.parameters[0] > 0)
-        return answer(m_autopilot.changeSpeed(Autopilot::SpeedKind::Ground, static_cast<double>(command.parameters[0])));
+        return answer(
+            m_autopilot.requests().changeSpeed(FlightRequests::SpeedKind::Ground, static_cast<double>(command.parameters[0])));
     return MAV_RESULT_ACCEPTED;
 }
 
@@ -142,19 +144,19 @@ std::uint8_t CommandServer::yaw(const Command &command)
     const double turn = radians(static_cast<double>(angle));
     const double from = m_autopilot.estimate().attitude.euler().yaw;
     const double heading = relative == 1 ? from + (direction < 0 ? -turn : turn) : turn;
-    return answer(m_autopilot.face(heading, radians(static_cast<double>(rate))));
+    return answer(m_autopilot.requests().face(heading, radians(static_cast<double>(rate))));
 }
 
 std::uint8_t CommandServer::changeSpeed(const Command &command)
 {
-    using Kind = Autopilot::SpeedKind;
+    using Kind = FlightRequests::SpeedKind;
     const std::uint32_t kind = index(command.parameters[0]);
     if (kind > SPEED_TYPE_DESCENT_SPEED)
         return MAV_RESULT_DENIED;
-    return answer(m_autopilot.changeSpeed(kind == SPEED_TYPE_CLIMB_SPEED         ? Kind::Climb
-                                              : kind == SPEED_TYPE_DESCENT_SPEED ? Kind::Descent
-                                                                                 : Kind::Ground,
-                                          static_cast<double>(command.parameters[1])));
+    return answer(m_autopilot.requests().changeSpeed(kind == SPEED_TYPE_CLIMB_SPEED         ? Kind::Climb
+                                                         : kind == SPEED_TYPE_DESCENT_SPEED ? Kind::Descent
+                                                                                            : Kind::Ground,
+                                                     static_cast<double>(command.parameters[1])));
 }
 
 std::uint8_t CommandServer::setHome(const Command &command)
@@ -164,7 +166,7 @@ std::uint8_t CommandServer::setHome(const Command &command)
         home = place(m_autopilot,
                      command.frame == MAV_FRAME_GLOBAL_RELATIVE_ALT ? std::uint8_t(MAV_FRAME_GLOBAL) : command.frame, command.x,
                      command.y, static_cast<double>(command.z));
-    if (!home || !m_autopilot.setHome(*home))
+    if (!home || !m_autopilot.requests().setHome(*home))
         return MAV_RESULT_FAILED;
     m_telemetry.send(HomePosition::kId);
     return MAV_RESULT_ACCEPTED;
@@ -180,7 +182,7 @@ std::uint8_t CommandServer::setCurrent(const Command &command)
 
 std::uint8_t CommandServer::enableFence(std::uint32_t what)
 {
-    Fence &fence = m_autopilot.fence();
+    Fence &fence = m_autopilot.flight().fence;
     switch (what) {
     case 0: fence.enable(false); return MAV_RESULT_ACCEPTED;
     case 1:

@@ -53,7 +53,7 @@ private:
     std::uint8_t setInterval(TimePoint now, const Command &command);
     std::uint8_t getInterval(std::uint32_t message);
     std::uint8_t reboot(const Command &command);
-    std::uint8_t answer(const Autopilot::Refusal &refusal);
+    std::uint8_t answer(const Refusal &refusal);
 
     Autopilot &m_autopilot;
     StreamScheduler &m_streams;

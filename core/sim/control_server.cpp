@@ -46,7 +46,7 @@ bool ControlServer::handle(TimePoint now, const Frame &frame)
     }
 }
 
-void ControlServer::report(const Autopilot::Refusal &refusal)
+void ControlServer::report(const Refusal &refusal)
 {
     if (refusal)
         m_autopilot.texts().say(Severity::Warning, *refusal);
@@ -58,7 +58,7 @@ void ControlServer::setMode(ByteView payload)
     if (!(in.base_mode & MAV_MODE_FLAG_CUSTOM_MODE_ENABLED))
         return;
     if (const auto mode = flightMode(in.custom_mode))
-        report(m_autopilot.enterMode(*mode));
+        report(m_autopilot.requests().enterMode(*mode));
     else
         report("No such mode " + std::to_string(in.custom_mode));
 }
@@ -66,7 +66,7 @@ void ControlServer::setMode(ByteView payload)
 void ControlServer::face(std::uint16_t mask, double yaw, double offset)
 {
     if (!(mask & POSITION_TARGET_TYPEMASK_YAW_IGNORE))
-        report(m_autopilot.face(yaw + offset, 0));
+        report(m_autopilot.requests().face(yaw + offset, 0));
 }
 
 void ControlServer::localTarget(ByteView payload)
@@ -87,9 +87,9 @@ void ControlServer::localTarget(ByteView payload)
     };
     if (hasPosition(in.type_mask)) {
         const Vector3 place = turned(in.x, in.y, in.z);
-        report(m_autopilot.goTo(offset || body ? here.position + place : place));
+        report(m_autopilot.requests().goTo(offset || body ? here.position + place : place));
     } else if (hasVelocity(in.type_mask)) {
-        report(m_autopilot.move(turned(in.vx, in.vy, in.vz)));
+        report(m_autopilot.requests().move(turned(in.vx, in.vy, in.vz)));
     }
     face(in.type_mask, static_cast<double>(in.yaw), body ? yaw : 0);
 }
@@ -102,9 +102,10 @@ void ControlServer::globalTarget(ByteView payload)
     if (hasPosition(in.type_mask)) {
         const auto place = CommandServer::place(m_autopilot, in.coordinate_frame, in.lat_int * 1e-7, in.lon_int * 1e-7,
                                                 static_cast<double>(in.alt));
-        report(place ? m_autopilot.goTo(*place) : Autopilot::Refusal("Goto: bad place"));
+        report(place ? m_autopilot.requests().goTo(*place) : Refusal("Goto: bad place"));
     } else if (hasVelocity(in.type_mask)) {
-        report(m_autopilot.move({static_cast<double>(in.vx), static_cast<double>(in.vy), static_cast<double>(in.vz)}));
+        report(
+            m_autopilot.requests().move({static_cast<double>(in.vx), static_cast<double>(in.vy), static_cast<double>(in.vz)}));
     }
     face(in.type_mask, static_cast<double>(in.yaw), 0);
 }
@@ -112,7 +113,7 @@ void ControlServer::globalTarget(ByteView payload)
 void ControlServer::overrideSticks(TimePoint now, ByteView payload)
 {
     const auto in = RcChannelsOverride::decode(payload);
-    m_autopilot.pilot().override(
+    m_autopilot.flight().pilot.override(
         now, {in.chan1_raw, in.chan2_raw, in.chan3_raw, in.chan4_raw, in.chan5_raw, in.chan6_raw, in.chan7_raw, in.chan8_raw});
 }
 
@@ -121,7 +122,7 @@ void ControlServer::manualControl(TimePoint now, ByteView payload)
     const auto in = ManualControl::decode(payload);
     const auto axis = [](std::int16_t value) { return std::abs(value) <= 1000 ? value / 1000.0 : 0; }; // beyond: not given
     // Its x is forward-positive; the pitch stick is positive when pulled.
-    m_autopilot.pilot().manual(now, {axis(in.y), -axis(in.x), axis(in.r), std::clamp(axis(in.z), 0.0, 1.0)});
+    m_autopilot.flight().pilot.manual(now, {axis(in.y), -axis(in.x), axis(in.r), std::clamp(axis(in.z), 0.0, 1.0)});
 }
 
 } // namespace skyseal::sim

@@ -22,7 +22,7 @@ private:
     void overrideSticks(TimePoint now, ByteView payload);
     void manualControl(TimePoint now, ByteView payload);
     void face(std::uint16_t mask, double yaw, double offset);
-    void report(const Autopilot::Refusal &refusal);
+    void report(const Refusal &refusal);
 
     Autopilot &m_autopilot;
 };

@@ -50,7 +50,7 @@ void FlightRecorder::step(const Autopilot &autopilot)
     writeChanges(autopilot);
     if (autopilot.time() % kSample == 0)
         writeSamples(autopilot);
-    if (autopilot.gps().takenAt != m_gpsTakenAt)
+    if (autopilot.flight().physics.gps().takenAt != m_gpsTakenAt)
         writeGps(autopilot);
     if (!autopilot.armed()) {
         event(autopilot, kDisarmedEvent);
@@ -98,7 +98,7 @@ void FlightRecorder::writeChanges(const Autopilot &autopilot)
 void FlightRecorder::writeSamples(const Autopilot &autopilot)
 {
     const Estimate &e = autopilot.estimate();
-    const Euler angles = e.attitude.euler(), wanted = autopilot.attitudeController().target();
+    const Euler angles = e.attitude.euler(), wanted = autopilot.rotors().attitude().target();
     m_logs.append(LogRecord(kAttitude)
                       .put(autopilot.time())
                       .put(hundredths(wanted.roll))
@@ -108,7 +108,7 @@ void FlightRecorder::writeSamples(const Autopilot &autopilot)
                       .put(heading(wanted.yaw))
                       .put(heading(angles.yaw))
                       .bytes());
-    const GeoPoint place = autopilot.world().toGeo(e.position);
+    const GeoPoint place = autopilot.flight().world.toGeo(e.position);
     m_logs.append(LogRecord(kPosition)
                       .put(autopilot.time())
                       .put(scaled<std::int32_t>(place.latitude, 1e7))
@@ -119,7 +119,7 @@ void FlightRecorder::writeSamples(const Autopilot &autopilot)
                       .bytes());
     if (autopilot.time() % kSlowSample != 0)
         return;
-    const Battery &battery = autopilot.battery();
+    const Battery &battery = autopilot.flight().physics.battery();
     m_logs.append(LogRecord(kBattery)
                       .put(autopilot.time())
                       .put(std::uint8_t(0))
@@ -133,12 +133,12 @@ void FlightRecorder::writeSamples(const Autopilot &autopilot)
 
 void FlightRecorder::writeGps(const Autopilot &autopilot)
 {
-    const GpsReport &gps = autopilot.gps();
+    const GpsReport &gps = autopilot.flight().physics.gps();
     m_gpsTakenAt = gps.takenAt;
     const std::int64_t milliseconds = m_wallTime.time_since_epoch() / std::chrono::milliseconds(1)
         - (kGpsEpoch - kLeapSeconds) * 1000;
     const std::int64_t sinceEpoch = std::max<std::int64_t>(milliseconds, 0);
-    const GeoPoint place = autopilot.world().toGeo(gps.position);
+    const GeoPoint place = autopilot.flight().world.toGeo(gps.position);
     const double course = std::atan2(gps.velocity.y, gps.velocity.x);
     m_logs.append(LogRecord(kGps)
                       .put(autopilot.time())

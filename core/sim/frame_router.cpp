@@ -118,7 +118,7 @@ void FrameRouter::flyTo(const FrameSender &peer, const StoredItem &item, std::ui
         place->x = autopilot.modes().guided().place().north;
         place->y = autopilot.modes().guided().place().east;
     }
-    const Autopilot::Refusal refusal = place ? autopilot.goTo(*place) : Autopilot::Refusal("Goto: bad place");
+    const Refusal refusal = place ? autopilot.requests().goTo(*place) : Refusal("Goto: bad place");
     if (refusal)
         autopilot.texts().say(Severity::Warning, *refusal);
     missions.acknowledge(peer, refusal ? mavlink::MAV_MISSION_ERROR : mavlink::MAV_MISSION_ACCEPTED);

@@ -9,8 +9,8 @@ using namespace mavlink;
 StoredItem FlightPlanList::item(std::size_t sequence) const
 {
     StoredItem item = m_autopilot.modes().mission().mission()[sequence];
-    if (sequence == 0 && m_autopilot.home()) { // item 0 is always home
-        const GeoPoint home = m_autopilot.world().toGeo(*m_autopilot.home());
+    if (sequence == 0 && m_autopilot.flight().home.position()) { // item 0 is always home
+        const GeoPoint home = m_autopilot.flight().world.toGeo(*m_autopilot.flight().home.position());
         item.frame = MAV_FRAME_GLOBAL;
         item.command = MAV_CMD_NAV_WAYPOINT;
         item.x = scaled<std::int32_t>(home.latitude, 1e7);
@@ -40,7 +40,7 @@ bool FlightPlanList::replace(std::vector<StoredItem> items)
 StoredItem FenceList::item(std::size_t sequence) const
 {
     // ArduPilot keeps the place and the size of an item only.
-    const StoredItem &stored = m_autopilot.fence().areas().items()[sequence];
+    const StoredItem &stored = m_autopilot.flight().fence.areas().items()[sequence];
     StoredItem item;
     item.frame = MAV_FRAME_GLOBAL;
     item.command = stored.command;
@@ -54,7 +54,7 @@ StoredItem FenceList::item(std::size_t sequence) const
 bool FenceList::replace(std::vector<StoredItem> items)
 {
     const std::size_t count = items.size();
-    if (auto problem = m_autopilot.fence().areas().load(std::move(items), m_autopilot.world())) {
+    if (auto problem = m_autopilot.flight().fence.areas().load(std::move(items), m_autopilot.flight().world)) {
         m_autopilot.texts().say(Severity::Warning, std::move(*problem));
         return false;
     }
@@ -64,7 +64,7 @@ bool FenceList::replace(std::vector<StoredItem> items)
 
 StoredItem RallyList::item(std::size_t sequence) const
 {
-    const StoredItem &stored = m_autopilot.rallyPoints().items()[sequence];
+    const StoredItem &stored = m_autopilot.flight().rallyPoints.items()[sequence];
     StoredItem item;
     item.frame = MAV_FRAME_GLOBAL_RELATIVE_ALT;
     item.command = MAV_CMD_NAV_RALLY_POINT;
@@ -77,7 +77,7 @@ StoredItem RallyList::item(std::size_t sequence) const
 bool RallyList::replace(std::vector<StoredItem> items)
 {
     m_autopilot.parameters().set("RALLY_TOTAL", static_cast<float>(items.size()));
-    m_autopilot.rallyPoints().load(std::move(items));
+    m_autopilot.flight().rallyPoints.load(std::move(items));
     return true;
 }
 

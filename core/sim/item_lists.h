@@ -35,11 +35,11 @@ public:
     std::uint8_t type() const override { return mavlink::MAV_MISSION_TYPE_FENCE; }
     const char *name() const override { return "Fence"; }
     std::size_t most() const override { return FenceAreas::kMostItems; }
-    std::size_t size() const override { return m_autopilot.fence().areas().items().size(); }
+    std::size_t size() const override { return m_autopilot.flight().fence.areas().items().size(); }
     StoredItem item(std::size_t sequence) const override;
     std::optional<ItemError> check(std::size_t, const StoredItem &item) const override { return FenceAreas::checkItem(item); }
     bool replace(std::vector<StoredItem> items) override;
-    std::vector<StoredItem> stored() const override { return m_autopilot.fence().areas().items(); }
+    std::vector<StoredItem> stored() const override { return m_autopilot.flight().fence.areas().items(); }
 
 private:
     Autopilot &m_autopilot;
@@ -54,11 +54,11 @@ public:
     const char *name() const override { return "Rally"; }
     const char *receivedText() const override { return "Rally points received"; }
     std::size_t most() const override { return RallyPoints::kMostItems; }
-    std::size_t size() const override { return m_autopilot.rallyPoints().items().size(); }
+    std::size_t size() const override { return m_autopilot.flight().rallyPoints.items().size(); }
     StoredItem item(std::size_t sequence) const override;
     std::optional<ItemError> check(std::size_t, const StoredItem &item) const override { return RallyPoints::checkItem(item); }
     bool replace(std::vector<StoredItem> items) override;
-    std::vector<StoredItem> stored() const override { return m_autopilot.rallyPoints().items(); }
+    std::vector<StoredItem> stored() const override { return m_autopilot.flight().rallyPoints.items(); }
 
 private:
     Autopilot &m_autopilot;

@@ -57,7 +57,7 @@ void MotionMessages::globalPosition()
     const GeoPoint here = place(e.position);
     mavlink::GlobalPositionInt out;
     out.time_boot_ms = bootMilliseconds(m_autopilot);
-    if (m_autopilot.home()) { // before the first fix the place is not known, and ArduPilot sends zeros
+    if (m_autopilot.flight().home.position()) { // before the first fix the place is not known, and ArduPilot sends zeros
         out.lat = scaled<std::int32_t>(here.latitude, 1e7);
         out.lon = scaled<std::int32_t>(here.longitude, 1e7);
     }
@@ -86,7 +86,7 @@ void MotionMessages::localPosition()
 
 bool MotionMessages::positionTarget()
 {
-    const auto target = m_autopilot.modes().place(m_autopilot.situation());
+    const auto target = m_autopilot.modes().place(m_autopilot.flight().situation());
     if (!target || !m_autopilot.armed())
         return false;
     const GeoPoint there = place(*target);
@@ -110,7 +110,7 @@ MotionMessages::Inertial MotionMessages::inertial()
         return v + Vector3{m_noise.normal(deviation), m_noise.normal(deviation), m_noise.normal(deviation)};
     };
     return {noisy(truth.specificForce, shake), noisy(truth.rates, 0.001 + 0.01 * lift),
-            m_autopilot.faults().compassFailed ? Vector3{} : noisy(truth.attitude.toBody(kEarthField), 1.5)};
+            m_autopilot.flight().settings.faults.compassFailed ? Vector3{} : noisy(truth.attitude.toBody(kEarthField), 1.5)};
 }
 
 template<typename Message> void MotionMessages::writeInertial(const Inertial &read, Message &out)
@@ -146,7 +146,7 @@ void MotionMessages::scaledImu()
 
 void MotionMessages::pressure()
 {
-    const double altitude = m_autopilot.world().origin().altitude - m_autopilot.truth().position.z;
+    const double altitude = m_autopilot.flight().world.origin().altitude - m_autopilot.truth().position.z;
     mavlink::ScaledPressure out;
     out.time_boot_ms = bootMilliseconds(m_autopilot);
     // The international standard atmosphere, below 11 km.
@@ -161,11 +161,11 @@ void MotionMessages::hud()
     const Estimate &e = m_autopilot.estimate();
     mavlink::VfrHud out;
     out.groundspeed = static_cast<float>(e.velocity.horizontal());
-    out.airspeed = static_cast<float>((e.velocity - m_autopilot.wind().velocity()).horizontal());
+    out.airspeed = static_cast<float>((e.velocity - m_autopilot.flight().physics.wind().velocity()).horizontal());
     if (m_autopilot.landed())
         out.airspeed = 0;
     out.heading = scaled<std::int16_t>(std::fmod(std::round(heading(e)), 360));
-    out.throttle = scaled<std::uint16_t>(m_autopilot.throttle(), 100);
+    out.throttle = scaled<std::uint16_t>(m_autopilot.rotors().thrust(), 100);
     out.alt = static_cast<float>(place(e.position).altitude);
     out.climb = static_cast<float>(e.climb());
     m_outbox.send(out);
@@ -173,8 +173,8 @@ void MotionMessages::hud()
 
 void MotionMessages::navigation()
 {
-    const Situation now = m_autopilot.situation();
-    const Euler &target = m_autopilot.attitudeController().target();
+    const Situation now = m_autopilot.flight().situation();
+    const Euler &target = m_autopilot.rotors().attitude().target();
     mavlink::NavControllerOutput out;
     out.nav_roll = static_cast<float>(degrees(target.roll));
     out.nav_pitch = static_cast<float>(degrees(target.pitch));

@@ -44,7 +44,7 @@ private:
     };
     Inertial inertial();
     template<typename Message> static void writeInertial(const Inertial &read, Message &out);
-    GeoPoint place(const Vector3 &ned) const { return m_autopilot.world().toGeo(ned); }
+    GeoPoint place(const Vector3 &ned) const { return m_autopilot.flight().world.toGeo(ned); }
 
     const Autopilot &m_autopilot;
     FrameQueue &m_outbox;

@@ -114,17 +114,14 @@ void SimulatedVehicle::Parts::watchStation(TimePoint now)
     const Parameters &values = autopilot.parameters();
     const auto timeout = std::chrono::duration_cast<Duration>(std::chrono::duration<float>(values.value("FS_GCS_TIMEOUT")));
     const auto override = std::chrono::duration_cast<Duration>(std::chrono::duration<float>(values.value("RC_OVERRIDE_TIME")));
-    autopilot.pilot().expire(now, override);
+    autopilot.flight().pilot.expire(now, override);
     const int action = values.integer("FS_GCS_ENABLE");
-    if (station.update(now, timeout) == GcsWatch::Event::Back) {
-        if (autopilot.inFailsafe())
-            autopilot.texts().say(Severity::Notice, "GCS Failsafe Cleared");
-        autopilot.setInFailsafe(false);
-    }
+    if (station.update(now, timeout) == GcsWatch::Event::Back)
+        autopilot.failsafes().clear("GCS");
     if (!autopilot.armed() || !station.lost())
         actedOnSilence = false;
     else if (action != 0 && !std::exchange(actedOnSilence, true))
-        autopilot.failsafe("GCS", action == 5 ? FlightMode::Land : FlightMode::Rtl);
+        autopilot.failsafes().trigger("GCS", action == 5 ? FlightMode::Land : FlightMode::Rtl);
 }
 
 void SimulatedVehicle::Parts::speak(TimePoint now)
@@ -146,7 +143,7 @@ void SimulatedVehicle::Parts::speak(TimePoint now)
 void SimulatedVehicle::Parts::notifyStatus()
 {
     missions.reportProgress();
-    if (const auto breaches = autopilot.fence().breachCount(); breaches != std::exchange(breachesTold, breaches))
+    if (const auto breaches = autopilot.flight().fence.breachCount(); breaches != std::exchange(breachesTold, breaches))
         telemetry.send(mavlink::FenceStatus::kId);
     if (!homeTold)
         homeTold = telemetry.send(mavlink::HomePosition::kId);

@@ -90,7 +90,7 @@ bool TelemetrySender::sendSystem(std::uint32_t message)
         return true;
     }
     case mavlink::Wind::kId: {
-        const Vector3 &wind = m_autopilot.wind().velocity();
+        const Vector3 &wind = m_autopilot.flight().physics.wind().velocity();
         mavlink::Wind out;
         out.direction = static_cast<float>(degrees(std::atan2(-wind.y, -wind.x)));
         out.speed = static_cast<float>(wind.horizontal());
@@ -99,9 +99,9 @@ bool TelemetrySender::sendSystem(std::uint32_t message)
         return true;
     }
     case mavlink::EkfStatusReport::kId: {
-        const FilterVariances &variances = m_autopilot.estimator().variances();
+        const FilterVariances &variances = m_autopilot.flight().physics.estimator().variances();
         mavlink::EkfStatusReport out;
-        out.flags = m_autopilot.estimator().flags();
+        out.flags = m_autopilot.flight().physics.estimator().flags();
         out.velocity_variance = static_cast<float>(variances.velocity);
         out.pos_horiz_variance = static_cast<float>(variances.horizontal);
         out.pos_vert_variance = static_cast<float>(variances.vertical);
@@ -110,9 +110,9 @@ bool TelemetrySender::sendSystem(std::uint32_t message)
         return true;
     }
     case mavlink::GpsGlobalOrigin::kId: {
-        if (!m_autopilot.home())
+        if (!m_autopilot.flight().home.position())
             return false;
-        const GeoPoint &origin = m_autopilot.world().origin();
+        const GeoPoint &origin = m_autopilot.flight().world.origin();
         mavlink::GpsGlobalOrigin out;
         out.latitude = scaled<std::int32_t>(origin.latitude, 1e7);
         out.longitude = scaled<std::int32_t>(origin.longitude, 1e7);
@@ -139,7 +139,7 @@ void TelemetrySender::heartbeat()
         out.base_mode |= mavlink::MAV_MODE_FLAG_SAFETY_ARMED;
     out.custom_mode = static_cast<std::uint32_t>(mode);
     out.system_status = !m_autopilot.estimate().attitudeOk ? mavlink::MAV_STATE_CALIBRATING
-        : m_autopilot.inFailsafe()                         ? mavlink::MAV_STATE_CRITICAL
+        : m_autopilot.failsafes().active()                 ? mavlink::MAV_STATE_CRITICAL
         : m_autopilot.armed()                              ? mavlink::MAV_STATE_ACTIVE
                                                            : mavlink::MAV_STATE_STANDBY;
     out.mavlink_version = 3;
@@ -174,21 +174,21 @@ void TelemetrySender::systemStatus()
         if (fault)
             out.onboard_control_sensors_health &= ~sensor;
     };
-    failed(m_autopilot.faults().compassFailed, MAV_SYS_STATUS_SENSOR_3D_MAG);
-    failed(m_autopilot.faults().pressureFailed, MAV_SYS_STATUS_SENSOR_ABSOLUTE_PRESSURE);
-    failed(m_autopilot.radioWatch().lost(), MAV_SYS_STATUS_SENSOR_RC_RECEIVER);
-    if (m_autopilot.gps().fixed)
+    failed(m_autopilot.flight().settings.faults.compassFailed, MAV_SYS_STATUS_SENSOR_3D_MAG);
+    failed(m_autopilot.flight().settings.faults.pressureFailed, MAV_SYS_STATUS_SENSOR_ABSOLUTE_PRESSURE);
+    failed(m_autopilot.flight().radioWatch.lost(), MAV_SYS_STATUS_SENSOR_RC_RECEIVER);
+    if (m_autopilot.flight().physics.gps().fixed)
         out.onboard_control_sensors_health |= MAV_SYS_STATUS_SENSOR_GPS;
     if (estimate.positionOk)
         out.onboard_control_sensors_health |= MAV_SYS_STATUS_SENSOR_XY_POSITION_CONTROL;
     if (estimate.attitudeOk)
         out.onboard_control_sensors_health |= MAV_SYS_STATUS_AHRS;
-    if (m_autopilot.batteryWatch().level() == BatteryLevel::Good)
+    if (m_autopilot.flight().batteryWatch.level() == BatteryLevel::Good)
         out.onboard_control_sensors_health |= MAV_SYS_STATUS_SENSOR_BATTERY;
-    if (m_autopilot.armed() || !m_autopilot.preArm())
+    if (m_autopilot.armed() || !m_autopilot.arming().preArm())
         out.onboard_control_sensors_health |= MAV_SYS_STATUS_PREARM_CHECK;
 
-    const Fence &fence = m_autopilot.fence();
+    const Fence &fence = m_autopilot.flight().fence;
     if (fence.present()) {
         out.onboard_control_sensors_present |= MAV_SYS_STATUS_GEOFENCE;
         if (fence.enabled() && m_autopilot.parameters().flag("FENCE_ACTION"))
@@ -197,7 +197,7 @@ void TelemetrySender::systemStatus()
     if (fence.breaches() == 0) // also without a fence: ground stations read a cleared bit as a breach
         out.onboard_control_sensors_health |= MAV_SYS_STATUS_GEOFENCE;
 
-    const Battery &battery = m_autopilot.battery();
+    const Battery &battery = m_autopilot.flight().physics.battery();
     out.load = scaled<std::uint16_t>(280 + m_noise.normal(12));
     out.voltage_battery = scaled<std::uint16_t>(battery.voltage() + m_noise.normal(0.006), 1000);
     out.current_battery = scaled<std::int16_t>(battery.current() + m_noise.normal(0.08), 100);
@@ -207,7 +207,7 @@ void TelemetrySender::systemStatus()
 
 void TelemetrySender::batteryStatus()
 {
-    const Battery &battery = m_autopilot.battery();
+    const Battery &battery = m_autopilot.flight().physics.battery();
     mavlink::BatteryStatus out;
     out.type = mavlink::MAV_BATTERY_TYPE_LIPO;
     out.temperature = std::numeric_limits<std::int16_t>::max(); // not known
@@ -218,15 +218,15 @@ void TelemetrySender::batteryStatus()
     out.current_consumed = scaled<std::int32_t>(battery.consumed());
     out.energy_consumed = scaled<std::int32_t>(battery.energy(), 0.01);
     out.battery_remaining = scaled<std::int8_t>(std::floor(battery.percent()));
-    out.charge_state = m_autopilot.batteryWatch().level() == BatteryLevel::Good ? mavlink::MAV_BATTERY_CHARGE_STATE_OK
-        : m_autopilot.batteryWatch().level() == BatteryLevel::Low               ? mavlink::MAV_BATTERY_CHARGE_STATE_LOW
-                                                                                : mavlink::MAV_BATTERY_CHARGE_STATE_CRITICAL;
+    out.charge_state = m_autopilot.flight().batteryWatch.level() == BatteryLevel::Good ? mavlink::MAV_BATTERY_CHARGE_STATE_OK
+        : m_autopilot.flight().batteryWatch.level() == BatteryLevel::Low               ? mavlink::MAV_BATTERY_CHARGE_STATE_LOW
+                                                                         : mavlink::MAV_BATTERY_CHARGE_STATE_CRITICAL;
     m_outbox.send(out);
 }
 
 void TelemetrySender::gpsRaw()
 {
-    const GpsReport &gps = m_autopilot.gps();
+    const GpsReport &gps = m_autopilot.flight().physics.gps();
     mavlink::GpsRawInt out;
     out.time_usec = gps.takenAt;
     out.fix_type = gps.fixed ? mavlink::GPS_FIX_TYPE_3D_FIX : mavlink::GPS_FIX_TYPE_NO_FIX;
@@ -256,9 +256,9 @@ void TelemetrySender::servos()
     const auto signal = [&](std::size_t rotor) -> std::uint16_t {
         if (!m_autopilot.armed())
             return 1000;
-        if (m_autopilot.throttle() <= 0)
+        if (m_autopilot.rotors().thrust() <= 0)
             return scaled<std::uint16_t>(1000 + 1000 * static_cast<double>(parameters.value("MOT_SPIN_ARM")));
-        return pulse(m_autopilot.rotorCommands()[rotor], parameters);
+        return pulse(m_autopilot.rotors().commands()[rotor], parameters);
     };
     out.servo1_raw = signal(0);
     out.servo2_raw = signal(1);
@@ -269,7 +269,7 @@ void TelemetrySender::servos()
 
 void TelemetrySender::radioChannels()
 {
-    const PilotInput::Channels channels = m_autopilot.pilot().channels();
+    const PilotInput::Channels channels = m_autopilot.flight().pilot.channels();
     mavlink::RcChannels out;
     out.time_boot_ms = bootMilliseconds(m_autopilot);
     out.chancount = 8;
@@ -287,16 +287,16 @@ void TelemetrySender::radioChannels()
 
 bool TelemetrySender::homePosition()
 {
-    if (!m_autopilot.home())
+    if (!m_autopilot.flight().home.position())
         return false;
-    const GeoPoint home = place(*m_autopilot.home());
+    const GeoPoint home = place(*m_autopilot.flight().home.position());
     mavlink::HomePosition out;
     out.latitude = scaled<std::int32_t>(home.latitude, 1e7);
     out.longitude = scaled<std::int32_t>(home.longitude, 1e7);
     out.altitude = scaled<std::int32_t>(home.altitude, 1000);
-    out.x = static_cast<float>(m_autopilot.home()->x);
-    out.y = static_cast<float>(m_autopilot.home()->y);
-    out.z = static_cast<float>(m_autopilot.home()->z);
+    out.x = static_cast<float>(m_autopilot.flight().home.position()->x);
+    out.y = static_cast<float>(m_autopilot.flight().home.position()->y);
+    out.z = static_cast<float>(m_autopilot.flight().home.position()->z);
     out.q = {1, 0, 0, 0};
     out.time_usec = m_autopilot.time();
     m_outbox.send(out);
@@ -320,7 +320,7 @@ void TelemetrySender::extendedState()
 
 bool TelemetrySender::fenceStatus()
 {
-    const Fence &fence = m_autopilot.fence();
+    const Fence &fence = m_autopilot.flight().fence;
     if (!fence.enabled())
         return false;
     mavlink::FenceStatus out;

@@ -36,7 +36,7 @@ private:
     bool fenceStatus();
     void version();
 
-    GeoPoint place(const Vector3 &ned) const { return m_autopilot.world().toGeo(ned); }
+    GeoPoint place(const Vector3 &ned) const { return m_autopilot.flight().world.toGeo(ned); }
 
     const Autopilot &m_autopilot;
     FrameQueue &m_outbox;

@@ -160,10 +160,10 @@ void SimFaultsTest::variancesTogetherAreAFailsafe()
     station.run(1);
     QCOMPARE(int(mode(station)), to);
     QVERIFY(station.said("EKF variance"));
-    QCOMPARE(station.vehicle.autopilot().inFailsafe(), from != to || action == 3);
+    QCOMPARE(station.vehicle.autopilot().failsafes().active(), from != to || action == 3);
     setParameter(station, "SIM_MAG1_FAIL", 0);
     station.run(1);
-    QVERIFY(!station.vehicle.autopilot().inFailsafe());
+    QVERIFY(!station.vehicle.autopilot().failsafes().active());
     QCOMPARE(station.said("EKF Failsafe Cleared"), from != to);
 }
 
@@ -266,7 +266,7 @@ void SimFaultsTest::radioComesBack()
     QVERIFY(airborne(station));
     setParameter(station, "SIM_RC_FAIL", 1);
     station.run(2);
-    QVERIFY(station.vehicle.autopilot().inFailsafe());
+    QVERIFY(station.vehicle.autopilot().failsafes().active());
     QCOMPARE(int(station.last<mavlink::Heartbeat>().system_status), int(MAV_STATE_CRITICAL));
     setParameter(station, "SIM_RC_FAIL", 0);
     station.run(1.2);

@@ -206,7 +206,7 @@ void SimFenceTest::breachActions()
             [&] {
                 flyNorth(station);
                 return station.vehicle.autopilot().truth().position.horizontal() > distance
-                    || station.vehicle.autopilot().fence().breaches() != 0;
+                    || station.vehicle.autopilot().flight().fence.breaches() != 0;
             },
             60);
     };
@@ -214,7 +214,7 @@ void SimFenceTest::breachActions()
     if (radius == 0)
         setParameter(station, "FENCE_RADIUS", 50);
     station.run(0.2);
-    QCOMPARE(int(station.vehicle.autopilot().fence().breachCount()), 1);
+    QCOMPARE(int(station.vehicle.autopilot().flight().fence.breachCount()), 1);
     QCOMPARE(int(station.vehicle.autopilot().modes().current()), mode);
 }
 
@@ -246,7 +246,7 @@ void SimFenceTest::floorIsWatchedUntilDisabled()
     setParameter(station, "FENCE_ACTION", 0);
     QCOMPARE(station.command(MAV_CMD_DO_FENCE_ENABLE, {1}), int(MAV_RESULT_ACCEPTED));
     station.run(1);
-    QCOMPARE(int(station.vehicle.autopilot().fence().breaches()), 0);
+    QCOMPARE(int(station.vehicle.autopilot().flight().fence.breaches()), 0);
     QCOMPARE(station.command(MAV_CMD_NAV_LAND), int(MAV_RESULT_ACCEPTED));
     QVERIFY(station.until([&] { return station.vehicle.autopilot().heightAboveHome() < 14; }, 30));
     station.run(0.5);
@@ -270,7 +270,7 @@ void SimFenceTest::pilotMayComeBack()
         return station.until(
             [&] {
                 flyNorth(station);
-                return station.vehicle.autopilot().fence().breachCount() == times;
+                return station.vehicle.autopilot().flight().fence.breachCount() == times;
             },
             40);
     };
@@ -289,14 +289,14 @@ void SimFenceTest::refusesDestinationsOutside()
     QVERIFY(station.takeOff(10));
     QCOMPARE(Uploader(station, someFence(), 1).run(5), int(MAV_MISSION_ACCEPTED));
     Autopilot &a = station.vehicle.autopilot();
-    QVERIFY(!a.goTo({100, 0, -10})); // no fence is enabled
+    QVERIFY(!a.requests().goTo({100, 0, -10})); // no fence is enabled
     QCOMPARE(station.command(MAV_CMD_DO_FENCE_ENABLE, {1}), int(MAV_RESULT_ACCEPTED));
-    QVERIFY(a.goTo({100, 0, -10})); // in the circle
-    QVERIFY(a.goTo({201, 0, -10})); // out of the polygon
-    QVERIFY(a.goTo({10, 0, -101})); // too high
-    QVERIFY(!a.goTo({150, 150, -50}));
+    QVERIFY(a.requests().goTo({100, 0, -10})); // in the circle
+    QVERIFY(a.requests().goTo({201, 0, -10})); // out of the polygon
+    QVERIFY(a.requests().goTo({10, 0, -101})); // too high
+    QVERIFY(!a.requests().goTo({150, 150, -50}));
     setParameter(station, "FENCE_RADIUS", 50);
-    QVERIFY(a.goTo({0, 51, -10}));
+    QVERIFY(a.requests().goTo({0, 51, -10}));
 }
 
 void SimFenceTest::outsideIsNotArmed()
@@ -323,7 +323,7 @@ void SimFenceTest::returnsToARallyPoint()
     QVERIFY(station.takeOff(10));
     QCOMPARE(Uploader(station, someRallyPoints(25), 2).run(5), int(MAV_MISSION_ACCEPTED));
     Autopilot &a = station.vehicle.autopilot();
-    QVERIFY(!a.goTo({90, 0, -10}));
+    QVERIFY(!a.requests().goTo({90, 0, -10}));
     QVERIFY(station.until([&] { return a.truth().position.x > 88; }, 60));
     station.command(MAV_CMD_NAV_RETURN_TO_LAUNCH);
     double highest = 0;

@@ -36,7 +36,7 @@ void SimFlightTest::guidedFlightAndReturn()
     flight.run(5);
     QVERIFY2(flight.highest < 10.4, qPrintable(QString::number(flight.highest)));
 
-    QVERIFY(!a.goTo({50, 0, -10}));
+    QVERIFY(!a.requests().goTo({50, 0, -10}));
     double fastest = 0, furthest = 0;
     const double taken = flight.until(
         [&] {
@@ -50,21 +50,21 @@ void SimFlightTest::guidedFlightAndReturn()
     QVERIFY(furthest < 51);
     QVERIFY(std::abs(degrees(a.estimate().attitude.euler().yaw)) < 6); // looks where it flew
 
-    QVERIFY(!a.enterMode(FlightMode::Rtl));
+    QVERIFY(!a.requests().enterMode(FlightMode::Rtl));
     QVERIFY(flight.until([&] { return a.heightAboveHome() > 14.5; }, 15) >= 0); // RTL_ALT
     QVERIFY(flight.until([&] { return !a.armed(); }, 90) >= 0);
     QVERIFY(a.landed());
     QVERIFY(std::hypot(a.truth().position.x, a.truth().position.y) < 1.5);
     QVERIFY(!flight.said("SIM Hit ground"));
     QVERIFY(flight.finite);
-    QVERIFY(a.battery().percent() > 85 && a.battery().percent() < 96);
+    QVERIFY(a.flight().physics.battery().percent() > 85 && a.flight().physics.battery().percent() < 96);
 }
 
 void SimFlightTest::landsAndDisarms()
 {
     TestFlight flight;
     QVERIFY(flight.airborne(8));
-    QVERIFY(!flight.autopilot.enterMode(FlightMode::Land));
+    QVERIFY(!flight.autopilot.requests().enterMode(FlightMode::Land));
     const double taken = flight.until([&] { return !flight.autopilot.armed(); }, 60);
     QVERIFY2(taken > 12 && taken < 25,
              qPrintable(QString::number(taken))); // half a metre a second, and a second of certainty
@@ -92,30 +92,30 @@ void SimFlightTest::manualModesFollowTheSticks()
     TestFlight flight;
     Autopilot &a = flight.autopilot;
     flight.run(6);
-    QVERIFY(!a.enterMode(FlightMode::AltHold));
-    QVERIFY(!a.arm(false));
+    QVERIFY(!a.requests().enterMode(FlightMode::AltHold));
+    QVERIFY(!a.arming().arm(false));
     const skyseal::TimePoint now{};
-    a.pilot().manual(now, {0, 0, 0, 0.8});
+    a.flight().pilot.manual(now, {0, 0, 0, 0.8});
     flight.run(6);
     QVERIFY2(a.heightAboveHome() > 4, qPrintable(QString::number(a.heightAboveHome())));
-    a.pilot().manual(now, {0, 0, 0, 0.5});
+    a.flight().pilot.manual(now, {0, 0, 0, 0.5});
     flight.run(4);
     const double held = a.heightAboveHome();
     flight.run(10);
     QVERIFY(std::abs(a.heightAboveHome() - held) < 0.5);
 
-    a.pilot().manual(now, {0.5, 0, 0, 0.5});
+    a.flight().pilot.manual(now, {0.5, 0, 0, 0.5});
     flight.run(1.5);
     QVERIFY(std::abs(degrees(a.estimate().attitude.euler().roll) - 15) < 3); // half of ANGLE_MAX
-    a.pilot().manual(now, {0, 0, 0, 0.5});
-    QVERIFY(!a.enterMode(FlightMode::Loiter));
+    a.flight().pilot.manual(now, {0, 0, 0, 0.5});
+    QVERIFY(!a.requests().enterMode(FlightMode::Loiter));
     flight.run(8);
     QVERIFY(a.estimate().velocity.horizontal() < 0.4);
-    a.pilot().manual(now, {0, -0.4, 0, 0.5}); // stick forward
+    a.flight().pilot.manual(now, {0, -0.4, 0, 0.5}); // stick forward
     flight.run(6);
     QVERIFY(a.estimate().velocity.horizontal() > 3);
-    a.pilot().manual(now, {0, 0, 0.5, 0.5});
-    QVERIFY(!a.enterMode(FlightMode::Stabilize));
+    a.flight().pilot.manual(now, {0, 0, 0.5, 0.5});
+    QVERIFY(!a.requests().enterMode(FlightMode::Stabilize));
     const double yaw = a.estimate().attitude.euler().yaw;
     flight.run(1.5);
     QVERIFY(wrapPi(a.estimate().attitude.euler().yaw - yaw) > 0.4);
@@ -126,44 +126,44 @@ void SimFlightTest::refusesWhatIsNotSafe()
 {
     TestFlight flight;
     Autopilot &a = flight.autopilot;
-    QVERIFY(a.arm(false)->find("PreArm: ") == 0);
+    QVERIFY(a.arming().arm(false)->find("PreArm: ") == 0);
     flight.run(2);
-    QVERIFY(a.enterMode(FlightMode::Guided)->find("requires position") != std::string::npos);
-    QVERIFY(!a.preArm()); // STABILIZE needs no position
+    QVERIFY(a.requests().enterMode(FlightMode::Guided)->find("requires position") != std::string::npos);
+    QVERIFY(!a.arming().preArm()); // STABILIZE needs no position
     flight.run(4);
-    QVERIFY(!a.enterMode(FlightMode::Guided));
-    QVERIFY(a.takeOff(10)); // not armed
-    QVERIFY(!a.enterMode(FlightMode::Rtl));
-    QVERIFY(a.arm(false)->find("mode not armable") != std::string::npos);
-    QVERIFY(!a.enterMode(FlightMode::Stabilize));
-    a.pilot().manual({}, {0, 0, 0, 0.7});
-    QVERIFY(a.arm(false)->find("Throttle too high") != std::string::npos);
-    a.pilot().releaseAll();
-    QVERIFY(!a.enterMode(FlightMode::Guided));
+    QVERIFY(!a.requests().enterMode(FlightMode::Guided));
+    QVERIFY(a.requests().takeOff(10)); // not armed
+    QVERIFY(!a.requests().enterMode(FlightMode::Rtl));
+    QVERIFY(a.arming().arm(false)->find("mode not armable") != std::string::npos);
+    QVERIFY(!a.requests().enterMode(FlightMode::Stabilize));
+    a.flight().pilot.manual({}, {0, 0, 0, 0.7});
+    QVERIFY(a.arming().arm(false)->find("Throttle too high") != std::string::npos);
+    a.flight().pilot.releaseAll();
+    QVERIFY(!a.requests().enterMode(FlightMode::Guided));
     a.parameters().set("SIM_GPS_DISABLE", 1);
     flight.run(1);
-    QCOMPARE(*a.arm(false), std::string("PreArm: GPS 1: Bad fix"));
+    QCOMPARE(*a.arming().arm(false), std::string("PreArm: GPS 1: Bad fix"));
     a.parameters().set("SIM_GPS_DISABLE", 0);
     flight.run(6);
-    QVERIFY(!a.arm(false));
-    QVERIFY(a.takeOff(std::nan("")));
-    QVERIFY(a.takeOff(-5));
-    QVERIFY(!a.takeOff(5));
+    QVERIFY(!a.arming().arm(false));
+    QVERIFY(a.requests().takeOff(std::nan("")));
+    QVERIFY(a.requests().takeOff(-5));
+    QVERIFY(!a.requests().takeOff(5));
     flight.run(6);
-    QVERIFY(a.takeOff(5));    // flying already
-    QVERIFY(a.disarm(false)); // in the air
-    QVERIFY(a.goTo({1e9, 0, 0}));
+    QVERIFY(a.requests().takeOff(5));  // flying already
+    QVERIFY(a.arming().disarm(false)); // in the air
+    QVERIFY(a.requests().goTo({1e9, 0, 0}));
     QVERIFY(a.armed());
-    QVERIFY(!a.enterMode(FlightMode::Loiter));
-    QVERIFY(a.goTo({10, 0, -5})); // only in GUIDED
+    QVERIFY(!a.requests().enterMode(FlightMode::Loiter));
+    QVERIFY(a.requests().goTo({10, 0, -5})); // only in GUIDED
 }
 
 void SimFlightTest::idleOnTheGroundDisarms()
 {
     TestFlight flight;
     flight.run(6);
-    QVERIFY(!flight.autopilot.enterMode(FlightMode::Guided));
-    QVERIFY(!flight.autopilot.arm(false));
+    QVERIFY(!flight.autopilot.requests().enterMode(FlightMode::Guided));
+    QVERIFY(!flight.autopilot.arming().arm(false));
     const double taken = flight.until([&] { return !flight.autopilot.armed(); }, 30);
     QVERIFY2(taken > 9.5 && taken < 11, qPrintable(QString::number(taken))); // DISARM_DELAY
 }
@@ -172,7 +172,7 @@ void SimFlightTest::forcedDisarmFalls()
 {
     TestFlight flight;
     QVERIFY(flight.airborne(10));
-    QVERIFY(!flight.autopilot.disarm(true));
+    QVERIFY(!flight.autopilot.arming().disarm(true));
     flight.run(3);
     QVERIFY(flight.autopilot.landed());
     QVERIFY(flight.said("SIM Hit ground at 1")); // some 13 m/s
@@ -187,7 +187,7 @@ void SimFlightTest::batteryRunsLowAndReturns()
     QVERIFY(flight.until([&] { return flight.autopilot.modes().current() == FlightMode::Rtl; }, 60) >= 0);
     QVERIFY(flight.said("Battery 1 is low"));
     QVERIFY(flight.said("Battery Failsafe - RTL"));
-    QVERIFY(flight.autopilot.preArm()); // not again with this battery
+    QVERIFY(flight.autopilot.arming().preArm()); // not again with this battery
 }
 
 void SimFlightTest::losesGpsAndLands()
@@ -204,7 +204,7 @@ namespace {
 
 StoredItem item(std::uint16_t command, const Autopilot &a, double north, double east, float height)
 {
-    const GeoPoint place = a.world().toGeo({north, east, 0});
+    const GeoPoint place = a.flight().world.toGeo({north, east, 0});
     StoredItem out;
     out.frame = 3;
     out.command = command;
@@ -228,9 +228,9 @@ void SimFlightTest::fliesAMission()
     wait.parameters[0] = 3;
     a.modes().mission().load({item(MAV_CMD_NAV_WAYPOINT, a, 0, 0, 0), item(MAV_CMD_NAV_TAKEOFF, a, 0, 0, 12), fast,
                               item(MAV_CMD_NAV_WAYPOINT, a, 40, 0, 12), wait, item(MAV_CMD_NAV_LAND, a, 10, 10, 0)});
-    QVERIFY(!a.enterMode(FlightMode::Guided));
-    QVERIFY(!a.arm(false));
-    QVERIFY(!a.startMission());
+    QVERIFY(!a.requests().enterMode(FlightMode::Guided));
+    QVERIFY(!a.arming().arm(false));
+    QVERIFY(!a.requests().startMission());
     std::vector<int> reached;
     double fastest = 0;
     const double taken = flight.until(
@@ -253,11 +253,11 @@ void SimFlightTest::missionNeedsATakeOff()
     TestFlight flight;
     Autopilot &a = flight.autopilot;
     flight.run(6);
-    QVERIFY(a.enterMode(FlightMode::Auto)); // none at all
+    QVERIFY(a.requests().enterMode(FlightMode::Auto)); // none at all
     a.modes().mission().load({item(MAV_CMD_NAV_WAYPOINT, a, 0, 0, 0), item(MAV_CMD_NAV_WAYPOINT, a, 40, 0, 12)});
-    QVERIFY(a.enterMode(FlightMode::Auto)->find("Missing Takeoff") != std::string::npos);
+    QVERIFY(a.requests().enterMode(FlightMode::Auto)->find("Missing Takeoff") != std::string::npos);
     QVERIFY(flight.airborne(5));
-    QVERIFY(!a.enterMode(FlightMode::Auto));
+    QVERIFY(!a.requests().enterMode(FlightMode::Auto));
     flight.run(12);
     QVERIFY(std::abs(a.estimate().position.x - 40) < 4);
 }
@@ -273,7 +273,7 @@ void SimFlightTest::jumpsEnd()
     StoredItem forever = item(MAV_CMD_DO_JUMP, a, 0, 0, 0);
     forever.parameters = {3, -1, 0, 0};
     a.modes().mission().load({item(MAV_CMD_NAV_WAYPOINT, a, 0, 0, 0), item(MAV_CMD_NAV_WAYPOINT, a, 0, 5, 10), twice, forever});
-    QVERIFY(!a.enterMode(FlightMode::Auto));
+    QVERIFY(!a.requests().enterMode(FlightMode::Auto));
     int visits = 0;
     QVERIFY(flight.until(
                 [&] {

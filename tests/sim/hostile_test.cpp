@@ -71,16 +71,19 @@ void SimHostileTest::randomFlightsStayFinite()
                                          FlightMode::Loiter,    FlightMode::Rtl,     FlightMode::Land, FlightMode::Brake};
         for (int i = 0; i < 12; ++i) {
             switch (dice.next() % 9) {
-            case 0: a.enterMode(kModes[dice.next() % 8]); break;
-            case 1: a.goTo({dice.normal(200), dice.normal(200), -std::abs(dice.normal(40))}); break;
-            case 2: a.move({static_cast<double>(strangeFloat(dice)), dice.normal(10), dice.normal(5)}); break;
+            case 0: a.requests().enterMode(kModes[dice.next() % 8]); break;
+            case 1: a.requests().goTo({dice.normal(200), dice.normal(200), -std::abs(dice.normal(40))}); break;
+            case 2: a.requests().move({static_cast<double>(strangeFloat(dice)), dice.normal(10), dice.normal(5)}); break;
             case 3:
-                a.pilot().manual({}, {dice.uniform() * 2 - 1, dice.uniform() * 2 - 1, dice.uniform() * 2 - 1, dice.uniform()});
+                a.flight().pilot.manual(
+                    {}, {dice.uniform() * 2 - 1, dice.uniform() * 2 - 1, dice.uniform() * 2 - 1, dice.uniform()});
                 break;
             case 4: a.parameters().set(dice.next() % a.parameters().count(), strangeFloat(dice)); break;
-            case 5: a.face(static_cast<double>(strangeFloat(dice)), dice.normal(1)); break;
-            case 6: a.changeSpeed(Autopilot::SpeedKind(dice.next() % 3), static_cast<double>(strangeFloat(dice))); break;
-            case 7: dice.next() % 2 ? a.arm(dice.next() % 2) : a.disarm(dice.next() % 4 == 0); break;
+            case 5: a.requests().face(static_cast<double>(strangeFloat(dice)), dice.normal(1)); break;
+            case 6:
+                a.requests().changeSpeed(FlightRequests::SpeedKind(dice.next() % 3), static_cast<double>(strangeFloat(dice)));
+                break;
+            case 7: dice.next() % 2 ? a.arming().arm(dice.next() % 2) : a.arming().disarm(dice.next() % 4 == 0); break;
             default: {
                 const std::size_t index = dice.next() % a.parameters().count();
                 const ParameterInfo &info = a.parameters().info(index); // its ends are allowed, so they must fly

@@ -148,7 +148,7 @@ void SimItemListsTest::fenceErrors()
     item.x = latitude;
     QCOMPARE(Uploader(station, items, 1).run(5), result);
     const bool taken = result == MAV_MISSION_ACCEPTED;
-    QCOMPARE(station.vehicle.autopilot().fence().areas().items().size(), taken ? items.size() : before.size());
+    QCOMPARE(station.vehicle.autopilot().flight().fence.areas().items().size(), taken ? items.size() : before.size());
     QCOMPARE(parameter(station, "FENCE_TOTAL"), taken ? 6.f : 1.f);
 }
 
@@ -183,8 +183,8 @@ void SimItemListsTest::clears()
     station.run(6);
     const auto sizes = [&] {
         const Autopilot &a = station.vehicle.autopilot();
-        return std::array{a.modes().mission().mission().size(), a.fence().areas().items().size(),
-                          a.rallyPoints().items().size()};
+        return std::array{a.modes().mission().mission().size(), a.flight().fence.areas().items().size(),
+                          a.flight().rallyPoints.items().size()};
     };
     for (std::uint8_t type = 0; type < 3; ++type)
         QCOMPARE(Uploader(station, some(type), type).run(5), int(MAV_MISSION_ACCEPTED));
@@ -255,7 +255,7 @@ void SimItemListsTest::oldProtocolInFloats()
     station.send(count);
     station.send(again);
     QCOMPARE(int(station.last<MissionAck>().type), int(MAV_MISSION_ACCEPTED));
-    QVERIFY(std::abs(station.vehicle.autopilot().rallyPoints().items()[0].x - someRallyPoints()[1].x) < 100);
+    QVERIFY(std::abs(station.vehicle.autopilot().flight().rallyPoints.items()[0].x - someRallyPoints()[1].x) < 100);
 }
 
 SKYSEAL_TEST_APPLESS(SimItemListsTest)

@@ -32,8 +32,9 @@ struct TestFlight
     /// Boots, and is in GUIDED at a height.
     bool airborne(double height)
     {
-        return until([&] { return autopilot.estimate().positionOk; }, 10) >= 0 && !autopilot.enterMode(FlightMode::Guided)
-            && !autopilot.arm(false) && !autopilot.takeOff(height)
+        return until([&] { return autopilot.estimate().positionOk; }, 10) >= 0
+            && !autopilot.requests().enterMode(FlightMode::Guided) && !autopilot.arming().arm(false)
+            && !autopilot.requests().takeOff(height)
             && until([&] { return autopilot.heightAboveHome() > height - 0.3; }, 60) >= 0;
     }
 
@@ -58,7 +59,7 @@ private:
         const BodyState &truth = autopilot.truth();
         finite = finite && truth.position.finite() && truth.velocity.finite() && truth.rates.finite()
             && std::isfinite(truth.attitude.w()) && truth.attitude.vector().finite()
-            && std::isfinite(autopilot.battery().voltage());
+            && std::isfinite(autopilot.flight().physics.battery().voltage());
     }
 };
 
