@@ -37,20 +37,6 @@ private Q_SLOTS:
 
 namespace {
 
-void setParameter(TestStation &station, const char *name, float value)
-{
-    ParamSet set;
-    set.target_system = 1;
-    std::copy_n(name, std::strlen(name), set.param_id.begin());
-    set.param_value = value;
-    station.send(set);
-}
-
-FlightMode mode(const TestStation &station)
-{
-    return station.vehicle.autopilot().modes().current();
-}
-
 bool healthy(TestStation &station, std::uint32_t sensor)
 {
     station.forget();
@@ -58,25 +44,19 @@ bool healthy(TestStation &station, std::uint32_t sensor)
     return (station.last<SysStatus>().onboard_control_sensors_health & sensor) != 0;
 }
 
-/// In LOITER at ten metres.
-bool airborne(TestStation &station)
-{
-    return station.takeOff(10) && station.command(MAV_CMD_DO_SET_MODE, {1, 5}) == MAV_RESULT_ACCEPTED;
-}
-
 } // namespace
 
 void SimFaultsTest::gpsLossLandsAndComesBack()
 {
     TestStation station;
-    QVERIFY(airborne(station));
-    setParameter(station, "SIM_GPS_DISABLE", 1);
-    QVERIFY(station.until([&] { return mode(station) == FlightMode::Land; }, 10));
+    QVERIFY(station.loiter(10));
+    station.setParameter("SIM_GPS_DISABLE", 1);
+    QVERIFY(station.until([&] { return station.mode() == FlightMode::Land; }, 10));
     station.run(0.5);
     QVERIFY(station.said("EKF Failsafe - LAND"));
     QVERIFY(!healthy(station, MAV_SYS_STATUS_SENSOR_GPS));
     QCOMPARE(int(station.last<GpsRawInt>().fix_type), int(GPS_FIX_TYPE_NO_FIX));
-    setParameter(station, "SIM_GPS_DISABLE", 0);
+    station.setParameter("SIM_GPS_DISABLE", 0);
     QVERIFY(station.until([&] { return station.vehicle.autopilot().estimate().positionOk; }, 20));
     QVERIFY(healthy(station, MAV_SYS_STATUS_SENSOR_GPS));
     QCOMPARE(station.command(MAV_CMD_DO_SET_MODE, {1, 5}), int(MAV_RESULT_ACCEPTED));
@@ -85,30 +65,30 @@ void SimFaultsTest::gpsLossLandsAndComesBack()
 void SimFaultsTest::smallGlitchIsFollowed()
 {
     TestStation station;
-    QVERIFY(airborne(station));
+    QVERIFY(station.loiter(10));
     station.run(3);
     const double before = station.vehicle.autopilot().truth().position.x;
-    setParameter(station, "SIM_GPS_GLITCH_X", 0.0001f); // 11 m
+    station.setParameter("SIM_GPS_GLITCH_X", 0.0001f); // 11 m
     station.run(12);
     const double moved = station.vehicle.autopilot().truth().position.x - before; // it holds what it believes
     QVERIFY2(std::abs(moved + 11.1) < 2, qPrintable(QString::number(moved)));
     QVERIFY(!station.said("GPS Glitch"));
-    QVERIFY(mode(station) == FlightMode::Loiter);
+    QVERIFY(station.mode() == FlightMode::Loiter);
 }
 
 void SimFaultsTest::glitchIsRefusedThenFollowed()
 {
     TestStation station;
-    QVERIFY(airborne(station));
+    QVERIFY(station.loiter(10));
     station.run(3);
     const Vector3 before = station.vehicle.autopilot().truth().position;
-    setParameter(station, "SIM_GPS_GLITCH_Y", 0.0005f); // 45 m at this latitude
+    station.setParameter("SIM_GPS_GLITCH_Y", 0.0005f); // 45 m at this latitude
     station.run(5);
     QVERIFY(station.said("GPS Glitch or Compass error"));
     QVERIFY(station.last<EkfStatusReport>().flags & EKF_GPS_GLITCHING);
     QVERIFY(station.last<EkfStatusReport>().pos_horiz_variance > 1);
     QVERIFY((station.vehicle.autopilot().truth().position - before).horizontal() < 2);
-    QVERIFY(mode(station) == FlightMode::Loiter); // the position alone is no failsafe
+    QVERIFY(station.mode() == FlightMode::Loiter); // the position alone is no failsafe
     station.run(25);
     QVERIFY(station.said("Glitch cleared"));
     const double moved = station.vehicle.autopilot().truth().position.y - before.y;
@@ -120,13 +100,13 @@ void SimFaultsTest::compassFailureIsTold()
     TestStation station;
     station.run(6);
     QVERIFY(healthy(station, MAV_SYS_STATUS_SENSOR_3D_MAG));
-    setParameter(station, "SIM_MAG1_FAIL", 1);
+    station.setParameter("SIM_MAG1_FAIL", 1);
     QVERIFY(!healthy(station, MAV_SYS_STATUS_SENSOR_3D_MAG));
     QCOMPARE(station.last<RawImu>().xmag, std::int16_t(0));
     QVERIFY(station.last<EkfStatusReport>().compass_variance >= 1);
     QCOMPARE(station.command(MAV_CMD_COMPONENT_ARM_DISARM, {1}), int(MAV_RESULT_FAILED));
     QVERIFY(station.said("PreArm: Compass not healthy"));
-    setParameter(station, "SIM_MAG1_FAIL", 0);
+    station.setParameter("SIM_MAG1_FAIL", 0);
     QVERIFY(healthy(station, MAV_SYS_STATUS_SENSOR_3D_MAG));
     QCOMPARE(station.command(MAV_CMD_COMPONENT_ARM_DISARM, {1}), int(MAV_RESULT_ACCEPTED));
 }
@@ -148,20 +128,20 @@ void SimFaultsTest::variancesTogetherAreAFailsafe()
     QFETCH(int, from);
     QFETCH(int, to);
     TestStation station;
-    QVERIFY(airborne(station));
+    QVERIFY(station.loiter(10));
     QCOMPARE(station.command(MAV_CMD_DO_SET_MODE, {1, static_cast<float>(from)}), int(MAV_RESULT_ACCEPTED));
-    setParameter(station, "FS_EKF_ACTION", static_cast<float>(action));
-    setParameter(station, "SIM_MAG1_FAIL", 1);
+    station.setParameter("FS_EKF_ACTION", static_cast<float>(action));
+    station.setParameter("SIM_MAG1_FAIL", 1);
     station.run(3);
-    QCOMPARE(int(mode(station)), from); // the compass alone is none
-    setParameter(station, "SIM_GPS_GLITCH_X", 0.001f);
+    QCOMPARE(int(station.mode()), from); // the compass alone is none
+    station.setParameter("SIM_GPS_GLITCH_X", 0.001f);
     station.run(0.7);
-    QCOMPARE(int(mode(station)), from); // not at once
+    QCOMPARE(int(station.mode()), from); // not at once
     station.run(1);
-    QCOMPARE(int(mode(station)), to);
+    QCOMPARE(int(station.mode()), to);
     QVERIFY(station.said("EKF variance"));
     QCOMPARE(station.vehicle.autopilot().failsafes().active(), from != to || action == 3);
-    setParameter(station, "SIM_MAG1_FAIL", 0);
+    station.setParameter("SIM_MAG1_FAIL", 0);
     station.run(1);
     QVERIFY(!station.vehicle.autopilot().failsafes().active());
     QCOMPARE(station.said("EKF Failsafe Cleared"), from != to);
@@ -171,7 +151,7 @@ void SimFaultsTest::pressureFailureIsTold()
 {
     TestStation station;
     station.run(6);
-    setParameter(station, "SIM_BARO_DISABLE", 1);
+    station.setParameter("SIM_BARO_DISABLE", 1);
     QVERIFY(!healthy(station, MAV_SYS_STATUS_SENSOR_ABSOLUTE_PRESSURE));
     QCOMPARE(station.command(MAV_CMD_COMPONENT_ARM_DISARM, {1}), int(MAV_RESULT_FAILED));
     QVERIFY(station.said("PreArm: Barometer not healthy"));
@@ -190,16 +170,16 @@ void SimFaultsTest::batteryFailsafe()
     QFETCH(float, voltage);
     QFETCH(int, mode);
     TestStation station;
-    setParameter(station, "BATT_FS_LOW_ACT", 2);
-    setParameter(station, "BATT_CRT_VOLT", 9.8f);
-    setParameter(station, "BATT_FS_CRT_ACT", 1);
-    QVERIFY(airborne(station));
-    setParameter(station, "SIM_BATT_VOLTAGE", voltage);
+    station.setParameter("BATT_FS_LOW_ACT", 2);
+    station.setParameter("BATT_CRT_VOLT", 9.8f);
+    station.setParameter("BATT_FS_CRT_ACT", 1);
+    QVERIFY(station.loiter(10));
+    station.setParameter("SIM_BATT_VOLTAGE", voltage);
     station.run(2);
     QVERIFY(std::abs(station.last<SysStatus>().voltage_battery / 1000.0 - static_cast<double>(voltage)) < 0.5);
     QVERIFY(station.last<SysStatus>().battery_remaining < 6);
-    QVERIFY(::mode(station) == FlightMode::Loiter); // BATT_LOW_TIMER
-    QVERIFY(station.until([&] { return int(::mode(station)) == mode; }, 20));
+    QVERIFY(station.mode() == FlightMode::Loiter); // BATT_LOW_TIMER
+    QVERIFY(station.until([&] { return int(station.mode()) == mode; }, 20));
     station.run(0.2);
     QVERIFY(station.said("Battery Failsafe"));
     QVERIFY(!healthy(station, MAV_SYS_STATUS_SENSOR_BATTERY));
@@ -246,14 +226,14 @@ void SimFaultsTest::radioFailsafe()
     QFETCH(int, options);
     QFETCH(int, to);
     TestStation station;
-    QVERIFY(airborne(station));
+    QVERIFY(station.loiter(10));
     QCOMPARE(station.command(MAV_CMD_DO_SET_MODE, {1, static_cast<float>(from)}), int(MAV_RESULT_ACCEPTED));
-    setParameter(station, "FS_THR_ENABLE", static_cast<float>(action));
-    setParameter(station, "FS_OPTIONS", static_cast<float>(options));
+    station.setParameter("FS_THR_ENABLE", static_cast<float>(action));
+    station.setParameter("FS_OPTIONS", static_cast<float>(options));
     QVERIFY(healthy(station, MAV_SYS_STATUS_SENSOR_RC_RECEIVER));
-    setParameter(station, "SIM_RC_FAIL", static_cast<float>(fault));
+    station.setParameter("SIM_RC_FAIL", static_cast<float>(fault));
     station.run(1.5);
-    QCOMPARE(int(mode(station)), to);
+    QCOMPARE(int(station.mode()), to);
     QCOMPARE(station.said("Radio Failsafe - "), action != 0);
     QVERIFY(!healthy(station, MAV_SYS_STATUS_SENSOR_RC_RECEIVER));
     if (fault == 2)
@@ -263,45 +243,45 @@ void SimFaultsTest::radioFailsafe()
 void SimFaultsTest::radioComesBack()
 {
     TestStation station;
-    QVERIFY(airborne(station));
-    setParameter(station, "SIM_RC_FAIL", 1);
+    QVERIFY(station.loiter(10));
+    station.setParameter("SIM_RC_FAIL", 1);
     station.run(2);
     QVERIFY(station.vehicle.autopilot().failsafes().active());
     QCOMPARE(int(station.last<mavlink::Heartbeat>().system_status), int(MAV_STATE_CRITICAL));
-    setParameter(station, "SIM_RC_FAIL", 0);
+    station.setParameter("SIM_RC_FAIL", 0);
     station.run(1.2);
     QVERIFY(station.said("Radio Failsafe Cleared"));
     QCOMPARE(int(station.last<mavlink::Heartbeat>().system_status), int(MAV_STATE_ACTIVE));
-    QVERIFY(mode(station) == FlightMode::Rtl); // it goes on with what it began
+    QVERIFY(station.mode() == FlightMode::Rtl); // it goes on with what it began
 }
 
 void SimFaultsTest::overridesReplaceTheRadio()
 {
     TestStation station;
-    QVERIFY(airborne(station));
+    QVERIFY(station.loiter(10));
     ManualControl sticks;
     sticks.target = 1;
     sticks.z = 500;
     station.send(sticks);
-    setParameter(station, "SIM_RC_FAIL", 1);
+    station.setParameter("SIM_RC_FAIL", 1);
     for (int i = 0; i < 10; ++i) {
         station.send(sticks);
         station.run(0.5);
     }
-    QVERIFY(mode(station) == FlightMode::Loiter);
+    QVERIFY(station.mode() == FlightMode::Loiter);
     station.run(6); // the overrides end
-    QVERIFY(mode(station) == FlightMode::Rtl);
+    QVERIFY(station.mode() == FlightMode::Rtl);
 }
 
 void SimFaultsTest::radioLossPreventsArming()
 {
     TestStation station;
     station.run(6);
-    setParameter(station, "SIM_RC_FAIL", 2);
+    station.setParameter("SIM_RC_FAIL", 2);
     station.run(1);
     QCOMPARE(station.command(MAV_CMD_COMPONENT_ARM_DISARM, {1}), int(MAV_RESULT_FAILED));
     QVERIFY(station.said("PreArm: Radio failsafe on"));
-    setParameter(station, "SIM_RC_FAIL", 0);
+    station.setParameter("SIM_RC_FAIL", 0);
     station.run(1);
     QCOMPARE(station.command(MAV_CMD_COMPONENT_ARM_DISARM, {1}), int(MAV_RESULT_ACCEPTED));
 }
@@ -310,9 +290,9 @@ void SimFaultsTest::motorFailureCrashes()
 {
     for (int rotor = 0; rotor < 4; ++rotor) {
         TestStation station;
-        QVERIFY(airborne(station));
-        setParameter(station, "SIM_ENGINE_MUL", 0);
-        setParameter(station, "SIM_ENGINE_FAIL", static_cast<float>(1 << rotor));
+        QVERIFY(station.loiter(10));
+        station.setParameter("SIM_ENGINE_MUL", 0);
+        station.setParameter("SIM_ENGINE_FAIL", static_cast<float>(1 << rotor));
         QVERIFY(station.until([&] { return !station.vehicle.autopilot().armed(); }, 20));
         station.run(0.2);
         QVERIFY(station.said("SIM Hit ground"));
@@ -324,11 +304,11 @@ void SimFaultsTest::motorFailureCrashes()
 void SimFaultsTest::weakMotorIsFlown()
 {
     TestStation station;
-    QVERIFY(airborne(station));
-    setParameter(station, "SIM_ENGINE_FAIL", 1);
+    QVERIFY(station.loiter(10));
+    station.setParameter("SIM_ENGINE_FAIL", 1);
     station.run(1);
     QVERIFY(station.vehicle.autopilot().heightAboveHome() > 9); // the share is still 1
-    setParameter(station, "SIM_ENGINE_MUL", 0.85f);
+    station.setParameter("SIM_ENGINE_MUL", 0.85f);
     station.run(8);
     QVERIFY(station.vehicle.autopilot().armed());
     QVERIFY(station.vehicle.autopilot().heightAboveHome() > 8);

@@ -33,21 +33,6 @@ private Q_SLOTS:
 
 namespace {
 
-void setParameter(TestStation &station, const char *name, float value)
-{
-    ParamSet set;
-    set.target_system = 1;
-    std::copy_n(name, std::strlen(name), set.param_id.begin());
-    set.param_value = value;
-    station.send(set);
-}
-
-/// In LOITER at a height, which flies where the stick points: GUIDED would refuse to leave the fence.
-bool airborne(TestStation &station, float height)
-{
-    return station.takeOff(height) && station.command(MAV_CMD_DO_SET_MODE, {1, 5}) == MAV_RESULT_ACCEPTED;
-}
-
 /// Holds the stick forward, the nose in the north.
 void flyNorth(TestStation &station)
 {
@@ -105,7 +90,7 @@ void SimFenceTest::tellsThatThereIsNoBreach()
         QVERIFY(each.onboard_control_sensors_health & MAV_SYS_STATUS_GEOFENCE);
     QCOMPARE(station.count<FenceStatus>(), std::size_t(0));
 
-    setParameter(station, "FENCE_TYPE", 4); // polygons, and there are none
+    station.setParameter("FENCE_TYPE", 4); // polygons, and there are none
     QCOMPARE(station.command(MAV_CMD_DO_FENCE_ENABLE, {1}), int(MAV_RESULT_FAILED));
     station.run(1);
     QVERIFY(!(station.last<SysStatus>().onboard_control_sensors_present & MAV_SYS_STATUS_GEOFENCE));
@@ -119,7 +104,7 @@ void SimFenceTest::tellsThatThereIsNoBreach()
     QVERIFY(station.count<FenceStatus>() >= 3);
     QCOMPARE(int(station.last<FenceStatus>().breach_status), 0);
     QCOMPARE(int(station.last<FenceStatus>().breach_type), int(FENCE_BREACH_NONE));
-    setParameter(station, "FENCE_ACTION", 0); // only reported: not "enabled" for a station
+    station.setParameter("FENCE_ACTION", 0); // only reported: not "enabled" for a station
     station.run(1);
     QVERIFY(!(station.last<SysStatus>().onboard_control_sensors_enabled & MAV_SYS_STATUS_GEOFENCE));
     QCOMPARE(station.command(MAV_CMD_DO_FENCE_ENABLE, {0}), int(MAV_RESULT_ACCEPTED));
@@ -145,8 +130,8 @@ void SimFenceTest::tellsCapabilities()
 void SimFenceTest::breachOfRadiusReturns()
 {
     TestStation station;
-    QVERIFY(airborne(station, 10));
-    setParameter(station, "FENCE_RADIUS", 40);
+    QVERIFY(station.loiter(10));
+    station.setParameter("FENCE_RADIUS", 40);
     QCOMPARE(station.command(MAV_CMD_DO_FENCE_ENABLE, {1}), int(MAV_RESULT_ACCEPTED));
     station.run(1);
     QVERIFY(station.last<mavlink::Heartbeat>().custom_mode == 5);
@@ -155,7 +140,7 @@ void SimFenceTest::breachOfRadiusReturns()
         [&] {
             flyNorth(station);
             furthest = std::max(furthest, station.vehicle.autopilot().truth().position.horizontal());
-            return station.vehicle.autopilot().modes().current() == FlightMode::Rtl;
+            return station.mode() == FlightMode::Rtl;
         },
         40);
     QVERIFY(returned);
@@ -196,10 +181,10 @@ void SimFenceTest::breachActions()
     QFETCH(float, radius);
     QFETCH(int, mode);
     TestStation station;
-    QVERIFY(airborne(station, 10));
-    setParameter(station, "FENCE_ACTION", static_cast<float>(action));
+    QVERIFY(station.loiter(10));
+    station.setParameter("FENCE_ACTION", static_cast<float>(action));
     if (radius > 0)
-        setParameter(station, "FENCE_RADIUS", radius);
+        station.setParameter("FENCE_RADIUS", radius);
     QCOMPARE(station.command(MAV_CMD_DO_FENCE_ENABLE, {1}), int(MAV_RESULT_ACCEPTED));
     const auto north = [&](double distance) {
         return station.until(
@@ -212,24 +197,24 @@ void SimFenceTest::breachActions()
     };
     QVERIFY(north(radius > 0 ? 100 : 180));
     if (radius == 0)
-        setParameter(station, "FENCE_RADIUS", 50);
+        station.setParameter("FENCE_RADIUS", 50);
     station.run(0.2);
     QCOMPARE(int(station.vehicle.autopilot().flight().fence.breachCount()), 1);
-    QCOMPARE(int(station.vehicle.autopilot().modes().current()), mode);
+    QCOMPARE(int(station.mode()), mode);
 }
 
 void SimFenceTest::breachOfPolygonIsReported()
 {
     TestStation station;
-    QVERIFY(airborne(station, 8));
+    QVERIFY(station.loiter(8));
     auto items = polygon(MAV_CMD_NAV_FENCE_POLYGON_VERTEX_EXCLUSION, 60, 0, 30);
     QCOMPARE(Uploader(station, numbered(items, 1), 1).run(5), int(MAV_MISSION_ACCEPTED));
-    setParameter(station, "FENCE_TYPE", 4);
+    station.setParameter("FENCE_TYPE", 4);
     QCOMPARE(station.command(MAV_CMD_DO_FENCE_ENABLE, {1}), int(MAV_RESULT_ACCEPTED));
     QVERIFY(station.until(
         [&] {
             flyNorth(station);
-            return station.vehicle.autopilot().modes().current() == FlightMode::Rtl;
+            return station.mode() == FlightMode::Rtl;
         },
         40));
     const double where = station.vehicle.autopilot().truth().position.x;
@@ -240,10 +225,10 @@ void SimFenceTest::breachOfPolygonIsReported()
 void SimFenceTest::floorIsWatchedUntilDisabled()
 {
     TestStation station;
-    QVERIFY(airborne(station, 20));
-    setParameter(station, "FENCE_TYPE", 9);
-    setParameter(station, "FENCE_ALT_MIN", 15);
-    setParameter(station, "FENCE_ACTION", 0);
+    QVERIFY(station.loiter(20));
+    station.setParameter("FENCE_TYPE", 9);
+    station.setParameter("FENCE_ALT_MIN", 15);
+    station.setParameter("FENCE_ACTION", 0);
     QCOMPARE(station.command(MAV_CMD_DO_FENCE_ENABLE, {1}), int(MAV_RESULT_ACCEPTED));
     station.run(1);
     QCOMPARE(int(station.vehicle.autopilot().flight().fence.breaches()), 0);
@@ -254,7 +239,7 @@ void SimFenceTest::floorIsWatchedUntilDisabled()
     QCOMPARE(station.command(MAV_CMD_DO_FENCE_ENABLE, {2}), int(MAV_RESULT_ACCEPTED));
     station.run(1);
     QCOMPARE(int(station.last<FenceStatus>().breach_status), 0);
-    setParameter(station, "FENCE_ALT_MAX", 10);
+    station.setParameter("FENCE_ALT_MAX", 10);
     station.run(0.5);
     QCOMPARE(int(station.last<FenceStatus>().breach_type), int(FENCE_BREACH_MAXALT));
     QCOMPARE(int(station.last<FenceStatus>().breach_count), 2);
@@ -263,8 +248,8 @@ void SimFenceTest::floorIsWatchedUntilDisabled()
 void SimFenceTest::pilotMayComeBack()
 {
     TestStation station;
-    QVERIFY(airborne(station, 10));
-    setParameter(station, "FENCE_RADIUS", 30);
+    QVERIFY(station.loiter(10));
+    station.setParameter("FENCE_RADIUS", 30);
     QCOMPARE(station.command(MAV_CMD_DO_FENCE_ENABLE, {1}), int(MAV_RESULT_ACCEPTED));
     const auto breached = [&](int times) {
         return station.until(
@@ -279,7 +264,7 @@ void SimFenceTest::pilotMayComeBack()
     const TimePoint taken = station.now;
     QVERIFY(breached(2)); // it did not come back but flew on: 20 m further, and not within ten seconds
     QVERIFY(station.now - taken > std::chrono::milliseconds(9900));
-    QVERIFY(station.vehicle.autopilot().modes().current() == FlightMode::Rtl);
+    QVERIFY(station.mode() == FlightMode::Rtl);
     QVERIFY(station.vehicle.autopilot().truth().position.horizontal() > 50);
 }
 
@@ -295,7 +280,7 @@ void SimFenceTest::refusesDestinationsOutside()
     QVERIFY(a.requests().goTo({201, 0, -10})); // out of the polygon
     QVERIFY(a.requests().goTo({10, 0, -101})); // too high
     QVERIFY(!a.requests().goTo({150, 150, -50}));
-    setParameter(station, "FENCE_RADIUS", 50);
+    station.setParameter("FENCE_RADIUS", 50);
     QVERIFY(a.requests().goTo({0, 51, -10}));
 }
 
@@ -309,7 +294,7 @@ void SimFenceTest::outsideIsNotArmed()
     station.run(1);
     QCOMPARE(station.command(MAV_CMD_COMPONENT_ARM_DISARM, {1}), int(MAV_RESULT_FAILED));
     QVERIFY(station.said("PreArm: vehicle outside fence"));
-    setParameter(station, "FENCE_TYPE", 0);
+    station.setParameter("FENCE_TYPE", 0);
     station.run(1);
     QCOMPARE(station.command(MAV_CMD_COMPONENT_ARM_DISARM, {1}), int(MAV_RESULT_FAILED));
     QVERIFY(station.said("PreArm: Fences enabled, but none selected"));

@@ -219,11 +219,7 @@ void SimTelemetryTest::rebootKeepsParameters()
 {
     TestStation station;
     station.run(6);
-    ParamSet set;
-    set.target_system = 1;
-    std::copy_n("RTL_ALT", 7, set.param_id.begin());
-    set.param_value = 2500;
-    station.send(set);
+    station.setParameter("RTL_ALT", 2500);
     station.forget();
     QCOMPARE(station.command(MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, {1}), int(MAV_RESULT_ACCEPTED));
     station.run(1);

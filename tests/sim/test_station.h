@@ -99,6 +99,23 @@ public:
             && until([&] { return vehicle.autopilot().heightAboveHome() > static_cast<double>(height) - 0.3; }, 40);
     }
 
+    /// Hovers in LOITER at a height in m, and flies where the sticks point: GUIDED would refuse to leave a fence.
+    bool loiter(float height)
+    {
+        return takeOff(height) && command(mavlink::MAV_CMD_DO_SET_MODE, {1, 5}) == mavlink::MAV_RESULT_ACCEPTED;
+    }
+
+    void setParameter(std::string_view name, float value)
+    {
+        mavlink::ParamSet set;
+        set.target_system = 1;
+        std::copy(name.begin(), name.end(), set.param_id.begin());
+        set.param_value = value;
+        send(set);
+    }
+
+    FlightMode mode() const { return vehicle.autopilot().modes().current(); }
+
     template<typename Message> std::vector<Message> all() const
     {
         std::vector<Message> out;
