@@ -1,4 +1,4 @@
-// skyseal-sim: simulated multicopters on MAVLink, so that a station can be run and tested without further software.
+// skyseal-sim: simulated vehicles on MAVLink, so that a station can be run and tested without further software.
 #include "app/common/exit_status.h"
 #include "app/common/options.h"
 #include "app/common/process.h"
@@ -12,6 +12,25 @@ namespace {
 
 constexpr int kMostVehicles = 100;
 
+sim::VehicleType typeFrom(app::Options &options)
+{
+    sim::VehicleType type;
+    const std::string kind = options.text("kind"), autopilot = options.text("autopilot");
+    if (kind == "plane")
+        type.kind = sim::VehicleKind::Plane;
+    else if (kind == "rover")
+        type.kind = sim::VehicleKind::Rover;
+    else if (kind != "copter")
+        options.fail("--kind: '" + kind + "' is none of copter, plane, rover");
+    if (autopilot == "px4")
+        type.firmware = sim::Firmware::Px4;
+    else if (autopilot != "ardupilot")
+        options.fail("--autopilot: '" + autopilot + "' is none of ardupilot, px4");
+    if (type.isPx4() && !type.hovers())
+        options.fail("--autopilot px4 is simulated for --kind copter only");
+    return type;
+}
+
 app::SimSettings settingsFrom(app::Options &options)
 {
     app::SimSettings settings;
@@ -24,6 +43,7 @@ app::SimSettings settingsFrom(app::Options &options)
         options.fail("--vehicles: system ids end at 254");
     settings.seed = options.wholeNumber("seed", 0, UINT64_MAX);
     settings.rate = options.number("rate", 0.1, 100);
+    settings.type = typeFrom(options);
     settings.saturate = options.has("saturate");
     settings.json = options.has("json");
     options.arguments(0, 0);
@@ -36,8 +56,10 @@ int main(int argc, char **argv)
 {
     QCoreApplication application(argc, argv);
     app::Options options(QStringLiteral("skyseal-sim"),
-                         QStringLiteral("Simulated multicopters that behave like ArduCopter on MAVLink."));
+                         QStringLiteral("Simulated vehicles that behave like those of ArduPilot or PX4 on MAVLink."));
     options.addLink("link", "Link to a ground station or agent; may be given several times.", app::isLive);
+    options.addValue("kind", "KIND", "Kind of vehicle: copter, plane or rover.", "copter");
+    options.addValue("autopilot", "NAME", "Firmware to behave like: ardupilot or px4 (copter only).", "ardupilot");
     options.addValue("vehicles", "N", "Number of vehicles, which share the links.", "1");
     options.addValue("sysid", "N", "System id of the first vehicle.", "1");
     options.addValue("seed", "N", "Seed of wind and noise, to repeat a flight.", "1");

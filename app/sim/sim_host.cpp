@@ -49,6 +49,7 @@ void SimHost::makeVehicles(TimePoint now)
     for (int i = 0; i < m_settings.vehicles; ++i) {
         sim::SimulatedVehicleConfig config;
         config.systemId = static_cast<std::uint8_t>(m_settings.systemId + i);
+        config.autopilot.type = m_settings.type;
         config.autopilot.seed = m_settings.seed + static_cast<std::uint64_t>(i);
         const int row = i / 10, column = i % 10;
         config.autopilot.start = field.toGeo({-kSpacing * row, kSpacing * column, 0});

@@ -17,6 +17,7 @@ struct SimSettings
     int systemId = 1; ///< of the first; the others follow
     std::uint64_t seed = 1;
     double rate = 1;
+    sim::VehicleType type;
     bool saturate = false; ///< telemetry as fast as the station responds
     bool json = false;
 };

@@ -27,6 +27,7 @@ public:
     void step();
 
 private:
+    bool modeAllowsArming() const;
     bool landsHere() const;
 
     FlightContext &m_flight;

@@ -4,7 +4,6 @@
 
 #include "core/sim/failsafes.h"
 #include "core/sim/flight_requests.h"
-#include "core/sim/rotor_control.h"
 
 namespace skyseal::sim {
 
@@ -25,7 +24,7 @@ public:
     /// The state that these share.
     FlightContext &flight() { return m_flight; }
     const FlightContext &flight() const { return m_flight; }
-    const RotorControl &rotors() const { return m_rotors; }
+    const Craft &craft() const { return m_flight.physics.craft(); }
 
     // What most readers need.
     bool armed() const { return m_arming.armed(); }
@@ -41,7 +40,6 @@ public:
 
 private:
     FlightContext m_flight;
-    RotorControl m_rotors;
     Arming m_arming{m_flight};
     Failsafes m_failsafes{m_flight, m_arming};
     FlightRequests m_requests{m_flight, m_arming};

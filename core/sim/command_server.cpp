@@ -56,10 +56,10 @@ std::uint8_t CommandServer::execute(TimePoint now, const Command &command)
 std::uint8_t CommandServer::fly(const Command &command)
 {
     switch (command.id) {
-    case MAV_CMD_NAV_TAKEOFF: return answer(m_autopilot.requests().takeOff(static_cast<double>(command.z)));
-    case MAV_CMD_NAV_LAND: return answer(m_autopilot.requests().enterMode(FlightMode::Land));
-    case MAV_CMD_NAV_RETURN_TO_LAUNCH: return answer(m_autopilot.requests().enterMode(FlightMode::Rtl));
-    case MAV_CMD_NAV_LOITER_UNLIM: return answer(m_autopilot.requests().enterMode(FlightMode::Loiter));
+    case MAV_CMD_NAV_TAKEOFF: return takeOff(command);
+    case MAV_CMD_NAV_LAND: return enter(FlightMode::Land);
+    case MAV_CMD_NAV_RETURN_TO_LAUNCH: return enter(FlightMode::Rtl);
+    case MAV_CMD_NAV_LOITER_UNLIM: return enter(m_autopilot.flight().type.isPx4() ? FlightMode::Guided : FlightMode::Loiter);
     case MAV_CMD_DO_REPOSITION: return reposition(command);
     case MAV_CMD_CONDITION_YAW: return yaw(command);
     case MAV_CMD_DO_CHANGE_SPEED: return changeSpeed(command);
@@ -73,7 +73,28 @@ std::uint8_t CommandServer::answer(const Refusal &refusal)
         return MAV_RESULT_ACCEPTED;
     const bool arming = refusal->starts_with("PreArm") || refusal->starts_with("Arm");
     m_autopilot.texts().say(arming ? Severity::Critical : Severity::Warning, *refusal);
-    return MAV_RESULT_FAILED;
+    // PX4 says that the time is wrong, not that it failed (Commander.cpp).
+    return m_autopilot.flight().type.isPx4() ? MAV_RESULT_TEMPORARILY_REJECTED : MAV_RESULT_FAILED;
+}
+
+std::uint8_t CommandServer::takeOff(const Command &command)
+{
+    const VehicleType &type = m_autopilot.flight().type;
+    if (type.isRover())
+        return MAV_RESULT_UNSUPPORTED;
+    auto height = static_cast<double>(command.z);
+    if (type.isPx4()) { // above mean sea level, or not-a-number for the usual height
+        const FlightContext &flight = m_autopilot.flight();
+        const double ground = flight.world.origin().altitude - flight.home.orOrigin().z;
+        height = std::isnan(height) ? flight.settings.takeOffHeight : height - ground;
+    }
+    return answer(m_autopilot.requests().takeOff(height));
+}
+
+std::uint8_t CommandServer::enter(FlightMode mode)
+{
+    return m_autopilot.modes().table().find(mode) ? answer(m_autopilot.requests().enterMode(mode))
+                                                  : std::uint8_t(MAV_RESULT_UNSUPPORTED);
 }
 
 std::uint8_t CommandServer::arm(const Command &command)
@@ -90,11 +111,14 @@ std::uint8_t CommandServer::arm(const Command &command)
 std::uint8_t CommandServer::setMode(const Command &command)
 {
     if (!(index(command.parameters[0]) & MAV_MODE_FLAG_CUSTOM_MODE_ENABLED) || index(command.parameters[0]) > 255)
-        return MAV_RESULT_DENIED; // ArduPilot has custom modes only
-    const auto mode = flightMode(index(command.parameters[1]));
-    if (!mode)
-        return answer("No such mode " + std::to_string(index(command.parameters[1])));
-    return answer(m_autopilot.requests().enterMode(*mode));
+        return MAV_RESULT_DENIED; // both firmwares have custom modes only
+    const bool px4 = m_autopilot.flight().type.isPx4();
+    const std::uint32_t number = px4 ? px4Mode(index(command.parameters[1]) & 0xff, index(command.parameters[2]) & 0xff)
+                                     : index(command.parameters[1]);
+    const ModeRow *row = m_autopilot.modes().table().withNumber(number);
+    if (!row)
+        return answer("No such mode " + std::to_string(number));
+    return answer(m_autopilot.requests().enterMode(row->mode));
 }
 
 std::optional<Vector3> CommandServer::place(const Autopilot &autopilot, std::uint8_t frame, double latitude, double longitude,
@@ -124,7 +148,7 @@ std::uint8_t CommandServer::reposition(const Command &command)
     const auto target = place(m_autopilot, command.frame, command.x, command.y, static_cast<double>(command.z));
     if (!target)
         return MAV_RESULT_DENIED;
-    if (m_autopilot.modes().current() != FlightMode::Guided) {
+    if (!m_autopilot.modes().isGuided()) {
         if (!(index(command.parameters[1]) & MAV_DO_REPOSITION_FLAGS_CHANGE_MODE))
             return MAV_RESULT_DENIED;
         if (const auto refusal = m_autopilot.requests().enterMode(FlightMode::Guided))

@@ -41,6 +41,9 @@ public:
 private:
     std::uint8_t execute(TimePoint now, const Command &command);
     std::uint8_t fly(const Command &command);
+    std::uint8_t takeOff(const Command &command);
+    /// UNSUPPORTED if the vehicle has no such mode.
+    std::uint8_t enter(FlightMode mode);
     std::uint8_t arm(const Command &command);
     std::uint8_t setMode(const Command &command);
     std::uint8_t reposition(const Command &command);

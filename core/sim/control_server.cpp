@@ -30,12 +30,12 @@ bool hasVelocity(std::uint16_t mask)
 bool ControlServer::handle(TimePoint now, const Frame &frame)
 {
     switch (frame.messageId()) {
-    case SetMode::kId: setMode(frame.payload()); return true;
+    case SetMode::kId: setMode(frame); return true;
     case SetPositionTargetLocalNed::kId: localTarget(frame.payload()); return true;
     case SetPositionTargetGlobalInt::kId: globalTarget(frame.payload()); return true;
     case RcChannelsOverride::kId:
     case ManualControl::kId:
-        if (frame.systemId() != m_autopilot.parameters().integer("SYSID_MYGCS"))
+        if (!m_autopilot.parameters().isPilot(frame.systemId()))
             return true; // only one station may hold the sticks
         if (frame.messageId() == ManualControl::kId)
             manualControl(now, frame.payload());
@@ -52,15 +52,26 @@ void ControlServer::report(const Refusal &refusal)
         m_autopilot.texts().say(Severity::Warning, *refusal);
 }
 
-void ControlServer::setMode(ByteView payload)
+void ControlServer::setMode(const Frame &frame)
 {
-    const SetMode in = SetMode::decode(payload);
+    const SetMode in = SetMode::decode(frame.payload());
+    Refusal refusal;
+    CommandAck out;
+    // Both acknowledge the message like a command: ArduPilot by the number of the message (GCS_Common.cpp), PX4 by the command
+    // that it turns the message into (mavlink_receiver.cpp).
+    out.command = m_autopilot.flight().type.isPx4() ? std::uint16_t(MAV_CMD_DO_SET_MODE) : std::uint16_t(SetMode::kId);
+    out.target_system = frame.systemId();
+    out.target_component = frame.componentId();
     if (!(in.base_mode & MAV_MODE_FLAG_CUSTOM_MODE_ENABLED))
-        return;
-    if (const auto mode = flightMode(in.custom_mode))
-        report(m_autopilot.requests().enterMode(*mode));
+        out.result = MAV_RESULT_DENIED;
+    else if (const ModeRow *row = m_autopilot.modes().table().withNumber(in.custom_mode))
+        refusal = m_autopilot.requests().enterMode(row->mode);
     else
-        report("No such mode " + std::to_string(in.custom_mode));
+        refusal = "No such mode " + std::to_string(in.custom_mode);
+    if (refusal)
+        out.result = m_autopilot.flight().type.isPx4() ? MAV_RESULT_TEMPORARILY_REJECTED : MAV_RESULT_FAILED;
+    report(refusal);
+    m_outbox.send(out);
 }
 
 void ControlServer::face(std::uint16_t mask, double yaw, double offset)
@@ -71,7 +82,7 @@ void ControlServer::face(std::uint16_t mask, double yaw, double offset)
 
 void ControlServer::localTarget(ByteView payload)
 {
-    if (m_autopilot.modes().current() != FlightMode::Guided)
+    if (!m_autopilot.modes().isGuided())
         return; // streams of targets in another mode are ignored silently
     const auto in = SetPositionTargetLocalNed::decode(payload);
     const Estimate &here = m_autopilot.estimate();
@@ -96,7 +107,7 @@ void ControlServer::localTarget(ByteView payload)
 
 void ControlServer::globalTarget(ByteView payload)
 {
-    if (m_autopilot.modes().current() != FlightMode::Guided)
+    if (!m_autopilot.modes().isGuided())
         return;
     const auto in = SetPositionTargetGlobalInt::decode(payload);
     if (hasPosition(in.type_mask)) {

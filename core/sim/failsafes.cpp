@@ -11,12 +11,6 @@ constexpr std::uint64_t kFenceWatch = 40'000; // µs
 constexpr double kCrash = 3;                  // m/s: a landing is softer
 // FENCE_ACTION; the others return. This vehicle has no SMART_RTL.
 constexpr int kReportOnly = 0, kAlwaysLand = 2, kBrakeOrLand = 4, kSmartReturnOrLand = 5;
-// FS_THR_ENABLE; the others return.
-constexpr int kRadioIgnored = 0, kRadioLand = 3, kRadioSmartReturnOrLand = 5, kRadioBrakeOrLand = 7;
-// FS_OPTIONS
-constexpr int kContinueInAuto = 1, kContinueInGuided = 4;
-// FS_EKF_ACTION
-constexpr int kHoldAltitude = 2, kLandAlways = 3;
 
 std::string format(const char *pattern, double a, double b = 0)
 {
@@ -51,11 +45,13 @@ void Failsafes::trigger(std::string_view cause, FlightMode action)
         return;
     }
     const Situation now = m_flight.situation();
-    if (needsPosition(action) && !now.estimate.positionOk)
-        action = FlightMode::Land;
+    const ModeTable &table = m_flight.modes.table();
+    action = table.available(action);
+    if (table.row(action).needsPosition && !now.estimate.positionOk)
+        action = table.available(FlightMode::Land);
     if (m_flight.modes.current() == FlightMode::Land) // already on its way down
         action = FlightMode::Land;
-    m_flight.texts.say(Severity::Critical, std::string(cause) + " Failsafe - " + std::string(name(action)));
+    m_flight.texts.say(Severity::Critical, std::string(cause) + " Failsafe - " + std::string(table.row(action).name));
     m_flight.modes.enter(action, now);
     m_flight.fence.beginRecovery(m_flight.time);
 }
@@ -72,7 +68,7 @@ void Failsafes::watchGround()
     const double impact = m_flight.physics.takeImpact();
     if (impact > 1)
         m_flight.texts.say(Severity::Critical, format("SIM Hit ground at %.1f m/s", impact));
-    if (impact > kCrash && m_arming.armed() && m_flight.parameters.flag("FS_CRASH_CHECK")) {
+    if (impact > kCrash && m_arming.armed() && m_flight.settings.failsafes.crashCheck) {
         m_flight.texts.say(Severity::Emergency, "Crash: Disarming");
         m_arming.disarmNow();
     }
@@ -83,15 +79,19 @@ void Failsafes::watchPosition()
     const bool has = m_flight.estimate().positionOk;
     if (has == std::exchange(m_hadPosition, has))
         return;
+    const bool speaksOfFilter = !m_flight.type.isPx4();
     if (has) {
-        m_flight.texts.say(Severity::Info, "EKF3 IMU0 origin set");
-        m_flight.texts.say(Severity::Info, "EKF3 IMU0 is using GPS");
+        if (speaksOfFilter) {
+            m_flight.texts.say(Severity::Info, "EKF3 IMU0 origin set");
+            m_flight.texts.say(Severity::Info, "EKF3 IMU0 is using GPS");
+        }
         if (!m_flight.home.position())
             m_flight.home.follow({m_flight.estimate().position.x, m_flight.estimate().position.y, 0});
         return;
     }
-    m_flight.texts.say(Severity::Warning, "EKF3 IMU0 stopped aiding");
-    if (m_arming.armed() && needsPosition(m_flight.modes.current()))
+    if (speaksOfFilter)
+        m_flight.texts.say(Severity::Warning, "EKF3 IMU0 stopped aiding");
+    if (m_arming.armed() && m_flight.modes.row().needsPosition)
         trigger("EKF", FlightMode::Land);
 }
 
@@ -105,49 +105,45 @@ void Failsafes::watchBattery()
     m_flight.texts.say(Severity::Warning,
                        format(critical ? "Battery 1 is critical %.2fV used %.0f mAh" : "Battery 1 is low %.2fV used %.0f mAh",
                               battery.voltage(), battery.consumed()));
-    const int action = m_flight.parameters.integer(critical ? "BATT_FS_CRT_ACT" : "BATT_FS_LOW_ACT");
-    if (action != 0 && m_arming.armed())
-        trigger("Battery", action == 1 ? FlightMode::Land : FlightMode::Rtl);
+    const FailsafeSettings &settings = m_flight.settings.failsafes;
+    if (const auto &action = critical ? settings.criticalBattery : settings.lowBattery; action && m_arming.armed())
+        trigger("Battery", *action);
 }
 
 void Failsafes::watchRadio()
 {
-    const int action = m_flight.parameters.integer("FS_THR_ENABLE");
-    const bool low = action != kRadioIgnored && m_flight.pilot.channels()[2] < m_flight.parameters.integer("FS_THR_VALUE");
+    const FailsafeSettings &settings = m_flight.settings.failsafes;
+    const bool low = settings.radioWatched && m_flight.pilot.channels()[2] < settings.radioThrottle;
     switch (m_flight.radioWatch.step(kWatch * 1e-6, m_flight.pilot.hasSignal(), low)) {
     case RadioWatch::Event::None: return;
     case RadioWatch::Event::Back: return clear("Radio");
     case RadioWatch::Event::Lost: break;
     }
-    const int options = m_flight.parameters.integer("FS_OPTIONS");
-    const FlightMode mode = m_flight.modes.current();
-    const bool goesOn = (mode == FlightMode::Auto && (options & kContinueInAuto))
-        || (mode == FlightMode::Guided && (options & kContinueInGuided));
-    if (!m_arming.armed() || action == kRadioIgnored)
+    if (!m_arming.armed() || !settings.radio)
         return;
+    const bool goesOn = (m_flight.modes.current() == FlightMode::Auto && settings.goesOnInAuto)
+        || (m_flight.modes.isGuided() && settings.goesOnInGuided);
     if (goesOn)
         return m_flight.texts.say(Severity::Critical, "Radio Failsafe - Continuing");
-    trigger("Radio",
-            action == kRadioLand || action == kRadioSmartReturnOrLand ? FlightMode::Land
-                : action == kRadioBrakeOrLand                         ? FlightMode::Brake
-                                                                      : FlightMode::Rtl);
+    trigger("Radio", *settings.radio);
 }
 
 void Failsafes::watchEstimator()
 {
+    const FailsafeSettings &settings = m_flight.settings.failsafes;
     const Estimator &estimator = m_flight.physics.estimator();
     if (const bool glitching = estimator.glitching(); glitching != std::exchange(m_glitching, glitching))
         m_flight.texts.say(Severity::Critical, glitching ? "GPS Glitch or Compass error" : "Glitch cleared");
-    switch (
-        m_estimatorWatch.step(kWatch * 1e-6, m_arming.armed(), estimator.variances(), m_flight.parameter("FS_EKF_THRESH"))) {
+    if (!(settings.estimatorLimit > 0) || !settings.estimator)
+        return; // only ArduCopter acts on its filter's variances
+    switch (m_estimatorWatch.step(kWatch * 1e-6, m_arming.armed(), estimator.variances(), settings.estimatorLimit)) {
     case EstimatorWatch::Event::None: return;
     case EstimatorWatch::Event::Good: return clear("EKF");
     case EstimatorWatch::Event::Failed: break;
     }
     m_flight.texts.say(Severity::Critical, "EKF variance");
-    const int action = m_flight.parameters.integer("FS_EKF_ACTION");
-    if (needsPosition(m_flight.modes.current()) || action == kLandAlways)
-        trigger("EKF", action == kHoldAltitude ? FlightMode::AltHold : FlightMode::Land);
+    if (m_flight.modes.row().needsPosition || settings.estimatorAlways)
+        trigger("EKF", *settings.estimator);
 }
 
 void Failsafes::watchFence()
@@ -170,8 +166,9 @@ void Failsafes::watchFence()
         mode = FlightMode::Land;
     else if (action == kBrakeOrLand)
         mode = FlightMode::Brake;
-    if (m_flight.modes.enter(mode, now))
-        m_flight.modes.enter(FlightMode::Land, now);
+    const ModeTable &table = m_flight.modes.table();
+    if (m_flight.modes.enter(table.available(mode), now))
+        m_flight.modes.enter(table.available(FlightMode::Land), now);
     fence.beginRecovery(m_flight.time);
 }
 

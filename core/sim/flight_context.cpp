@@ -3,7 +3,8 @@
 namespace skyseal::sim {
 
 FlightContext::FlightContext(const AutopilotConfig &config)
-    : world(config.start), physics(config.seed, config.heading, config.firstFix), modes(world)
+    : type(config.type), parameters(type), world(config.start), physics(type, config.seed, config.heading, config.firstFix),
+      modes(world, type)
 {
     physics.battery().replace(parameter("SIM_BATT_CAP_AH") * 1000, 1);
 }

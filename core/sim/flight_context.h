@@ -22,6 +22,7 @@ struct AutopilotConfig
     GeoPoint start{-35.363261, 149.165230, 584}; ///< the field in Canberra that ArduPilot's simulator starts from
     double heading = 353;                        ///< degrees
     double firstFix = 3;                         ///< s of flight time until the GPS has a fix
+    VehicleType type;
 };
 
 struct FlightContext
@@ -32,9 +33,11 @@ struct FlightContext
 
     Situation situation() const;
     const Estimate &estimate() const { return physics.estimate(); }
-    bool landed() const { return landDetector.landed(); }
+    /// A vehicle that does not fly is never at the end of a flight.
+    bool landed() const { return !type.isRover() && landDetector.landed(); }
     double parameter(const char *name) const { return static_cast<double>(parameters.value(name)); }
 
+    const VehicleType type;
     std::uint64_t time = 0; ///< µs of flight time since power-on
     Parameters parameters;
     FlightSettings settings;

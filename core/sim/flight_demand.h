@@ -65,7 +65,8 @@ struct FlightDemand
     Horizontal horizontal = Lean{};
     Vertical vertical = Thrust{};
     Yaw yaw = Turn{};
-    bool idle = false; ///< rotors turn without lift: on the ground, before take-off and after landing
+    bool touchdown = false; ///< it means to land here
+    bool idle = false;      ///< rotors turn without lift: on the ground, before take-off and after landing
 };
 
 } // namespace skyseal::sim

@@ -1,69 +1,87 @@
 #include "core/sim/flight_mode.h"
 
-#include <array>
+#include <algorithm>
 
 namespace skyseal::sim {
 
 namespace {
 
-struct Row
-{
-    FlightMode mode;
-    std::string_view name;
-    bool needsPosition;
-    bool allowsArming;
-    bool manualThrottle;
+using namespace mavlink;
+using enum FlightMode;
+
+//                                number                    name         position arming manual throttle
+constexpr ModeRow kCopterModes[] = {
+    {Stabilize, COPTER_MODE_STABILIZE, "STABILIZE", false, true, true},
+    {AltHold, COPTER_MODE_ALT_HOLD, "ALT_HOLD", false, true, true},
+    {Auto, COPTER_MODE_AUTO, "AUTO", true, false, false},
+    {Guided, COPTER_MODE_GUIDED, "GUIDED", true, true, false},
+    {Loiter, COPTER_MODE_LOITER, "LOITER", true, true, true},
+    {Rtl, COPTER_MODE_RTL, "RTL", true, false, false},
+    {Land, COPTER_MODE_LAND, "LAND", false, false, false},
+    {Brake, COPTER_MODE_BRAKE, "BRAKE", true, false, false},
 };
 
-constexpr std::array<Row, 8> kModes{{
-    {FlightMode::Stabilize, "STABILIZE", false, true, true},
-    {FlightMode::AltHold, "ALT_HOLD", false, true, true},
-    {FlightMode::Auto, "AUTO", true, false, false},
-    {FlightMode::Guided, "GUIDED", true, true, false},
-    {FlightMode::Loiter, "LOITER", true, true, true},
-    {FlightMode::Rtl, "RTL", true, false, false},
-    {FlightMode::Land, "LAND", false, false, false},
-    {FlightMode::Brake, "BRAKE", true, false, false},
-}};
+// _pre_arm_checks() of ArduPlane/mode.h: of these modes only RTL refuses.
+constexpr ModeRow kPlaneModes[] = {
+    {Manual, PLANE_MODE_MANUAL, "MANUAL", false, true, true},
+    {Circle, PLANE_MODE_CIRCLE, "CIRCLE", false, true, false},
+    {Stabilize, PLANE_MODE_STABILIZE, "STABILIZE", false, true, true},
+    {FlyByWireA, PLANE_MODE_FLY_BY_WIRE_A, "FBWA", false, true, true},
+    {Auto, PLANE_MODE_AUTO, "AUTO", true, true, false},
+    {Rtl, PLANE_MODE_RTL, "RTL", true, false, false},
+    {Loiter, PLANE_MODE_LOITER, "LOITER", true, true, false},
+    {TakeOff, PLANE_MODE_TAKEOFF, "TAKEOFF", true, true, false},
+    {Guided, PLANE_MODE_GUIDED, "GUIDED", true, true, false},
+};
 
-const Row &row(FlightMode mode)
-{
-    for (const Row &candidate : kModes) {
-        if (candidate.mode == mode)
-            return candidate;
-    }
-    return kModes[0];
-}
+// requires_position() and allows_arming() of Rover/mode.h.
+constexpr ModeRow kRoverModes[] = {
+    {Manual, ROVER_MODE_MANUAL, "MANUAL", false, true, false}, {Steering, ROVER_MODE_STEERING, "STEERING", false, true, false},
+    {Hold, ROVER_MODE_HOLD, "HOLD", false, true, false},       {Loiter, ROVER_MODE_LOITER, "LOITER", true, true, false},
+    {Auto, ROVER_MODE_AUTO, "AUTO", true, true, false},        {Rtl, ROVER_MODE_RTL, "RTL", true, false, false},
+    {Guided, ROVER_MODE_GUIDED, "GUIDED", true, true, false},
+};
+
+// Main and sub modes of px4_custom_mode.h. PX4 does not arm in the modes that land or return (ModeRequirements).
+constexpr ModeRow kPx4CopterModes[] = {
+    {Guided, px4Mode(4, 3), "AUTO.LOITER", true, true, false},   {Manual, px4Mode(1), "MANUAL", false, true, true},
+    {AltHold, px4Mode(2), "ALTCTL", false, true, true},          {Loiter, px4Mode(3), "POSCTL", true, true, true},
+    {TakeOff, px4Mode(4, 2), "AUTO.TAKEOFF", true, true, false}, {Auto, px4Mode(4, 4), "AUTO.MISSION", true, true, false},
+    {Rtl, px4Mode(4, 5), "AUTO.RTL", true, false, false},        {Land, px4Mode(4, 6), "AUTO.LAND", false, false, false},
+    {Offboard, px4Mode(6), "OFFBOARD", true, true, false},       {Stabilize, px4Mode(7), "STABILIZED", false, true, true},
+};
+
+constexpr ModeTable kCopter(kCopterModes, Land), kPlane(kPlaneModes, Rtl), kRover(kRoverModes, Hold),
+    kPx4Copter(kPx4CopterModes, Guided);
 
 } // namespace
 
-std::optional<FlightMode> flightMode(std::uint32_t number)
+const ModeRow *ModeTable::find(FlightMode mode) const
 {
-    for (const Row &candidate : kModes) {
-        if (static_cast<std::uint32_t>(candidate.mode) == number)
-            return candidate.mode;
+    const auto at = std::find_if(m_rows.begin(), m_rows.end(), [&](const ModeRow &row) { return row.mode == mode; });
+    return at == m_rows.end() ? nullptr : &*at;
+}
+
+const ModeRow *ModeTable::withNumber(std::uint32_t number) const
+{
+    const auto at = std::find_if(m_rows.begin(), m_rows.end(), [&](const ModeRow &row) { return row.number == number; });
+    return at == m_rows.end() ? nullptr : &*at;
+}
+
+const ModeRow &ModeTable::row(FlightMode mode) const
+{
+    const ModeRow *found = find(mode);
+    return found ? *found : m_rows.front();
+}
+
+const ModeTable &modeTable(const VehicleType &type)
+{
+    switch (type.kind) {
+    case VehicleKind::Copter: return type.isPx4() ? kPx4Copter : kCopter;
+    case VehicleKind::Plane: return kPlane;
+    case VehicleKind::Rover: return kRover;
     }
-    return std::nullopt;
-}
-
-std::string_view name(FlightMode mode)
-{
-    return row(mode).name;
-}
-
-bool needsPosition(FlightMode mode)
-{
-    return row(mode).needsPosition;
-}
-
-bool allowsArming(FlightMode mode, int autoOptions)
-{
-    return mode == FlightMode::Auto ? (autoOptions & 1) != 0 : row(mode).allowsArming;
-}
-
-bool hasManualThrottle(FlightMode mode)
-{
-    return row(mode).manualThrottle;
+    return kCopter;
 }
 
 } // namespace skyseal::sim

@@ -1,5 +1,9 @@
 #include "core/sim/flight_physics.h"
 
+#include "core/sim/fixed_wing.h"
+#include "core/sim/ground_vehicle.h"
+#include "core/sim/multirotor.h"
+
 namespace skyseal::sim {
 
 namespace {
@@ -11,26 +15,30 @@ BodyState standing(double heading)
     return state;
 }
 
+std::unique_ptr<Craft> makeCraft(const VehicleType &type, double heading)
+{
+    switch (type.kind) {
+    case VehicleKind::Copter: break;
+    case VehicleKind::Plane: return std::make_unique<FixedWing>(standing(heading));
+    case VehicleKind::Rover: return std::make_unique<GroundVehicle>(standing(heading));
+    }
+    return std::make_unique<Multirotor>(standing(heading));
+}
+
 } // namespace
 
-FlightPhysics::FlightPhysics(std::uint64_t seed, double heading, double firstFix)
-    : m_wind(seed), m_airframe(AirframeModel{}, standing(heading)), m_gps(seed, firstFix), m_estimator(seed)
+FlightPhysics::FlightPhysics(const VehicleType &type, std::uint64_t seed, double heading, double firstFix)
+    : m_wind(seed), m_craft(makeCraft(type, heading)), m_gps(seed, firstFix), m_estimator(seed)
 {}
 
-void FlightPhysics::step(double dt, std::uint64_t time, const FlightSettings &settings, const Rotors &commands, bool armed)
+void FlightPhysics::step(double dt, std::uint64_t time, const FlightSettings &settings, const FlightDemand &demand, bool armed)
 {
     m_wind.step(dt, settings.windSpeed, settings.windFrom);
     const Faults &faults = settings.faults;
     if (faults.restVoltage != m_restVoltage)
         m_battery.setRestVoltage(m_restVoltage = faults.restVoltage);
-    Rotors turning = commands;
-    for (std::size_t i = 0; i < turning.size(); ++i) {
-        if (faults.weakRotors >> i & 1)
-            turning[i] *= faults.rotorShare;
-    }
-    m_airframe.step(dt, turning, m_battery.supply(), m_wind.velocity(), m_wind.torque());
-    const Rotors &rotors = truth().rotors;
-    m_battery.step(dt, (rotors[0] + rotors[1] + rotors[2] + rotors[3]) / 4, armed);
+    m_craft->step(dt, armed, demand, estimate(), settings, {m_battery.supply(), m_wind.velocity(), m_wind.torque()});
+    m_battery.step(dt, m_craft->load(), armed);
     m_gps.step(dt, time, truth(), faults);
     m_estimator.step(dt, truth(), gps(), faults.compassFailed);
 }

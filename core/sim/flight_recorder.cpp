@@ -70,11 +70,11 @@ void FlightRecorder::begin(const Autopilot &autopilot)
         record.put(autopilot.time()).text(parameters.info(i).name, 16);
         m_logs.append(record.put(parameters.value(i)).put(parameters.info(i).standard).bytes());
     }
-    m_logs.append(LogRecord(kMessage).put(autopilot.time()).text("skyseal-sim, flies like ArduCopter 4.5", 64).bytes());
+    m_logs.append(LogRecord(kMessage).put(autopilot.time()).text(autopilot.flight().type.greeting(), 64).bytes());
     event(autopilot, kArmedEvent);
     m_mode = FlightMode::Stabilize;
     m_landed = true;
-    const auto mode = static_cast<std::uint8_t>(m_mode = autopilot.modes().current());
+    const auto mode = static_cast<std::uint8_t>((m_mode = autopilot.modes().current(), autopilot.modes().row().number));
     m_logs.append(LogRecord(kMode).put(autopilot.time()).put(mode).put(mode).put(std::uint8_t(0)).bytes());
 }
 
@@ -86,7 +86,7 @@ void FlightRecorder::event(const Autopilot &autopilot, std::uint8_t id)
 void FlightRecorder::writeChanges(const Autopilot &autopilot)
 {
     if (autopilot.modes().current() != m_mode) {
-        const auto mode = static_cast<std::uint8_t>(m_mode = autopilot.modes().current());
+        const auto mode = static_cast<std::uint8_t>((m_mode = autopilot.modes().current(), autopilot.modes().row().number));
         m_logs.append(LogRecord(kMode).put(autopilot.time()).put(mode).put(mode).put(std::uint8_t(0)).bytes());
     }
     if (autopilot.landed() != m_landed) {
@@ -98,7 +98,7 @@ void FlightRecorder::writeChanges(const Autopilot &autopilot)
 void FlightRecorder::writeSamples(const Autopilot &autopilot)
 {
     const Estimate &e = autopilot.estimate();
-    const Euler angles = e.attitude.euler(), wanted = autopilot.rotors().attitude().target();
+    const Euler angles = e.attitude.euler(), wanted = autopilot.craft().target();
     m_logs.append(LogRecord(kAttitude)
                       .put(autopilot.time())
                       .put(hundredths(wanted.roll))

@@ -4,8 +4,10 @@ namespace skyseal::sim {
 
 Refusal FlightRequests::enterMode(FlightMode mode)
 {
-    if (const char *reason = m_flight.modes.enter(mode, m_flight.situation()))
-        return "Mode change to " + std::string(name(mode)) + " failed: " + reason;
+    if (const char *reason = m_flight.modes.enter(mode, m_flight.situation())) {
+        const ModeRow *row = m_flight.modes.table().find(mode);
+        return "Mode change to " + std::string(row ? row->name : "an unknown mode") + " failed: " + reason;
+    }
     m_flight.landDetector.resetIdle();
     m_flight.fence.beginRecovery(m_flight.time);
     return std::nullopt;
@@ -13,14 +15,20 @@ Refusal FlightRequests::enterMode(FlightMode mode)
 
 Refusal FlightRequests::takeOff(double height)
 {
-    if (m_flight.modes.current() != FlightMode::Guided)
+    if (!m_flight.settings.hovers)
+        return "Takeoff: this vehicle takes off by its mode or mission";
+    if (!m_flight.type.isPx4() && m_flight.modes.current() != FlightMode::Guided)
         return "Takeoff: needs GUIDED";
-    if (!m_arming.armed())
+    if (!m_flight.type.isPx4() && !m_arming.armed())
         return "Takeoff: not armed";
     if (!m_flight.landed())
         return "Takeoff: already flying";
     if (!(height >= 0.5) || height > 1000)
         return "Takeoff: bad altitude";
+    if (m_flight.type.isPx4()) { // it may be armed later
+        if (Refusal reason = enterMode(FlightMode::TakeOff))
+            return reason;
+    }
     m_flight.landDetector.resetIdle();
     m_flight.modes.guided().takeOff(m_flight.situation(), height);
     return std::nullopt;
@@ -28,8 +36,8 @@ Refusal FlightRequests::takeOff(double height)
 
 Refusal FlightRequests::goTo(const Vector3 &place)
 {
-    if (m_flight.modes.current() != FlightMode::Guided)
-        return "Goto: needs GUIDED";
+    if (!m_flight.modes.isGuided())
+        return "Goto: needs " + guidedName();
     if (!place.finite() || place.length() > 1e5)
         return "Goto: too far away";
     if (!m_flight.fence.allows(place, m_flight.home.orOrigin()))
@@ -40,11 +48,11 @@ Refusal FlightRequests::goTo(const Vector3 &place)
 
 Refusal FlightRequests::move(const Vector3 &velocity)
 {
-    if (m_flight.modes.current() != FlightMode::Guided)
-        return "Velocity: needs GUIDED";
+    if (!m_flight.modes.isGuided())
+        return "Velocity: needs " + guidedName();
     if (!velocity.finite() || velocity.length() > 100)
         return "Velocity: out of range";
-    m_flight.modes.guided().move(velocity, m_flight.parameter("GUID_TIMEOUT"));
+    m_flight.modes.guided().move(velocity, m_flight.settings.guidedTimeout);
     return std::nullopt;
 }
 
@@ -53,12 +61,12 @@ Refusal FlightRequests::face(double heading, double rate)
     if (!std::isfinite(heading) || !std::isfinite(rate))
         return "Yaw: bad angle";
     const double limited = std::clamp(std::abs(rate), 0.0, 3.0);
-    if (m_flight.modes.current() == FlightMode::Guided)
+    if (m_flight.modes.isGuided())
         m_flight.modes.guided().yaw().fix(heading, limited);
     else if (m_flight.modes.current() == FlightMode::Auto)
         m_flight.modes.mission().yaw().fix(heading, limited);
     else
-        return "Yaw: needs GUIDED or AUTO";
+        return "Yaw: needs " + guidedName() + " or AUTO";
     return std::nullopt;
 }
 
@@ -73,12 +81,12 @@ Refusal FlightRequests::changeSpeed(SpeedKind kind, double speed)
         case SpeedKind::Descent: mode.setDescent(speed); break;
         }
     };
-    if (m_flight.modes.current() == FlightMode::Guided)
+    if (m_flight.modes.isGuided())
         set(m_flight.modes.guided());
     else if (m_flight.modes.current() == FlightMode::Auto)
         set(m_flight.modes.mission());
     else
-        return "Speed: needs GUIDED or AUTO";
+        return "Speed: needs " + guidedName() + " or AUTO";
     return std::nullopt;
 }
 
@@ -90,6 +98,11 @@ Refusal FlightRequests::startMission()
         return reason;
     m_flight.modes.mission().start();
     return std::nullopt;
+}
+
+std::string FlightRequests::guidedName() const
+{
+    return std::string(m_flight.modes.table().row(FlightMode::Guided).name);
 }
 
 bool FlightRequests::setHome(const Vector3 &place)

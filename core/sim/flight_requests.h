@@ -12,7 +12,7 @@ public:
     FlightRequests(FlightContext &flight, const Arming &arming) : m_flight(flight), m_arming(arming) {}
 
     Refusal enterMode(FlightMode mode);
-    /// Climbs to a height in m above home, in GUIDED.
+    /// Climbs to a height in m above home: ArduCopter in GUIDED and armed, PX4 by a mode of its own.
     Refusal takeOff(double height);
     /// Goes to a place in GUIDED, NED from the origin.
     Refusal goTo(const Vector3 &place);
@@ -27,6 +27,8 @@ public:
     bool setHome(const Vector3 &place);
 
 private:
+    std::string guidedName() const;
+
     FlightContext &m_flight;
     const Arming &m_arming;
 };

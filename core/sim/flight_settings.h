@@ -3,13 +3,39 @@
 
 #include "core/sim/attitude.h"
 #include "core/sim/faults.h"
+#include "core/sim/flight_mode.h"
+
+#include <optional>
 
 namespace skyseal::sim {
 
 class Parameters;
 
+/// What the failsafes do; nullopt: report only.
+struct FailsafeSettings
+{
+    using Action = std::optional<FlightMode>;
+
+    Action lowBattery, criticalBattery;
+    bool radioWatched = false;
+    int radioThrottle = 0; ///< µs: a throttle below means that the receiver hears nothing
+    Action radio;
+    bool goesOnInAuto = false, goesOnInGuided = false; ///< when the radio is lost
+    double estimatorLimit = 0;                         ///< of the variances; 0: not watched
+    Action estimator;
+    bool estimatorAlways = false; ///< also in modes that need no position
+    double stationTimeout = 5;    ///< s
+    Action station;
+    bool crashCheck = true;
+};
+
 struct FlightSettings
 {
+    // What the craft can do.
+    bool hovers = true;        ///< stands still in the air
+    bool flies = true;         ///< leaves the ground
+    double loiterRadius = 60;  ///< m, of an aeroplane around a place
+    double takeOffHeight = 10; ///< m above home, of the mode that takes off
     // Path following, m, m/s and m/s².
     double speed = 5;
     double climb = 2.5;
@@ -37,7 +63,8 @@ struct FlightSettings
     double anglePRoll = 4.5;
     double anglePPitch = 4.5;
     double anglePYaw = 4.5;
-    double inputLag = 0.15; ///< s
+    double inputLag = 0.15;   ///< s
+    double guidedTimeout = 3; ///< s until a velocity of the station must be renewed
     double yawSlew = radians(60);
     double positionP = 1;
     double velocityP = 2;
@@ -47,10 +74,12 @@ struct FlightSettings
     double hoverThrottle = 0.35;
     double spoolTime = 0.5; ///< s
     // The ground and the air.
-    double disarmDelay = 10; ///< s; 0: never
+    double disarmDelay = 10;      ///< s on the ground; 0: never
+    double disarmAfterFlight = 0; ///< s after a landing in any mode; 0: only in modes that land
     double windSpeed = 0;
     double windFrom = 0; ///< rad
     Faults faults;
+    FailsafeSettings failsafes;
 };
 
 FlightSettings flightSettings(const Parameters &parameters, const GeoFrame &world);

@@ -172,7 +172,7 @@ bool FrameRouter::routeLink(TimePoint now, const FrameSender &peer, const mavlin
 {
     switch (frame.messageId()) {
     case mavlink::Heartbeat::kId:
-        if (peer.system == autopilot.parameters().integer("SYSID_MYGCS"))
+        if (autopilot.parameters().isPilot(peer.system))
             station.heartbeat(now);
         return true;
     case mavlink::RequestDataStream::kId: {

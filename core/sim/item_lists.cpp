@@ -9,7 +9,12 @@ using namespace mavlink;
 StoredItem FlightPlanList::item(std::size_t sequence) const
 {
     StoredItem item = m_autopilot.modes().mission().mission()[sequence];
-    if (sequence == 0 && m_autopilot.flight().home.position()) { // item 0 is always home
+    if (!hasPlace(item.command)) { // ArduPilot keeps the place of those commands only that have one
+        item.frame = MAV_FRAME_GLOBAL;
+        item.x = item.y = 0;
+        item.z = 0;
+    }
+    if (keepsHome() && sequence == 0 && m_autopilot.flight().home.position()) { // item 0 is always home
         const GeoPoint home = m_autopilot.flight().world.toGeo(*m_autopilot.flight().home.position());
         item.frame = MAV_FRAME_GLOBAL;
         item.command = MAV_CMD_NAV_WAYPOINT;
@@ -27,12 +32,13 @@ bool FlightPlanList::inUse() const
 
 std::optional<ItemError> FlightPlanList::check(std::size_t sequence, const StoredItem &item) const
 {
-    return sequence == 0 ? std::nullopt : checkItem(item); // item 0 is replaced by home
+    return keepsHome() && sequence == 0 ? std::nullopt : checkItem(item, m_autopilot.flight().type); // item 0 becomes home
 }
 
 bool FlightPlanList::replace(std::vector<StoredItem> items)
 {
     m_autopilot.parameters().set("MIS_TOTAL", static_cast<float>(items.size()));
+    m_parameters.announce("MIS_TOTAL");
     m_autopilot.modes().mission().load(std::move(items));
     return true;
 }

@@ -3,13 +3,14 @@
 #pragma once
 
 #include "core/sim/item_list.h"
+#include "core/sim/parameter_server.h"
 
 namespace skyseal::sim {
 
 class FlightPlanList : public ItemList
 {
 public:
-    explicit FlightPlanList(Autopilot &autopilot) : m_autopilot(autopilot) {}
+    FlightPlanList(Autopilot &autopilot, ParameterServer &parameters) : m_autopilot(autopilot), m_parameters(parameters) {}
 
     std::uint8_t type() const override { return mavlink::MAV_MISSION_TYPE_MISSION; }
     const char *name() const override { return "Mission"; }
@@ -24,7 +25,10 @@ public:
     std::vector<StoredItem> stored() const override { return m_autopilot.modes().mission().mission(); }
 
 private:
+    bool keepsHome() const { return !m_autopilot.flight().type.isPx4(); }
+
     Autopilot &m_autopilot;
+    ParameterServer &m_parameters;
 };
 
 class FenceList : public ItemList

@@ -53,18 +53,15 @@ void ItemTransfer::askFor(TimePoint now)
 
 void ItemTransfer::handleItem(TimePoint now, const FrameSender &peer, std::uint16_t sequence, const StoredItem &item)
 {
-    if (!m_receiving) {
-        // The last item again: our answer was lost.
-        if (m_finishedCount != 0 && m_finishedBy.sameSender(peer) && sequence + 1 == m_finishedCount)
-            return acknowledge(peer, MAV_MISSION_ACCEPTED);
-        return acknowledge(peer, MAV_MISSION_ERROR);
-    }
+    if (!m_receiving)
+        return handleLateItem(peer, sequence);
     if (!m_sender.sameSender(peer))
         return acknowledge(peer, MAV_MISSION_DENIED);
-    if (sequence < m_incoming.size())
-        return; // a copy of one that we have
-    if (sequence > m_incoming.size())
+    if (sequence != m_incoming.size()) {
+        if (m_firmware == Firmware::Px4)
+            return askFor(now);
         return acknowledge(peer, MAV_MISSION_INVALID_SEQUENCE); // the expected item is requested again later
+    }
     if (const auto error = m_list.check(sequence, item))
         return finish(static_cast<std::uint8_t>(*error));
     m_incoming.push_back(item);
@@ -80,6 +77,15 @@ void ItemTransfer::handleItem(TimePoint now, const FrameSender &peer, std::uint1
     finish(MAV_MISSION_ACCEPTED);
 }
 
+void ItemTransfer::handleLateItem(const FrameSender &peer, std::uint16_t sequence)
+{
+    // The last item again: our answer was lost.
+    if (m_finishedCount != 0 && m_finishedBy.sameSender(peer) && sequence + 1 == m_finishedCount)
+        acknowledge(peer, MAV_MISSION_ACCEPTED);
+    else if (m_firmware == Firmware::ArduPilot)
+        acknowledge(peer, MAV_MISSION_ERROR);
+}
+
 void ItemTransfer::finish(std::uint8_t result)
 {
     m_receiving = false;
@@ -91,6 +97,7 @@ void ItemTransfer::handleRequestList(const FrameSender &peer)
 {
     if (m_receiving)
         return acknowledge(peer, MAV_MISSION_DENIED);
+    m_sent = 0;
     MissionCount out;
     out.target_system = peer.system;
     out.target_component = peer.component;
@@ -105,6 +112,10 @@ void ItemTransfer::handleRequest(const FrameSender &peer, std::uint16_t sequence
         return acknowledge(peer, MAV_MISSION_DENIED);
     if (sequence >= m_list.size())
         return acknowledge(peer, MAV_MISSION_INVALID_SEQUENCE);
+    // PX4 sends the items in their order only; the last one again, if it was lost (mavlink_mission.cpp).
+    if (m_firmware == Firmware::Px4 && sequence != m_sent && sequence + 1 != m_sent)
+        return acknowledge(peer, MAV_MISSION_ERROR);
+    m_sent = static_cast<std::uint16_t>(sequence + 1);
     const StoredItem item = m_list.item(sequence);
     const auto fill = [&](auto &out) {
         out.target_system = peer.system;

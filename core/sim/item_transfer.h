@@ -13,7 +13,9 @@ namespace skyseal::sim {
 class ItemTransfer
 {
 public:
-    ItemTransfer(ItemList &list, FrameQueue &outbox, StatusTexts &texts) : m_list(list), m_outbox(outbox), m_texts(texts) {}
+    ItemTransfer(ItemList &list, FrameQueue &outbox, StatusTexts &texts, Firmware firmware)
+        : m_list(list), m_outbox(outbox), m_texts(texts), m_firmware(firmware)
+    {}
 
     const ItemList &list() const { return m_list; }
     ItemList &list() { return m_list; }
@@ -34,12 +36,14 @@ public:
 
 private:
     void askFor(TimePoint now);
+    void handleLateItem(const FrameSender &peer, std::uint16_t sequence);
     void finish(std::uint8_t result);
     void acknowledge(const FrameSender &peer, std::uint8_t result);
 
     ItemList &m_list;
     FrameQueue &m_outbox;
     StatusTexts &m_texts;
+    const Firmware m_firmware;
 
     bool m_receiving = false;
     FrameSender m_sender;
@@ -49,6 +53,7 @@ private:
     int m_asked = 0;          ///< times that the present item was asked for
     FrameSender m_finishedBy; ///< whose last upload was accepted, with how many items: its last item may come twice
     std::uint16_t m_finishedCount = 0;
+    std::uint16_t m_sent = 0; ///< PX4: items of the download so far
 };
 
 /// MISSION_ACK of a MAV_MISSION_RESULT.

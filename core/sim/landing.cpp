@@ -18,6 +18,7 @@ FlightDemand Landing::update(const Situation &s) const
         demand.horizontal = Lean{};
     demand.vertical = Climb{-std::max(rate, settings.landSpeed)};
     demand.yaw = m_heading;
+    demand.touchdown = true;
     demand.idle = s.landed;
     return demand;
 }

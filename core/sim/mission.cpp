@@ -2,6 +2,9 @@
 
 #include "core/mavlink/enums.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace skyseal::sim {
 
 namespace {
@@ -18,14 +21,38 @@ bool relativeFrame(std::uint8_t frame)
         || frame == MAV_FRAME_GLOBAL_TERRAIN_ALT || frame == MAV_FRAME_GLOBAL_TERRAIN_ALT_INT;
 }
 
+// The commands of missions that are simulated, by the kinds of vehicles whose firmware knows them.
+struct Supported
+{
+    std::uint16_t command;
+    bool copter, plane, rover;
+};
+constexpr Supported kCommands[] = {
+    {mavlink::MAV_CMD_NAV_WAYPOINT, true, true, true},         {mavlink::MAV_CMD_NAV_LOITER_UNLIM, true, true, true},
+    {mavlink::MAV_CMD_NAV_LOITER_TIME, true, true, true},      {mavlink::MAV_CMD_NAV_LOITER_TURNS, false, true, false},
+    {mavlink::MAV_CMD_NAV_RETURN_TO_LAUNCH, true, true, true}, {mavlink::MAV_CMD_NAV_LAND, true, true, false},
+    {mavlink::MAV_CMD_NAV_TAKEOFF, true, true, false},         {mavlink::MAV_CMD_NAV_DELAY, true, true, true},
+    {mavlink::MAV_CMD_CONDITION_YAW, true, false, false},      {mavlink::MAV_CMD_DO_JUMP, true, true, true},
+    {mavlink::MAV_CMD_DO_CHANGE_SPEED, true, true, true},
+};
+
+bool isSupported(std::uint16_t command, VehicleKind kind)
+{
+    const auto at = std::find_if(std::begin(kCommands), std::end(kCommands),
+                                 [&](const Supported &row) { return row.command == command; });
+    if (at == std::end(kCommands))
+        return false;
+    return kind == VehicleKind::Copter ? at->copter : kind == VehicleKind::Plane ? at->plane : at->rover;
+}
+
+} // namespace
+
 bool hasPlace(std::uint16_t command)
 {
     using namespace mavlink;
     return command == MAV_CMD_NAV_WAYPOINT || command == MAV_CMD_NAV_LOITER_UNLIM || command == MAV_CMD_NAV_LOITER_TIME
-        || command == MAV_CMD_NAV_LAND || command == MAV_CMD_NAV_TAKEOFF;
+        || command == MAV_CMD_NAV_LOITER_TURNS || command == MAV_CMD_NAV_LAND || command == MAV_CMD_NAV_TAKEOFF;
 }
-
-} // namespace
 
 bool isGlobalFrame(std::uint8_t frame)
 {
@@ -45,22 +72,10 @@ bool isOnGlobe(const StoredItem &item)
     return std::abs(static_cast<double>(item.x)) <= 90e7 && std::abs(static_cast<double>(item.y)) <= 180e7;
 }
 
-std::optional<ItemError> checkItem(const StoredItem &item)
+std::optional<ItemError> checkItem(const StoredItem &item, const VehicleType &type)
 {
-    using namespace mavlink;
-    switch (item.command) {
-    case MAV_CMD_NAV_WAYPOINT:
-    case MAV_CMD_NAV_LOITER_UNLIM:
-    case MAV_CMD_NAV_LOITER_TIME:
-    case MAV_CMD_NAV_RETURN_TO_LAUNCH:
-    case MAV_CMD_NAV_LAND:
-    case MAV_CMD_NAV_TAKEOFF:
-    case MAV_CMD_NAV_DELAY:
-    case MAV_CMD_CONDITION_YAW:
-    case MAV_CMD_DO_JUMP:
-    case MAV_CMD_DO_CHANGE_SPEED: break;
-    default: return ItemError::Unsupported;
-    }
+    if (!isSupported(item.command, type.kind))
+        return ItemError::Unsupported;
     for (const float parameter : item.parameters) {
         if (std::isinf(parameter))
             return ItemError::Invalid; // not-a-number is fine: it means "the default"

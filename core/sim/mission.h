@@ -1,8 +1,8 @@
 // A mission as MAVLink describes it: a list of items, the first of which is home.
 #pragma once
 
-#include "core/mavlink/enums.h"
 #include "core/sim/geo_frame.h"
+#include "core/sim/vehicle_type.h"
 
 #include <array>
 #include <cstdint>
@@ -42,8 +42,10 @@ double integerScale(std::uint16_t command);
 /// Whether latitude and longitude are within their ranges.
 bool isOnGlobe(const StoredItem &item);
 
-/// nullopt when the vehicle can fly it.
-std::optional<ItemError> checkItem(const StoredItem &item);
+/// nullopt when this type of vehicle can fly it.
+std::optional<ItemError> checkItem(const StoredItem &item, const VehicleType &type);
+/// Whether the command has a place of its own.
+bool hasPlace(std::uint16_t command);
 
 /// Whether the item is a place to be at, rather than something to do on the way.
 bool isNavigation(const StoredItem &item);

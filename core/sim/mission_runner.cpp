@@ -44,11 +44,11 @@ bool MissionRunner::setCurrent(std::uint16_t sequence)
 
 const char *MissionRunner::refusal(bool landed) const
 {
-    if (m_mission.size() < 2)
+    if (m_mission.size() <= first())
         return "no mission";
-    if (!landed)
+    if (!landed || !m_type.hovers())
         return nullptr;
-    for (std::size_t i = std::max<std::size_t>(m_current, 1); i < m_mission.size(); ++i) {
+    for (std::size_t i = std::max<std::size_t>(m_current, first()); i < m_mission.size(); ++i) {
         if (isNavigation(m_mission[i]))
             return m_mission[i].command == MAV_CMD_NAV_TAKEOFF ? nullptr : "Missing Takeoff Cmd";
     }
@@ -57,7 +57,7 @@ const char *MissionRunner::refusal(bool landed) const
 
 void MissionRunner::begin(const Situation &s)
 {
-    m_started = !s.landed;
+    m_started = !s.landed || !s.settings.hovers; // the others begin as soon as they are armed
     m_entered = false;
     if (m_finished) {
         m_finished = false;
@@ -99,8 +99,7 @@ FlightDemand MissionRunner::update(double dt, const Situation &s)
 void MissionRunner::startItem(const Situation &s)
 {
     for (int steps = 0; steps < 200; ++steps) {
-        if (m_current == 0)
-            m_current = 1; // item 0 is home
+        m_current = std::max(m_current, first());
         if (m_current >= m_mission.size()) {
             m_finished = true;
             m_current = static_cast<std::uint16_t>(m_mission.empty() ? 0 : m_mission.size() - 1);
@@ -165,7 +164,17 @@ bool MissionRunner::execute(const StoredItem &item, const Situation &s)
 bool MissionRunner::nearPlace(const Situation &s) const
 {
     const Vector3 way = m_place - s.estimate.position;
-    return way.horizontal() < s.settings.waypointRadius && std::abs(way.z) < std::max(s.settings.waypointRadius, 1.0);
+    return way.horizontal() < s.settings.waypointRadius
+        && (!s.settings.hovers || std::abs(way.z) < std::max(s.settings.waypointRadius, 1.0));
+}
+
+/// Seconds at the place of an item before the next one begins.
+double MissionRunner::timeToStay(const StoredItem &item, const Situation &s) const
+{
+    if (item.command == MAV_CMD_NAV_LOITER_TURNS)
+        return duration(item.parameters[0]) * 2 * kPi * s.settings.loiterRadius / std::max(s.settings.speed, 1.0);
+    const bool passesBy = item.command == MAV_CMD_NAV_WAYPOINT && m_type.kind == VehicleKind::Plane;
+    return passesBy ? 0 : duration(item.parameters[0]);
 }
 
 bool MissionRunner::itemDone(double dt, const Situation &s)
@@ -186,7 +195,7 @@ bool MissionRunner::itemDone(double dt, const Situation &s)
         m_arrived = m_arrived || nearPlace(s);
         if (m_arrived)
             m_timeAtPlace += dt;
-        return m_arrived && m_timeAtPlace >= duration(item.parameters[0]);
+        return m_arrived && m_timeAtPlace >= timeToStay(item, s);
     }
 }
 

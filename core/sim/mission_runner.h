@@ -14,7 +14,10 @@ namespace skyseal::sim {
 class MissionRunner
 {
 public:
-    explicit MissionRunner(const GeoFrame &world) : m_world(world) {}
+    MissionRunner(const GeoFrame &world, const VehicleType &type) : m_world(world), m_type(type) {}
+
+    /// Number of the first item that is flown: ArduPilot keeps home in item 0.
+    std::uint16_t first() const { return m_type.isPx4() ? 0 : 1; }
 
     const Mission &mission() const { return m_mission; }
     void load(Mission mission);
@@ -49,9 +52,11 @@ private:
     bool execute(const StoredItem &item, const Situation &s);
     bool itemDone(double dt, const Situation &s);
     bool nearPlace(const Situation &s) const;
+    double timeToStay(const StoredItem &item, const Situation &s) const;
     FlightDemand hold(const Situation &s);
 
     const GeoFrame m_world;
+    const VehicleType m_type;
     Mission m_mission;
     std::uint16_t m_current = 0;
     bool m_started = false;

@@ -6,11 +6,11 @@ namespace skyseal::sim {
 
 using namespace mavlink;
 
-MissionServer::MissionServer(Autopilot &autopilot, FrameQueue &outbox)
-    : m_autopilot(autopilot), m_outbox(outbox), m_plan(autopilot), m_fence(autopilot),
-      m_rally(autopilot), m_transfers{ItemTransfer(m_plan, outbox, autopilot.texts()),
-                                      ItemTransfer(m_fence, outbox, autopilot.texts()),
-                                      ItemTransfer(m_rally, outbox, autopilot.texts())}
+MissionServer::MissionServer(Autopilot &autopilot, ParameterServer &parameters, FrameQueue &outbox)
+    : m_autopilot(autopilot), m_outbox(outbox), m_plan(autopilot, parameters), m_fence(autopilot),
+      m_rally(autopilot), m_transfers{ItemTransfer(m_plan, outbox, autopilot.texts(), autopilot.flight().type.firmware),
+                                      ItemTransfer(m_fence, outbox, autopilot.texts(), autopilot.flight().type.firmware),
+                                      ItemTransfer(m_rally, outbox, autopilot.texts(), autopilot.flight().type.firmware)}
 {}
 
 ItemTransfer *MissionServer::transfer(const FrameSender &peer, std::uint8_t type)

@@ -12,7 +12,7 @@ namespace skyseal::sim {
 class MissionServer
 {
 public:
-    MissionServer(Autopilot &autopilot, FrameQueue &outbox);
+    MissionServer(Autopilot &autopilot, ParameterServer &parameters, FrameQueue &outbox);
     MissionServer(const MissionServer &) = delete;
     MissionServer &operator=(const MissionServer &) = delete;
 

@@ -1,5 +1,6 @@
 #include "core/sim/motion_messages.h"
 
+#include "core/mavlink/enums.h"
 #include "core/mavlink/messages.h"
 #include "core/sim/wire_units.h"
 
@@ -26,6 +27,8 @@ bool MotionMessages::send(std::uint32_t message)
     case mavlink::GlobalPositionInt::kId: globalPosition(); return true;
     case mavlink::LocalPositionNed::kId: localPosition(); return true;
     case mavlink::PositionTargetGlobalInt::kId: return positionTarget();
+    case mavlink::PositionTargetLocalNed::kId: return isPx4() && localTarget();
+    case mavlink::AttitudeTarget::kId: return isPx4() && attitudeTarget();
     case mavlink::RawImu::kId: rawImu(); return true;
     case mavlink::ScaledImu2::kId: scaledImu(); return true;
     case mavlink::ScaledPressure::kId: pressure(); return true;
@@ -101,10 +104,38 @@ bool MotionMessages::positionTarget()
     return true;
 }
 
+bool MotionMessages::localTarget()
+{
+    const auto target = m_autopilot.modes().place(m_autopilot.flight().situation());
+    if (!target || !m_autopilot.armed())
+        return false;
+    mavlink::PositionTargetLocalNed out;
+    out.time_boot_ms = bootMilliseconds(m_autopilot);
+    out.coordinate_frame = mavlink::MAV_FRAME_LOCAL_NED;
+    out.type_mask = 0xfff8; // only the position means something
+    out.x = static_cast<float>(target->x);
+    out.y = static_cast<float>(target->y);
+    out.z = static_cast<float>(target->z);
+    m_outbox.send(out);
+    return true;
+}
+
+bool MotionMessages::attitudeTarget()
+{
+    const Attitude target = Attitude::fromEuler(m_autopilot.craft().target());
+    mavlink::AttitudeTarget out;
+    out.time_boot_ms = bootMilliseconds(m_autopilot);
+    out.q = {static_cast<float>(target.w()), static_cast<float>(target.vector().x), static_cast<float>(target.vector().y),
+             static_cast<float>(target.vector().z)};
+    out.thrust = static_cast<float>(m_autopilot.craft().throttle());
+    m_outbox.send(out);
+    return true;
+}
+
 MotionMessages::Inertial MotionMessages::inertial()
 {
     const BodyState &truth = m_autopilot.truth();
-    const double lift = (truth.rotors[0] + truth.rotors[1] + truth.rotors[2] + truth.rotors[3]) / 4;
+    const double lift = m_autopilot.craft().load();
     const double shake = 0.02 + 0.5 * lift; // m/s²: rotors make the frame vibrate
     const auto noisy = [&](const Vector3 &v, double deviation) {
         return v + Vector3{m_noise.normal(deviation), m_noise.normal(deviation), m_noise.normal(deviation)};
@@ -165,7 +196,7 @@ void MotionMessages::hud()
     if (m_autopilot.landed())
         out.airspeed = 0;
     out.heading = scaled<std::int16_t>(std::fmod(std::round(heading(e)), 360));
-    out.throttle = scaled<std::uint16_t>(m_autopilot.rotors().thrust(), 100);
+    out.throttle = scaled<std::uint16_t>(m_autopilot.craft().throttle(), 100);
     out.alt = static_cast<float>(place(e.position).altitude);
     out.climb = static_cast<float>(e.climb());
     m_outbox.send(out);
@@ -174,7 +205,7 @@ void MotionMessages::hud()
 void MotionMessages::navigation()
 {
     const Situation now = m_autopilot.flight().situation();
-    const Euler &target = m_autopilot.rotors().attitude().target();
+    const Euler target = m_autopilot.craft().target();
     mavlink::NavControllerOutput out;
     out.nav_roll = static_cast<float>(degrees(target.roll));
     out.nav_pitch = static_cast<float>(degrees(target.pitch));
@@ -190,8 +221,7 @@ void MotionMessages::navigation()
 
 void MotionMessages::vibration()
 {
-    const Rotors &rotors = m_autopilot.truth().rotors;
-    const double lift = (rotors[0] + rotors[1] + rotors[2] + rotors[3]) / 4;
+    const double lift = m_autopilot.craft().load();
     mavlink::Vibration out;
     out.time_usec = m_autopilot.time();
     out.vibration_x = static_cast<float>(0.02 + lift * (14 + m_noise.normal(1.5)));

@@ -28,6 +28,9 @@ private:
     void globalPosition();
     void localPosition();
     bool positionTarget();
+    bool localTarget();
+    bool attitudeTarget();
+    bool isPx4() const { return m_autopilot.flight().type.isPx4(); }
     void rawImu();
     void scaledImu();
     void pressure();

@@ -1,7 +1,7 @@
-// The parameters that the vehicle has: names, types, defaults and limits as ArduCopter documents them.
+// The parameters that a type of vehicle has: names, types, defaults and limits as its firmware documents them.
 #pragma once
 
-#include "core/mavlink/enums.h"
+#include "core/sim/vehicle_type.h"
 
 #include <cstdint>
 #include <string>
@@ -27,6 +27,6 @@ struct ParameterInfo
 };
 
 /// All parameters, sorted by name: the position is the MAVLink index.
-const std::vector<ParameterInfo> &parameterTable();
+const std::vector<ParameterInfo> &parameterTable(const VehicleType &type);
 
 } // namespace skyseal::sim

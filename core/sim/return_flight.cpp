@@ -13,7 +13,9 @@ void ReturnFlight::begin(const Situation &s)
         m_height = std::max({std::min(m_height, std::max(distance * settings.rtlCone, 2.0)), height + settings.rtlClimbMin});
     m_waited = 0;
     m_yaw.reset(s);
-    enter(Phase::Climb, s);
+    if (!settings.hovers)
+        m_height = std::max(settings.rtlAltitude, s.home.z - m_goal.z); // climbs or descends on the way
+    enter(settings.hovers ? Phase::Climb : Phase::Return, s);
 }
 
 void ReturnFlight::enter(Phase phase, const Situation &s)
@@ -40,7 +42,7 @@ FlightDemand ReturnFlight::update(double dt, const Situation &s)
             enter(Phase::Return, s);
         break;
     case Phase::Return:
-        if (reached(s))
+        if (s.settings.hovers && reached(s)) // the others stay there, in circles or at rest
             enter(Phase::Wait, s);
         break;
     case Phase::Wait:

@@ -25,8 +25,9 @@ constexpr Duration kLook = std::chrono::milliseconds(50);  // texts, failsafes a
 struct SimulatedVehicle::Parts
 {
     Parts(const SimulatedVehicleConfig &config, std::uint8_t systemId, TimePoint now)
-        : autopilot(config.autopilot), outbox(systemId), telemetry(autopilot, outbox, config.autopilot.seed), streams(now),
-          commands(autopilot, streams, telemetry, outbox), control(autopilot), missions(autopilot, outbox),
+        : autopilot(config.autopilot), outbox(systemId), telemetry(autopilot, outbox, config.autopilot.seed),
+          streams(now, config.autopilot.type.firmware), commands(autopilot, streams, telemetry, outbox),
+          control(autopilot, outbox), missions(autopilot, parameters, outbox),
           parameters(autopilot.parameters(), outbox, autopilot.texts()), recorder(flightLogs),
           logs(flightLogs, autopilot, outbox), files(card, flightLogs, autopilot), ftp(files, outbox), last(now), look(now)
     {}
@@ -63,9 +64,9 @@ SimulatedVehicle::SimulatedVehicle(const SimulatedVehicleConfig &config, TimePoi
     : m_config(config), m_boot(now), m_parts(std::make_unique<Parts>(config, config.systemId, now))
 {
     Autopilot &autopilot = m_parts->autopilot;
-    autopilot.parameters().set("SYSID_THISMAV", config.systemId);
+    autopilot.parameters().set(autopilot.parameters().systemIdName(), config.systemId);
     autopilot.parameters().set("SIM_SPEEDUP", static_cast<float>(config.rate));
-    autopilot.texts().say(Severity::Info, "skyseal-sim, flies like ArduCopter 4.5");
+    autopilot.texts().say(Severity::Info, config.autopilot.type.greeting());
     m_parts->streams.applyParameters(now, autopilot.parameters());
 }
 
@@ -112,16 +113,16 @@ void SimulatedVehicle::Parts::fly(Duration span)
 void SimulatedVehicle::Parts::watchStation(TimePoint now)
 {
     const Parameters &values = autopilot.parameters();
-    const auto timeout = std::chrono::duration_cast<Duration>(std::chrono::duration<float>(values.value("FS_GCS_TIMEOUT")));
+    const FailsafeSettings &settings = autopilot.flight().settings.failsafes;
+    const auto timeout = std::chrono::duration_cast<Duration>(std::chrono::duration<double>(settings.stationTimeout));
     const auto override = std::chrono::duration_cast<Duration>(std::chrono::duration<float>(values.value("RC_OVERRIDE_TIME")));
     autopilot.flight().pilot.expire(now, override);
-    const int action = values.integer("FS_GCS_ENABLE");
     if (station.update(now, timeout) == GcsWatch::Event::Back)
         autopilot.failsafes().clear("GCS");
     if (!autopilot.armed() || !station.lost())
         actedOnSilence = false;
-    else if (action != 0 && !std::exchange(actedOnSilence, true))
-        autopilot.failsafes().trigger("GCS", action == 5 ? FlightMode::Land : FlightMode::Rtl);
+    else if (settings.station && !std::exchange(actedOnSilence, true))
+        autopilot.failsafes().trigger("GCS", *settings.station);
 }
 
 void SimulatedVehicle::Parts::speak(TimePoint now)
@@ -191,7 +192,7 @@ void SimulatedVehicle::reboot(TimePoint now)
     FlightLogs flightLogs = std::move(m_parts->flightLogs);
     FileStore card = std::move(m_parts->card);
     FrameQueue unsent = std::move(m_parts->outbox);
-    const auto id = static_cast<std::uint8_t>(kept.integer("SYSID_THISMAV"));
+    const auto id = static_cast<std::uint8_t>(kept.integer(kept.systemIdName()));
     m_parts = std::make_unique<Parts>(m_config, id, now);
     m_parts->autopilot.parameters() = kept;
     m_parts->missions.restore(std::move(lists));

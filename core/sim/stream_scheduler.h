@@ -1,5 +1,5 @@
-// Schedule of telemetry: the groups of REQUEST_DATA_STREAM, whose rates are the SR0_ parameters, and single messages with
-// an interval of their own. Rates are exact in the long run.
+// Schedule of telemetry: of ArduPilot the groups of REQUEST_DATA_STREAM, whose rates are the SR0_ parameters, of PX4 the rates at
+// which it streams without being asked; and single messages with an interval of their own. Rates are exact in the long run.
 #pragma once
 
 #include "core/base/clock.h"
@@ -13,7 +13,7 @@ namespace skyseal::sim {
 class StreamScheduler
 {
 public:
-    explicit StreamScheduler(TimePoint start) : m_start(start) {}
+    StreamScheduler(TimePoint start, Firmware firmware) : m_start(start), m_firmware(firmware) {}
 
     /// Applies changed SR0_ parameters.
     void applyParameters(TimePoint now, const Parameters &parameters);
@@ -37,7 +37,7 @@ public:
     void skipTo(TimePoint now);
 
 private:
-    static constexpr std::size_t kMessages = 28;
+    static constexpr std::size_t kMessages = 31;
     static constexpr unsigned kNoRevision = ~0u; ///< look at the parameters again, changed or not
 
     struct Slot
@@ -48,8 +48,11 @@ private:
     };
     void setPeriod(std::size_t index, TimePoint now, Duration period);
     std::size_t earliest() const;
+    /// Index in the table, if this firmware has the message.
+    std::optional<std::size_t> streamable(std::uint32_t message) const;
 
     TimePoint m_start;
+    const Firmware m_firmware;
     std::array<Slot, kMessages> m_slots{};
     std::array<int, 13> m_rates{}; ///< Hz per MAV_DATA_STREAM
     unsigned m_revision = kNoRevision;

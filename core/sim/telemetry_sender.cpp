@@ -12,17 +12,6 @@ namespace {
 
 constexpr std::size_t kTextChunk = 50;
 
-std::uint16_t pulse(double thrust, const Parameters &parameters)
-{
-    // Thrust grows about with the square of the signal; MOT_THST_EXPO is the exact curve.
-    const double expo = std::max(static_cast<double>(parameters.value("MOT_THST_EXPO")), 0.01);
-    const double linear = (expo - 1 + std::sqrt((1 - expo) * (1 - expo) + 4 * expo * std::clamp(thrust, 0.0, 1.0)))
-        / (2 * expo);
-    const auto low = static_cast<double>(parameters.value("MOT_SPIN_MIN")),
-               high = static_cast<double>(parameters.value("MOT_SPIN_MAX"));
-    return scaled<std::uint16_t>(1000 + 1000 * (low + (high - low) * linear));
-}
-
 } // namespace
 
 TelemetrySender::TelemetrySender(const Autopilot &autopilot, FrameQueue &outbox, std::uint64_t seed)
@@ -37,6 +26,7 @@ bool TelemetrySender::send(std::uint32_t message)
 
 bool TelemetrySender::sendSystem(std::uint32_t message)
 {
+    const bool px4 = m_autopilot.flight().type.isPx4();
     switch (message) {
     case mavlink::Heartbeat::kId: heartbeat(); return true;
     case mavlink::SysStatus::kId: systemStatus(); return true;
@@ -48,6 +38,7 @@ bool TelemetrySender::sendSystem(std::uint32_t message)
     case mavlink::ExtendedSysState::kId: extendedState(); return true;
     case mavlink::FenceStatus::kId: return fenceStatus();
     case mavlink::AutopilotVersion::kId: version(); return true;
+    case mavlink::EstimatorStatus::kId: return px4 && (estimatorStatus(), true);
     case mavlink::PowerStatus::kId: {
         mavlink::PowerStatus out;
         out.Vcc = scaled<std::uint16_t>(5.02 + m_noise.normal(0.01), 1000);
@@ -125,19 +116,36 @@ bool TelemetrySender::sendSystem(std::uint32_t message)
     }
 }
 
+std::uint8_t TelemetrySender::baseMode() const
+{
+    using namespace mavlink;
+    const ModeRow &mode = m_autopilot.modes().row();
+    std::uint8_t out = MAV_MODE_FLAG_CUSTOM_MODE_ENABLED;
+    if (!m_autopilot.flight().type.isPx4()) {
+        out |= MAV_MODE_FLAG_STABILIZE_ENABLED | MAV_MODE_FLAG_MANUAL_INPUT_ENABLED;
+        if (mode.needsPosition)
+            out |= MAV_MODE_FLAG_GUIDED_ENABLED;
+        return out;
+    }
+    // As streams/HEARTBEAT.hpp of PX4: what the pilot flies, and what flies by itself.
+    out |= MAV_MODE_FLAG_STABILIZE_ENABLED;
+    if (mode.mode == FlightMode::Land || !(mode.manualThrottle))
+        out |= MAV_MODE_FLAG_AUTO_ENABLED | MAV_MODE_FLAG_GUIDED_ENABLED;
+    else
+        out |= MAV_MODE_FLAG_MANUAL_INPUT_ENABLED;
+    return out;
+}
+
 void TelemetrySender::heartbeat()
 {
-    const FlightMode mode = m_autopilot.modes().current();
+    const VehicleType &type = m_autopilot.flight().type;
     mavlink::Heartbeat out;
-    out.type = mavlink::MAV_TYPE_QUADROTOR;
-    out.autopilot = mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA;
-    out.base_mode = mavlink::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED | mavlink::MAV_MODE_FLAG_STABILIZE_ENABLED
-        | mavlink::MAV_MODE_FLAG_MANUAL_INPUT_ENABLED;
-    if (needsPosition(mode))
-        out.base_mode |= mavlink::MAV_MODE_FLAG_GUIDED_ENABLED;
+    out.type = type.mavType();
+    out.autopilot = type.isPx4() ? mavlink::MAV_AUTOPILOT_PX4 : mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA;
+    out.base_mode = baseMode();
     if (m_autopilot.armed())
         out.base_mode |= mavlink::MAV_MODE_FLAG_SAFETY_ARMED;
-    out.custom_mode = static_cast<std::uint32_t>(mode);
+    out.custom_mode = m_autopilot.modes().row().number;
     out.system_status = !m_autopilot.estimate().attitudeOk ? mavlink::MAV_STATE_CALIBRATING
         : m_autopilot.failsafes().active()                 ? mavlink::MAV_STATE_CRITICAL
         : m_autopilot.armed()                              ? mavlink::MAV_STATE_ACTIVE
@@ -165,7 +173,7 @@ void TelemetrySender::systemStatus()
     out.onboard_control_sensors_enabled = always | others | MAV_SYS_STATUS_SENSOR_GPS;
     if (mode != FlightMode::Stabilize)
         out.onboard_control_sensors_enabled |= height;
-    if (needsPosition(mode))
+    if (m_autopilot.modes().row().needsPosition)
         out.onboard_control_sensors_enabled |= MAV_SYS_STATUS_SENSOR_XY_POSITION_CONTROL;
     if (!m_autopilot.armed())
         out.onboard_control_sensors_enabled &= ~static_cast<std::uint32_t>(MAV_SYS_STATUS_SENSOR_MOTOR_OUTPUTS);
@@ -252,18 +260,11 @@ void TelemetrySender::servos()
 {
     mavlink::ServoOutputRaw out;
     out.time_usec = static_cast<std::uint32_t>(m_autopilot.time());
-    const Parameters &parameters = m_autopilot.parameters();
-    const auto signal = [&](std::size_t rotor) -> std::uint16_t {
-        if (!m_autopilot.armed())
-            return 1000;
-        if (m_autopilot.rotors().thrust() <= 0)
-            return scaled<std::uint16_t>(1000 + 1000 * static_cast<double>(parameters.value("MOT_SPIN_ARM")));
-        return pulse(m_autopilot.rotors().commands()[rotor], parameters);
-    };
-    out.servo1_raw = signal(0);
-    out.servo2_raw = signal(1);
-    out.servo3_raw = signal(2);
-    out.servo4_raw = signal(3);
+    const Craft::Signals signal = m_autopilot.craft().signals(m_autopilot.armed(), m_autopilot.parameters());
+    out.servo1_raw = signal[0];
+    out.servo2_raw = signal[1];
+    out.servo3_raw = signal[2];
+    out.servo4_raw = signal[3];
     m_outbox.send(out);
 }
 
@@ -307,7 +308,9 @@ void TelemetrySender::extendedState()
 {
     const FlightMode mode = m_autopilot.modes().current();
     mavlink::ExtendedSysState out;
-    if (m_autopilot.landed())
+    if (!m_autopilot.flight().settings.flies)
+        out.landed_state = mavlink::MAV_LANDED_STATE_UNDEFINED;
+    else if (m_autopilot.landed())
         out.landed_state = mavlink::MAV_LANDED_STATE_ON_GROUND;
     else if (mode == FlightMode::Land)
         out.landed_state = mavlink::MAV_LANDED_STATE_LANDING;
@@ -341,18 +344,39 @@ bool TelemetrySender::fenceStatus()
 void TelemetrySender::version()
 {
     using namespace mavlink;
-    AutopilotVersion out;
-    out.capabilities = MAV_PROTOCOL_CAPABILITY_MISSION_FLOAT | MAV_PROTOCOL_CAPABILITY_MISSION_INT
-        | MAV_PROTOCOL_CAPABILITY_COMMAND_INT | MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_LOCAL_NED
-        | MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_GLOBAL_INT | MAV_PROTOCOL_CAPABILITY_MAVLINK2
-        | MAV_PROTOCOL_CAPABILITY_PARAM_FLOAT | MAV_PROTOCOL_CAPABILITY_MISSION_FENCE | MAV_PROTOCOL_CAPABILITY_MISSION_RALLY
+    constexpr std::uint64_t kBoth = MAV_PROTOCOL_CAPABILITY_MISSION_INT | MAV_PROTOCOL_CAPABILITY_COMMAND_INT
+        | MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_LOCAL_NED | MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_GLOBAL_INT
+        | MAV_PROTOCOL_CAPABILITY_MAVLINK2 | MAV_PROTOCOL_CAPABILITY_MISSION_FENCE | MAV_PROTOCOL_CAPABILITY_MISSION_RALLY
         | MAV_PROTOCOL_CAPABILITY_FTP;
-    out.flight_sw_version = 4u << 24 | 5u << 16 | 7u << 8 | FIRMWARE_VERSION_TYPE_OFFICIAL; // behaves like ArduCopter 4.5.7
+    const bool px4 = m_autopilot.flight().type.isPx4();
+    AutopilotVersion out;
+    out.capabilities = kBoth
+        | (px4 ? MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_BYTEWISE
+               : MAV_PROTOCOL_CAPABILITY_MISSION_FLOAT | MAV_PROTOCOL_CAPABILITY_PARAM_FLOAT);
+    const std::uint32_t number = px4 ? 1u << 24 | 14u << 16 | 3u << 8
+                                     : 4u << 24 | 5u << 16 | 7u << 8; // PX4 1.14.3, ArduPilot 4.5.7
+    out.flight_sw_version = number | FIRMWARE_VERSION_TYPE_OFFICIAL;
     constexpr char kMark[] = "skyseal";
     std::copy_n(kMark, out.flight_custom_version.size(), out.flight_custom_version.begin());
     out.uid = m_serial;
     for (std::size_t i = 0; i < out.uid2.size(); ++i)
         out.uid2[i] = static_cast<std::uint8_t>(m_serial >> (i % 8 * 8) ^ i / 8);
+    m_outbox.send(out);
+}
+
+void TelemetrySender::estimatorStatus()
+{
+    const FilterVariances &variances = m_autopilot.flight().physics.estimator().variances();
+    mavlink::EstimatorStatus out;
+    out.time_usec = m_autopilot.time();
+    // ESTIMATOR_STATUS_FLAGS has the same bits as EKF_STATUS_FLAGS up to the tenth.
+    out.flags = m_autopilot.flight().physics.estimator().flags() & 0x3ff;
+    out.vel_ratio = static_cast<float>(variances.velocity);
+    out.pos_horiz_ratio = static_cast<float>(variances.horizontal);
+    out.pos_vert_ratio = static_cast<float>(variances.vertical);
+    out.mag_ratio = static_cast<float>(variances.compass);
+    out.pos_horiz_accuracy = 0.3f;
+    out.pos_vert_accuracy = 0.4f;
     m_outbox.send(out);
 }
 

@@ -35,6 +35,8 @@ private:
     void extendedState();
     bool fenceStatus();
     void version();
+    void estimatorStatus();
+    std::uint8_t baseMode() const;
 
     GeoPoint place(const Vector3 &ned) const { return m_autopilot.flight().world.toGeo(ned); }
 

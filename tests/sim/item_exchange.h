@@ -27,6 +27,8 @@ public:
                 count.mission_type = m_type;
                 count.count = static_cast<std::uint16_t>(m_items.size());
                 m_station.send(count);
+            } else if (m_sent == m_items.size()) {
+                m_station.send(m_items.back()); // the acknowledgement was lost
             }
             m_station.run(1);
         }
@@ -42,11 +44,13 @@ private:
                 return;
             m_asked = true;
             const auto wanted = request.seq;
+            m_sent = wanted + std::size_t(1); // before the answer to it comes
             if (wanted < m_items.size())
                 m_station.send(m_items[wanted]);
         } else if (frame.messageId() == mavlink::MissionAck::kId) {
             const auto ack = mavlink::MissionAck::decode(frame.payload());
-            if (ack.mission_type == m_type)
+            // An item that came twice is none that the vehicle waits for.
+            if (ack.mission_type == m_type && ack.type != mavlink::MAV_MISSION_INVALID_SEQUENCE)
                 m_result = ack.type;
         }
     }
@@ -55,6 +59,7 @@ private:
     std::vector<mavlink::MissionItemInt> m_items;
     std::uint8_t m_type;
     bool m_asked = false;
+    std::size_t m_sent = 0; ///< items, the first so many
     int m_result = -1;
 };
 

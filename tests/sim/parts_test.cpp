@@ -161,7 +161,7 @@ void SimPartsTest::streamRatesAreExact()
     Parameters parameters;
     const TimePoint start{};
     for (int rate : {1, 3, 7, 50, 100}) {
-        StreamScheduler scheduler(start);
+        StreamScheduler scheduler(start, Firmware::ArduPilot);
         QVERIFY(StreamScheduler::requestGroup(parameters, 0, rate));
         scheduler.applyParameters(start, parameters);
         std::map<std::uint32_t, int> count;
@@ -180,7 +180,7 @@ void SimPartsTest::singleIntervalsOverrideGroups()
 {
     Parameters parameters;
     const TimePoint start{};
-    StreamScheduler scheduler(start);
+    StreamScheduler scheduler(start, Firmware::ArduPilot);
     scheduler.applyParameters(start, parameters);
     QCOMPARE(*scheduler.interval(30), Duration(250ms));
     QVERIFY(scheduler.setInterval(start, 30, 10ms));
@@ -236,15 +236,17 @@ void SimPartsTest::rotorsFollowArmingAndDemand()
 
 void SimPartsTest::physicsLiftsAVehicle()
 {
-    FlightPhysics physics(1, 90, 0);
+    FlightPhysics physics({}, 1, 90, 0);
     physics.battery().replace(5000, 1);
     QVERIFY(physics.truth().onGround);
     QVERIFY(std::abs(physics.truth().attitude.euler().yaw - radians(90)) < 1e-9);
     const FlightSettings settings;
     constexpr double kStep = 0.0025;
     std::uint64_t time = 0;
-    for (int i = 0; i < 800; ++i)
-        physics.step(kStep, time += 2500, settings, {1, 1, 1, 1}, true);
+    FlightDemand climb;
+    climb.vertical = Climb{2};
+    for (int i = 0; i < 1600; ++i)
+        physics.step(kStep, time += 2500, settings, climb, true);
     QVERIFY(!physics.truth().onGround && physics.truth().position.z < -1);
     QVERIFY(physics.battery().consumed() > 0);
 }
