@@ -14,7 +14,8 @@ namespace skyseal::vehicle {
 
 namespace {
 
-constexpr std::uint16_t kNoIndex = 65535; // of a PARAM_VALUE that answers a write
+constexpr std::string_view kHash = "_HASH_CHECK"; // of all values: PX4 begins a list with it; it is no parameter
+constexpr std::uint16_t kNoIndex = 65535;         // of a PARAM_VALUE that answers a write
 
 /// Integers of 8, 16 and 32 bits.
 constexpr bool isInteger(std::uint8_t type)
@@ -199,7 +200,7 @@ void ParameterClient::exchange(TimePoint now, RequestId id, const std::string &n
 void ParameterClient::handleValue(TimePoint now, const mavlink::ParamValue &value)
 {
     const std::string name(mavlink::textOf(value.param_id));
-    if (name.empty() || !isPrintable(name))
+    if (name.empty() || !isPrintable(name) || (kind().isPx4() && name == kHash))
         return;
     const bool wasReading = isReadingList();
     if (value.param_count > 0 && value.param_index < value.param_count)
@@ -369,8 +370,10 @@ void ParameterClient::beginExchange(TimePoint now)
 void ParameterClient::sendExchange(TimePoint now)
 {
     Exchange &front = m_exchanges.front();
-    if (front.value) {
-        const auto known = m_values.find(front.name);
+    const auto known = m_values.find(front.name);
+    // The bytes of a float, written to an integer of PX4, would be a huge number: its type must be known first.
+    if (front.value && (known != m_values.end() || !isBytewise())) {
+        front.written = true;
         mavlink::ParamSet message;
         message.param_type = known == m_values.end() ? std::uint8_t(mavlink::MAV_PARAM_TYPE_REAL32) : known->second.type;
         message.param_value = encode(*front.value, message.param_type);
@@ -394,6 +397,8 @@ bool ParameterClient::checkExchange(TimePoint now, const Parameter &parameter)
     m_repetition.measure(now, m_window.rtt());
     if (!front.value || sameValue(*front.value, parameter.value)) {
         finishExchange(now, {front.id, addressing().system, parameter, true});
+    } else if (!front.written) {
+        beginExchange(now); // now its type is known
     } else {
         front.reported = parameter; // perhaps sent before the write took effect, so the write is repeated
         ++front.reports;

@@ -71,6 +71,7 @@ private:
         RequestId id{};
         std::string name;
         std::optional<double> value{}; ///< to write
+        bool written = false;          ///< a write was sent, not only the question for its type
         int reports = 0;
         std::optional<Parameter> reported{}; ///< the vehicle's parameter, while its value differs from the request
     };

@@ -22,6 +22,8 @@ private Q_SLOTS:
     void vehicleMayKeepItsOwnValue();
     void writesTakeTurns();
     void bytewiseIntegers();
+    void hashOfAllValuesIsNoParameter();
+    void typeIsReadBeforeABytewiseWrite();
     void unchangedListIsShared();
     void namesWithoutEndAreNotKept_data();
     void namesWithoutEndAreNotKept();
@@ -209,6 +211,32 @@ void ParameterTest::bytewiseIntegers()
     const auto sent = h.sentOf<mavlink::ParamSet>();
     QCOMPARE(std::bit_cast<std::int32_t>(sent.at(0).param_value), 42);
     QCOMPARE(int(sent.at(0).param_type), int(mavlink::MAV_PARAM_TYPE_INT32));
+}
+
+void ParameterTest::hashOfAllValuesIsNoParameter()
+{
+    Harness h;
+    h.feed(heartbeat(0, false, mavlink::MAV_TYPE_QUADROTOR, mavlink::MAV_AUTOPILOT_PX4));
+    h.feed(value("_HASH_CHECK", std::bit_cast<float>(0x12345678u), 65535, 1, mavlink::MAV_PARAM_TYPE_UINT32));
+    h.feed(value("COM_LIMIT", std::bit_cast<float>(std::int32_t{3}), 0, 1, mavlink::MAV_PARAM_TYPE_INT32));
+    QCOMPARE(h.vehicle.parameters()->size(), std::size_t(1));
+    QCOMPARE(h.vehicle.parameters()->front().name, std::string("COM_LIMIT"));
+}
+
+void ParameterTest::typeIsReadBeforeABytewiseWrite()
+{
+    Harness h;
+    h.feed(heartbeat(0, false, mavlink::MAV_TYPE_QUADROTOR, mavlink::MAV_AUTOPILOT_PX4));
+    h.sent();
+    h.vehicle.perform(h.now, RequestId{1}, WriteParameter{"COM_LIMIT", 42});
+    QCOMPARE(h.sentOf<mavlink::ParamSet>().size(), std::size_t(0));
+    h.feed(value("COM_LIMIT", std::bit_cast<float>(std::int32_t{3}), 0, 1, mavlink::MAV_PARAM_TYPE_INT32));
+    const auto sent = h.sentOf<mavlink::ParamSet>();
+    QCOMPARE(sent.size(), std::size_t(1));
+    QCOMPARE(std::bit_cast<std::int32_t>(sent[0].param_value), 42);
+    QCOMPARE(int(sent[0].param_type), int(mavlink::MAV_PARAM_TYPE_INT32));
+    h.feed(value("COM_LIMIT", std::bit_cast<float>(std::int32_t{42}), 0, 1, mavlink::MAV_PARAM_TYPE_INT32));
+    QVERIFY(h.poll<ParameterResult>()->ok);
 }
 
 void ParameterTest::unchangedListIsShared()
