@@ -1,11 +1,10 @@
 // A real autopilot: an unmodified ArduCopter SITL behind skyseal-air flies by script while the ciphers switch, and the same
 // program without an agent shows as not sealed.
-//
-// ARDUPILOT_SITL names the arducopter program (waf's build/sitl/bin/arducopter, or any prebuilt one); without it the test is
-// skipped.
+// Without ARDUPILOT_SITL (see Sitl) the test is skipped.
 #include "core/mavlink/stream_parser.h"
 #include "tests/support/eventually.h"
 #include "tests/support/gateway_flight.h"
+#include "tests/support/sitl.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QFile>
@@ -19,21 +18,6 @@
 using namespace skyseal;
 using namespace skyseal::test;
 
-namespace {
-
-/// Parameters that let a simulated vehicle arm: frame class, calibrated sensors, centered sticks.
-const char kParameters[] =
-    "FRAME_CLASS 1\nFRAME_TYPE 0\nBATT_MONITOR 4\nEK2_ENABLE 1\nFS_THR_ENABLE 1\n"
-    "RC1_MAX 2000\nRC1_MIN 1000\nRC1_TRIM 1500\nRC2_MAX 2000\nRC2_MIN 1000\nRC2_TRIM 1500\n"
-    "RC3_MAX 2000\nRC3_MIN 1000\nRC3_TRIM 1500\nRC4_MAX 2000\nRC4_MIN 1000\nRC4_TRIM 1500\n"
-    "COMPASS_OFS_X 5\nCOMPASS_OFS_Y 13\nCOMPASS_OFS_Z -18\nCOMPASS_OFS2_X 5\nCOMPASS_OFS2_Y 13\nCOMPASS_OFS2_Z -18\n"
-    "COMPASS_OFS3_X 5\nCOMPASS_OFS3_Y 13\nCOMPASS_OFS3_Z -18\n"
-    "INS_ACCOFFS_X 0.001\nINS_ACCOFFS_Y 0.001\nINS_ACCOFFS_Z 0.001\nINS_ACCSCAL_X 1.001\nINS_ACCSCAL_Y 1.001\n"
-    "INS_ACCSCAL_Z 1.001\nINS_ACC2OFFS_X 0.001\nINS_ACC2OFFS_Y 0.001\nINS_ACC2OFFS_Z 0.001\nINS_ACC2SCAL_X 1.001\n"
-    "INS_ACC2SCAL_Y 1.001\nINS_ACC2SCAL_Z 1.001\n";
-
-} // namespace
-
 class ArduPilotTest : public QObject
 {
     Q_OBJECT
@@ -45,33 +29,16 @@ private Q_SLOTS:
     void plainOnUdpIsShownAsNotSealed();
 
 private:
-    std::unique_ptr<Program> startSitl(quint16 port) const;
+    std::unique_ptr<Program> startSitl(quint16 port) const { return m_sitl.start(port, 2); }
 
-    QTemporaryDir m_folder; // its eeprom and logs go to the working directory
-    QString m_sitl;
+    Sitl m_sitl;
 };
 
 void ArduPilotTest::initTestCase()
 {
-    m_sitl = qEnvironmentVariable("ARDUPILOT_SITL");
-    if (m_sitl.isEmpty())
+    if (!m_sitl.available())
         QSKIP("ARDUPILOT_SITL names no ArduCopter SITL: the flight with a real autopilot is skipped");
-    QVERIFY2(QFile::exists(m_sitl), qPrintable(m_sitl));
-    QVERIFY(QDir::setCurrent(m_folder.path()));
-    QFile parameters(m_folder.filePath(QStringLiteral("copter.parm")));
-    QVERIFY(parameters.open(QIODevice::WriteOnly));
-    parameters.write(kParameters);
-}
-
-std::unique_ptr<Program> ArduPilotTest::startSitl(quint16 port) const
-{
-    return std::make_unique<Program>(m_sitl,
-                                     QStringList{QStringLiteral("--wipe"), QStringLiteral("--synthetic-clock"),
-                                                 QStringLiteral("--disable-fgview"), QStringLiteral("--home"),
-                                                 QStringLiteral("-35.363261,149.165230,584,353"), QStringLiteral("--model"),
-                                                 QStringLiteral("+"), QStringLiteral("--speedup"), QStringLiteral("2"),
-                                                 QStringLiteral("--defaults"), m_folder.filePath(QStringLiteral("copter.parm")),
-                                                 QStringLiteral("--base-port"), QString::number(port), QStringLiteral("-I0")});
+    QVERIFY2(QFile::exists(m_sitl.program()), qPrintable(m_sitl.program()));
 }
 
 void ArduPilotTest::fliesSealedWhileCiphersSwitch()
