@@ -157,7 +157,8 @@ void LostLinkTest::lostBeforeARunIsMeasured()
 
 void LostLinkTest::lostWhileARunIsMeasured()
 {
-    Sweep sweep({SuiteId::Aes256Gcm, SuiteId::Aes256Ctr}, std::chrono::milliseconds(800), std::chrono::seconds(5));
+    Sweep sweep({SuiteId::Aes256Gcm, SuiteId::Aes256Ctr}, std::chrono::milliseconds(800),
+                std::chrono::seconds(9)); // silent after four
     EVENTUALLY(sweep.ready());
     sweep.whenInUse = [&](double seconds) {
         if (sweep.lost == 0 && seconds > 1.3)
