@@ -75,6 +75,10 @@ void SimProgramTest::usageErrors_data()
     QTest::newRow("log") << list("--link tlog:x.tlog") << QStringLiteral("log");
     QTest::newRow("bad rate") << list("--link udpout:127.0.0.1:9 --rate fast") << QStringLiteral("'fast'");
     QTest::newRow("too many") << list("--link udpout:127.0.0.1:9 --sysid 250 --vehicles 9") << QStringLiteral("254");
+    QTest::newRow("kind") << list("--link udpout:127.0.0.1:9 --kind boat") << QStringLiteral("'boat'");
+    QTest::newRow("autopilot") << list("--link udpout:127.0.0.1:9 --autopilot inav") << QStringLiteral("'inav'");
+    QTest::newRow("combination") << list("--link udpout:127.0.0.1:9 --kind rover --autopilot px4")
+                                 << QStringLiteral("copter only");
     QTest::newRow("unknown") << list("--link udpout:127.0.0.1:9 --fly") << QStringLiteral("fly");
     QTest::newRow("argument") << list("--link udpout:127.0.0.1:9 now") << QStringLiteral("'now'");
 }
