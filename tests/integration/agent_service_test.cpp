@@ -142,7 +142,7 @@ void AgentServiceTest::managerHearsOfReadinessLifeAndEnd()
 void AgentServiceTest::agentWithoutItsPortIsNotReady()
 {
     ConfiguredFlight configured;
-    Program first(QStringLiteral("skyseal-air"), configured.arguments());
+    Program first(QStringLiteral("skyseal-air"), configured.arguments() << QStringLiteral("--json"));
     QVERIFY(!first.waitFor(QStringLiteral("stats")).isEmpty());
     NotifySocket manager;
     const RunResult second = runProgram("skyseal-air", configured.arguments());
