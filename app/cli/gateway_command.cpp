@@ -1,6 +1,7 @@
 // skyseal-cli gateway: other ground stations and programs use the vehicles through the sealed links of this station.
 #include "app/cli/commands.h"
 #include "app/cli/control/control_url.h"
+#include "app/cli/metrics_server.h"
 #include "app/cli/mqtt_options.h"
 #include "app/cli/station_options.h"
 #include "app/cli/station_run.h"
@@ -92,6 +93,8 @@ int runGateway(const QStringList &arguments)
     if (const auto status = options.finish())
         return *status;
     warnOfOpenLinks(name, run.plan.serve);
+    if (MetricsServer::isOpenToOthers(run.metrics))
+        complain(name, run.metrics + ": not of this machine alone: anyone who reaches this address can read the counters");
     if (run.broker)
         warnOfOpenBroker(name, run.broker->config);
     return runStation(std::move(run));

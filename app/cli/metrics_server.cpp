@@ -15,6 +15,12 @@ QByteArray response(const char *status, const char *type, const QByteArray &cont
         + "\r\nContent-Length: " + QByteArray::number(content.size()) + "\r\nConnection: close\r\n\r\n" + content;
 }
 
+/// Without a host, the loopback interface.
+std::optional<Address> parsed(const std::string &address)
+{
+    return link::parseAddress(address.starts_with(':') ? "127.0.0.1" + address : address);
+}
+
 } // namespace
 
 MetricsServer::MetricsServer(engine::Station &station)
@@ -24,9 +30,15 @@ MetricsServer::MetricsServer(engine::Station &station)
     connect(&m_server, &QTcpServer::newConnection, this, [this] { accept(); });
 }
 
+bool MetricsServer::isOpenToOthers(const std::string &address)
+{
+    const auto named = parsed(address);
+    return named && !link::toQt(*named).isLoopback();
+}
+
 Result<void, InputError> MetricsServer::listen(const std::string &address)
 {
-    const auto named = link::parseAddress(address.starts_with(':') ? "127.0.0.1" + address : address);
+    const auto named = parsed(address);
     if (!named)
         return tl::unexpected(InputError{"an address and a port are expected, such as 127.0.0.1:9464", address});
     if (!m_server.listen(link::toQt(*named), named->port))

@@ -29,8 +29,8 @@ public:
 
     /// `address` is HOST:PORT; without a host, the loopback interface.
     Result<void, InputError> listen(const std::string &address);
-    /// Whether others than programs of this machine can read the counters.
-    bool isOpenToOthers() const { return !m_server.serverAddress().isLoopback(); }
+    /// Whether others than programs of this machine can read the counters at `address`.
+    static bool isOpenToOthers(const std::string &address);
     quint16 port() const { return m_server.serverPort(); }
 
 private:

@@ -115,9 +115,6 @@ int runStation(StationRun run)
             complain(run.program, listening.error().text());
             return kCannotOpen;
         }
-        if (metrics.isOpenToOthers())
-            complain(run.program,
-                     run.metrics + ": not of this machine alone: anyone who reaches this address can read the counters");
     }
     if (feed)
         feedFrom(**station, feed, brokerReport);

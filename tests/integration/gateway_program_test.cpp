@@ -8,6 +8,7 @@
 #include <QtCore/QJsonArray>
 #include <QtCore/QJsonDocument>
 #include <QtNetwork/QTcpSocket>
+#include <QtNetwork/QUdpSocket>
 #include <QtTest/QTest>
 
 using namespace skyseal::test;
@@ -56,7 +57,10 @@ private Q_SLOTS:
     void controlSocketReplacesNoFile();
     void withoutAGatewayNothingAnswers();
     void managerHearsOfReadinessAndLife();
+    void managerHearsNothingWhileTheReceiverHangs();
     void takenPortEndsTheGateway();
+    void openMetricsAreWarnedOf();
+    void commandLineDecidesOnTheRecording();
 };
 
 void GatewayProgramTest::anotherStationFliesWhileSuitesAreSwitched()
@@ -191,6 +195,31 @@ void GatewayProgramTest::managerHearsOfReadinessAndLife()
     QCOMPARE(manager.count("READY=1"), 1);
 }
 
+/// The thread of links and sessions hangs, and the one that tells the manager runs on.
+void GatewayProgramTest::managerHearsNothingWhileTheReceiverHangs()
+{
+#ifdef SKYSEAL_SANITIZED
+    QSKIP("a sanitizer wants to be loaded first");
+#endif
+    NotifySocket manager;
+    qputenv("WATCHDOG_USEC", "1000000");
+    const QString hang = manager.path(QStringLiteral("hang"));
+    qputenv("HANG_WHEN", hang.toLocal8Bit());
+    qputenv("LD_PRELOAD", SKYSEAL_HANGING_RECEIVER);
+    GatewayFlight flight({QStringLiteral("udpin:0")});
+    EVENTUALLY(manager.count("WATCHDOG=1") >= 2);
+    qunsetenv("LD_PRELOAD");
+
+    QFile file(hang);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QUdpSocket().writeDatagram("x", 1, QHostAddress::LocalHost, flight.flight.groundPort);
+    EVENTUALLY(QFile::exists(hang + QStringLiteral(".hangs")));
+    const int before = manager.count("WATCHDOG=1");
+    QVERIFY(!QTest::qWaitFor([&] { return manager.count("WATCHDOG=1") > before + 1; }, 2500)); // one was on its way
+    QCOMPARE(flight.control({QStringLiteral("status")}).status, 0);                            // the main thread answers
+    QVERIFY(flight.gateway->running());
+}
+
 void GatewayProgramTest::takenPortEndsTheGateway()
 {
     Flight flight;
@@ -203,6 +232,46 @@ void GatewayProgramTest::takenPortEndsTheGateway()
     QCOMPARE(result.status, 3);
     QVERIFY2(result.err.contains("udpin:127.0.0.1"), result.err.constData());
     QCOMPARE(manager.count("READY=1"), 0);
+}
+
+/// The address belongs to documentation (RFC 5737), so that nothing is opened to others.
+void GatewayProgramTest::openMetricsAreWarnedOf()
+{
+    Flight flight;
+    QVERIFY(flight.ready());
+    const auto run = [&flight](const char *address) {
+        return runProgram("skyseal-cli",
+                          gatewayArguments(flight, QStringLiteral("udpin:0"))
+                              + QStringList{QStringLiteral("--metrics"), QLatin1String(address), QStringLiteral("--duration"),
+                                            QStringLiteral("0.1")});
+    };
+    const RunResult open = run("192.0.2.1:9464");
+    QCOMPARE(open.status, 3);
+    QVERIFY2(open.err.contains("192.0.2.1:9464: not of this machine alone"), open.err.constData());
+    const RunResult own = run(":0");
+    QCOMPARE(own.status, 0);
+    QVERIFY2(!own.err.contains("not of this machine alone"), own.err.constData());
+}
+
+/// The configuration says no-record = yes.
+void GatewayProgramTest::commandLineDecidesOnTheRecording()
+{
+    Flight flight;
+    QVERIFY(flight.ready());
+    QFile config(flight.path(QStringLiteral("gateway.conf")));
+    QVERIFY(config.open(QIODevice::WriteOnly) && config.write("no-record = yes\n") > 0);
+    config.close();
+    QVERIFY(config.setPermissions(QFile::ReadOwner | QFile::WriteOwner));
+    const QString folder = flight.path(QStringLiteral("logs"));
+    QStringList arguments = gatewayArguments(flight, QStringLiteral("udpin:0"));
+    arguments.removeAll(QStringLiteral("--no-record"));
+    const RunResult result = runProgram("skyseal-cli",
+                                        arguments
+                                            + QStringList{QStringLiteral("--config"), config.fileName(),
+                                                          QStringLiteral("--record"), folder, QStringLiteral("--duration"),
+                                                          QStringLiteral("0.1")});
+    QVERIFY2(result.status == 0, result.err.constData());
+    QVERIFY2(result.err.contains("recording to " + folder.toUtf8()), result.err.constData());
 }
 
 SKYSEAL_TEST(GatewayProgramTest)

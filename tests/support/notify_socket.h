@@ -35,6 +35,8 @@ public:
     NotifySocket(const NotifySocket &) = delete;
     NotifySocket &operator=(const NotifySocket &) = delete;
 
+    /// A file of the test's own.
+    QString path(const QString &name) const { return m_folder.filePath(name); }
     /// How often this was received.
     int count(const char *state)
     {
