@@ -68,6 +68,23 @@ private:
     qsizetype m_found = 0;
 };
 
+constexpr const char *kMission = "QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t-35.363261\t149.165230\t584\t1\n"
+                                 "1\t0\t3\t22\t0\t0\t0\t0\t-35.363261\t149.165230\t20\t1\n"
+                                 "2\t0\t3\t16\t0\t0\t0\t0\t-35.362000\t149.165300\t20\t1\n";
+constexpr const char *kFence = "QGC WPL 110\n0\t0\t0\t5001\t3\t0\t0\t0\t-35.365\t149.163\t0\t1\n"
+                               "1\t0\t0\t5001\t3\t0\t0\t0\t-35.361\t149.163\t0\t1\n"
+                               "2\t0\t0\t5001\t3\t0\t0\t0\t-35.361\t149.168\t0\t1\n";
+constexpr const char *kRallyPoints = "QGC WPL 110\n0\t0\t3\t5100\t0\t0\t0\t0\t-35.363\t149.166\t25\t1\n";
+
+/// Returns the path.
+QByteArray write(const QString &path, const char *content)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(content) <= 0)
+        qFatal("cannot write %s", qPrintable(path));
+    return path.toUtf8();
+}
+
 /// Switches the suites of a gateway in turn, every two seconds.
 class Switching
 {
@@ -117,16 +134,22 @@ void MavproxyTest::pilotFliesWhileCiphersSwitch()
     pilot.type("param set WPNAV_SPEED 600");
     QVERIFY2(pilot.achieves("param show WPNAV_SPEED", "WPNAV_SPEED      600.0"), said().constData());
 
-    QFile mission(pilot.path("flight.txt"));
-    QVERIFY(mission.open(QIODevice::WriteOnly));
-    mission.write("QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t-35.363261\t149.165230\t584\t1\n"
-                  "1\t0\t3\t22\t0\t0\t0\t0\t-35.363261\t149.165230\t20\t1\n"
-                  "2\t0\t3\t16\t0\t0\t0\t0\t-35.362000\t149.165300\t20\t1\n");
-    mission.close();
-    pilot.type("wp load " + mission.fileName().toUtf8());
+    pilot.type("wp load " + write(pilot.path("flight.txt"), kMission));
     QVERIFY2(pilot.says("Sent all 3 waypoints") && pilot.says("TYPE_MISSION: ACCEPTED"), said().constData());
     pilot.type("wp list");
     QVERIFY2(pilot.says("16 3 -35.3620000000 149.1653000000 20.000000"), said().constData());
+    pilot.type("fence load " + write(pilot.path("fence.txt"), kFence));
+    QVERIFY2(pilot.says("Sent all 3 fence items"), said().constData());
+    pilot.type("fence list");
+    QVERIFY2(pilot.says("5001 0 -35.3650000000 149.1630000000"), said().constData());
+    pilot.type("rally load " + write(pilot.path("rally.txt"), kRallyPoints));
+    QVERIFY2(pilot.says("Sent all 1 rally items"), said().constData());
+    pilot.type("rally list");
+    QVERIFY2(pilot.says("5100 3 -35.3630000000 149.1660000000 25.000000"), said().constData());
+    pilot.type("version");
+    QVERIFY2(pilot.says("REQUEST_MESSAGE: ACCEPTED"), said().constData());
+    QVERIFY2(pilot.achieves("status AUTOPILOT_VERSION", "AUTOPILOT_VERSION {"), said().constData());
+    QVERIFY2(!pilot.said().toLower().contains("fence breach"), said().constData());
 
     QVERIFY2(pilot.achieves("mode GUIDED", "Mode GUIDED"), said().constData());
     QVERIFY2(pilot.achieves("arm throttle", "ARMED"), said().constData());
@@ -151,6 +174,12 @@ void MavproxyTest::readerSeesEverythingAndCommandsNothing()
     QVERIFY2(reader.says("Received ") && reader.says(" parameters"), said().constData());
     reader.type("wp list");
     QVERIFY2(reader.says("Requesting 0 waypoints"), said().constData());
+    reader.type("fence list");
+    QVERIFY2(reader.says("Requesting 0 fence items"), said().constData());
+    reader.type("rally list");
+    QVERIFY2(reader.says("Requesting 0 rally items"), said().constData());
+    reader.type("version");
+    QVERIFY2(reader.achieves("status AUTOPILOT_VERSION", "AUTOPILOT_VERSION {"), said().constData());
     reader.type("mode GUIDED");
     QVERIFY2(reader.says("DO_SET_MODE: DENIED"), said().constData());
     reader.type("arm throttle force");
