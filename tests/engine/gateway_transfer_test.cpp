@@ -112,8 +112,8 @@ bool isSame(const vehicle::MissionItem &a, const vehicle::MissionItem &b)
 
 std::size_t itemsOf(const sim::SimulatedVehicle &aircraft, MissionType type)
 {
-    return type == MissionType::Rally ? aircraft.autopilot().rallyPoints().items().size()
-                                      : aircraft.autopilot().fence().areas().items().size();
+    return type == MissionType::Rally ? aircraft.autopilot().flight().rallyPoints.items().size()
+                                      : aircraft.autopilot().flight().fence.areas().items().size();
 }
 
 } // namespace
@@ -190,10 +190,10 @@ void GatewayTransferTest::filesAndLogsAreTransferred()
     QVERIFY2(removed.ok, removed.reason.c_str());
 
     // A flight makes a log, which comes by both protocols.
-    QVERIFY(!flight.aircraft->autopilot().arm(true));
+    QVERIFY(!flight.aircraft->autopilot().arming().arm(true));
     const std::uint64_t armedAt = flight.aircraft->autopilot().time();
     EVENTUALLY(flight.aircraft->autopilot().time() > armedAt + 1'000'000);
-    flight.aircraft->autopilot().disarm(true);
+    flight.aircraft->autopilot().arming().disarm(true);
     const auto logs = flight.result<vehicle::LogResult>(vehicle::ListLogs{});
     QVERIFY2(logs.ok && logs.entries->size() == 1, logs.reason.c_str());
     const auto log = flight.result<vehicle::LogResult>(vehicle::ReadLog{logs.entries->front().id});
