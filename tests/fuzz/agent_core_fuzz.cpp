@@ -376,7 +376,7 @@ private:
     {
         const std::uint8_t head = messageHead(m_grounds[groundIndex(sent.link)].carrier, sent.bytes);
         if (listensAt(sent.link) && !m_exchanges.hasProved(sent.link, sent.to)
-            && (!m_exchanges.hasReceived(sent.link, sent.to) || head == kAnnouncementHead || head == kCallHead))
+            && (!m_exchanges.hasReceived(sent.link, sent.to) || head == kAnnouncementHead))
             violated("where the agent listens it announces nothing");
         // Openings and words of a pairing go to an end that has received the agent's random id.
         if (!isCalled(sent) && head != kPairingSealedHead)

@@ -1,4 +1,4 @@
-// Where a station calls agents that listen, seen from outside: at udpout links, few agents and addresses at a time, and not
+// Where a station calls agents that listen, seen from outside: at udpout links, few agents and addresses at a time, and hardly
 // where MAVLink comes from. Addresses from which an agent has answered are left out: what goes there belongs to a session.
 #pragma once
 
@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <deque>
+#include <map>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -20,9 +22,16 @@ public:
     /// An agent that the station has listed.
     void addAgent(const channel::PublicKey &key) { m_macs.emplace_back(key); }
     /// What may be called has changed, so that a turn may have ended early.
-    void changed(TimePoint now) { m_countFrom = now + kNoticed; }
-    bool isMavlinkAt(LinkId link) const { return m_mavlinkAt.contains(link); }
-    void mavlinkCame(LinkId link) { m_mavlinkAt.insert(link); }
+    void changed(TimePoint now) { m_countFrom = std::max(m_countFrom, now + kNoticed); }
+    /// A clear frame came from the address of the link; `now` is when the station received it.
+    void mavlinkCame(TimePoint now, LinkId link)
+    {
+        auto &there = m_mavlinkAt[link];
+        if (!there.latest || now - *there.latest > kForgotten + kTolerance)
+            there = {now, {}, {}};
+        there.latest = now;
+        m_countFrom = std::max(m_countFrom, now + kForgotten + 2 * kNoticed); // the address leaves the turns, and returns
+    }
     void agentAnswered(LinkId link) { m_agentsAt.insert(link); }
 
     /// A first message of the station.
@@ -30,8 +39,8 @@ public:
     {
         if (m_agentsAt.contains(link))
             return;
-        if (isMavlinkAt(link))
-            violated("nobody is called where MAVLink comes from");
+        if (const auto there = m_mavlinkAt.find(link); there != m_mavlinkAt.end())
+            judgeRouter(now, there->second);
         const auto called = std::ranges::find_if(m_macs, [&](const channel::Mac1 &mac) { return mac.verify(message); });
         if (called == m_macs.end() || now < m_countFrom)
             return;
@@ -50,6 +59,24 @@ public:
     }
 
 private:
+    struct Router
+    {
+        TimePoint since;
+        std::optional<TimePoint> latest; ///< frame
+        std::optional<TimePoint> called; ///< the first message of the newest second of calls
+    };
+
+    void judgeRouter(TimePoint now, Router &there)
+    {
+        if (now - *there.latest > kForgotten - kTolerance || (there.called && now - *there.called <= kNoticed))
+            return;
+        if (now - there.called.value_or(there.since) < kSparingly - kNoticed)
+            violated("hardly anybody is called where MAVLink comes from");
+        there.called = now;
+    }
+
+    static constexpr Duration kForgotten = std::chrono::seconds(10), kSparingly = std::chrono::seconds(30),
+                              kTolerance = std::chrono::milliseconds(100);
     static constexpr std::size_t kAtOnce = 4; ///< agents, and addresses
     static constexpr Duration kNearlyATurn = std::chrono::milliseconds(4900);
     static constexpr Duration kNoticed = std::chrono::milliseconds(1100); ///< the station looks once a second
@@ -64,7 +91,8 @@ private:
     std::vector<channel::Mac1> m_macs;
     std::deque<Call> m_calls;
     TimePoint m_countFrom{};
-    std::set<LinkId> m_agentsAt, m_mavlinkAt;
+    std::set<LinkId> m_agentsAt;
+    std::map<LinkId, Router> m_mavlinkAt;
 };
 
 } // namespace skyseal::test

@@ -108,8 +108,11 @@ void RemoteEnd::openPairing(TimePoint now, std::string name, std::uint8_t system
     config.name = std::move(name);
     config.systemId = systemId;
     config.passphrase = passphraseOf(passphrase);
-    if (m_config.role == Role::Agent)
-        config.callTo = called();
+    config.callTo = called();
+    for (const Way &way : m_ways) {
+        if (m_config.role == Role::Agent && !way.calls)
+            config.listensOn.push_back(way.engine.link);
+    }
     m_pairing.emplace(std::move(config), m_random, now);
     m_shown.reset();
 }

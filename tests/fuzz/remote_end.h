@@ -43,7 +43,7 @@ public:
     struct Way
     {
         Path engine;        ///< where this end finds the engine, and in which carrier
-        bool calls = false; ///< an agent announces itself there, a station calls; otherwise the engine begins
+        bool calls = false; ///< an agent announces itself there, a station calls; otherwise this end listens
     };
 
     /// `node`: its ids in TUNNEL.
