@@ -13,8 +13,8 @@ class WorkClock
 public:
     /// Longer than the work on any record, shorter than a preemption.
     static constexpr std::uint64_t kSuspicious = 50'000; // ns
-    /// Largest age of the last reading of the thread's CPU clock when such a piece begins. Time in which the thread slept or was
-    /// preempted since that reading cannot be separated from the piece, so this bounds the error.
+    /// Largest age of the last reading of the thread's CPU clock when such a piece begins. Time in which the thread slept
+    /// or was preempted since that reading cannot be separated from the piece, so this bounds the error.
     static constexpr std::uint64_t kFresh = 200'000; // ns
 
     /// Begins a piece; returns a reading of CycleClock::now().
