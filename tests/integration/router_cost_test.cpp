@@ -1,5 +1,5 @@
 // What a frame costs the agent and mavlink-router, each as a whole process (event loop, wake-ups, system calls and cold caches
-// included), on the same frames in turn, and the least program that seals frames. With SKYSEAL_MAVLINK_ROUTERD naming the router.
+// included), on the same frames in turn, and the least program that seals frames. SKYSEAL_MAVLINK_ROUTERD names the router.
 #include "tests/engine/bare_end.h"
 #include "tests/engine/traffic.h"
 #include "tests/support/flight.h"
