@@ -1,4 +1,5 @@
-// The keys that are down, so that a control can tell a press by a finger from the auto-repeat of a key that was pressed elsewhere.
+// The keys that are down, so that a control can tell a press by a finger from the auto-repeat of a key that was pressed
+// elsewhere.
 //
 // QKeyEvent::isAutoRepeat() is not enough: X11 sends a held key as pairs of a release and a press, and Qt marks only the pairs
 // whose halves it reads together. The two halves carry the same time, while a finger needs longer to press a key again.

@@ -6,7 +6,8 @@
 
 namespace skyseal::ui {
 
-/// Shows the time and a plain text on at most kLines lines; the rest is elided and stays in the tool tip. Lives on the GUI thread.
+/// Shows the time and a plain text on at most kLines lines; the rest is elided and stays in the tool tip. Lives on the GUI
+/// thread.
 class ResultLabel : public QLabel
 {
     Q_OBJECT

@@ -93,8 +93,8 @@ public:
     /// Sends a report that asks for an answer, at most once a second: when the stream of the session's link was reconnected.
     void requestReport(TimePoint now);
     /// Sends such a report to another address at which the peer may be; its answer moves the path there. An agent whose session
-    /// is quiet does so: where only its own records get through, the station has no reason to leave the path. On another carrier
-    /// the session cannot follow; there a new one replaces it, see peerReceivesNothing().
+    /// is quiet does so: where only its own records get through, the station has no reason to leave the path. On another
+    /// carrier the session cannot follow; there a new one replaces it, see peerReceivesNothing().
     void requestReportAt(TimePoint now, const Path &to);
     void countPlaintextDropped(std::uint64_t count) { m_epochs.current().rx.plaintextDropped += count; }
     void countMalformed() { ++m_epochs.current().rx.malformed; }

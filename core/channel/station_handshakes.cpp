@@ -25,12 +25,6 @@ constexpr Duration kAnnouncementPause = std::chrono::milliseconds(50);
 constexpr unsigned kWrongAnswers = 8;
 constexpr double kAnswersPerSecond = 50;
 constexpr double kAnswersAtOnce = 20;
-/// An announcement or a cookie costs a hash or three for each peer that may have sent it, and strangers can send both. All such
-/// hashes together take some percent of a core at most. Beside them, what comes from an address where that peer was heard
-/// costs a few only, so that a flood does not crowd it out.
-constexpr double kChecksPerSecond = 100'000;
-constexpr double kChecksAtOnce = 10'000;
-constexpr unsigned kFreeChecks = 2;
 constexpr unsigned kHashesOfCookie = 2;
 
 } // namespace
@@ -42,9 +36,7 @@ StationHandshakes::StationHandshakes(EndpointCore &core) : m_core(core)
 
 void StationHandshakes::peersChanged()
 {
-    m_known.clear();
-    for (const Peer &peer : m_core.config.peers)
-        m_known.push_back({peer.key, Announcement(peer.key)});
+    m_known.setPeers(m_core.config.peers);
     for (Attempt &attempt : m_attempts) {
         const Peer *peer = m_core.peer(attempt.peer);
         if (!peer)
@@ -88,58 +80,24 @@ StationHandshakes::Attempt &StationHandshakes::want(TimePoint until, const Publi
     return *attempt;
 }
 
-/// Returns true if the limit of hashes allows to look for the sender of a message among all peers.
-bool StationHandshakes::mayCheck(TimePoint now)
-{
-    m_checks.fill(now, kChecksPerSecond, kChecksAtOnce);
-    return m_checks.credit >= 1 || weakened(Weakness::NoRateLimit);
-}
-
-/// Returns the listed peer that made this announcement; null if there is none, or too many announcements arrive.
-const StationHandshakes::Known *StationHandshakes::announcer(TimePoint now, const Path &from, ByteView datagram)
-{
-    const auto isOf = [&](const Known &known) {
-        ++m_core.strangerHashes;
-        return known.announcement.recognises(datagram);
-    };
-    unsigned free = kFreeChecks;
-    for (const Known &known : m_known) {
-        if (free > 0 && known.announcedFrom == from) {
-            --free;
-            if (isOf(known))
-                return &known;
-        }
-    }
-    if (!mayCheck(now))
-        return nullptr;
-    const auto found = std::find_if(m_known.begin(), m_known.end(), isOf);
-    m_checks.credit -= static_cast<double>(found - m_known.begin());
-    if (found == m_known.end()) {
-        m_core.notifyRefused(now, from, RefusalReason::UnknownPeer);
-        return nullptr;
-    }
-    found->announcedFrom = from;
-    return &*found;
-}
-
 bool StationHandshakes::handleAnnouncement(TimePoint now, const Path &from, ByteView datagram)
 {
     if (!Announcement::hasForm(datagram)) {
         ++m_core.unmatched.malformed;
         return false;
     }
-    const Known *known = announcer(now, from, datagram);
-    if (!known) {
+    const auto agent = m_known.announcer(now, from, datagram, m_core);
+    if (!agent) {
         ++m_core.unmatched.forged;
         return false;
     }
     // While a session is up, an announcement is a replay or comes from an agent that has just restarted. It counts once the
     // session has been quiet for longer than an active one ever is.
     TimePoint due = now;
-    if (const Session *session = m_core.table.upWith(known->key);
+    if (const Session *session = m_core.table.upWith(*agent);
         session && !session->closing() && !mayReplace(*session, from.carrier) && !weakened(Weakness::TrustAnnouncements))
         due = std::max(now, session->lastReceived() + m_core.config.timing.keepAliveAfter * 5 / 4);
-    Attempt &attempt = want(now + kWantedFor, known->key, from.carrier, due);
+    Attempt &attempt = want(now + kWantedFor, *agent, from.carrier, due);
     attempt.announced = now;
     attempt.announcedFrom = from;
     Place &place = attempt.placeAt(from);
@@ -195,12 +153,12 @@ StationHandshakes::Attempt *StationHandshakes::attemptOfCookie(TimePoint now, co
                 return &attempt;
         }
     }
-    if (!mayCheck(now))
+    if (!m_known.mayCheck(now))
         return nullptr;
     for (Attempt &attempt : m_attempts) {
         if (!waitsForOne(attempt))
             continue;
-        m_checks.credit -= kHashesOfCookie;
+        m_known.spend(kHashesOfCookie);
         if (opens(attempt))
             return &attempt;
     }

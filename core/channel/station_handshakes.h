@@ -5,6 +5,7 @@
 #include "core/channel/agent_calls.h"
 #include "core/channel/endpoint_core.h"
 #include "core/channel/handshake_attempt.h"
+#include "core/channel/known_agents.h"
 #include "core/channel/token_bucket.h"
 
 namespace skyseal::channel {
@@ -39,18 +40,10 @@ public:
 private:
     using Attempt = HandshakeAttempt;
     using Place = HandshakeAttempt::Place;
-    struct Known
-    {
-        PublicKey key{};
-        Announcement announcement;
-        std::optional<Path> announcedFrom{}; ///< of the latest announcement
-    };
 
     void callAgents(TimePoint now);
     bool isTaken(const Path &place);
     static bool mayReplace(const Session &session, Carrier carrier);
-    const Known *announcer(TimePoint now, const Path &from, ByteView datagram);
-    bool mayCheck(TimePoint now);
     Attempt *attemptWith(const PublicKey &peer, Carrier carrier);
     Attempt *attemptOfCookie(TimePoint now, const Path &from, ByteView datagram, Cookie &cookie);
     Attempt *attemptAnsweredBy(const Path &from, ByteView datagram);
@@ -69,11 +62,10 @@ private:
     Duration pauseAfter(unsigned sent) const;
 
     EndpointCore &m_core;
-    std::vector<Known> m_known;
+    KnownAgents m_known;
     std::vector<Attempt> m_attempts;
     AgentCalls m_calls;
     TokenBucket m_answers; ///< answers that may be computed on
-    TokenBucket m_checks;  ///< hashes over messages that may come from any listed peer
 };
 
 } // namespace skyseal::channel

@@ -196,8 +196,8 @@ std::string trendTable(const Results &results)
                      readable(100 * trend.perRun) + " %", readable(trend.p), trend.remains() ? "remains" : "none found"});
     if (rows.empty())
         return "<p>No suite was measured twice, so that no trend can be tested.</p>\n";
-    return "<p>Whether the values rise or fall with the order of the runs, whatever the suite: a line through the logarithms of "
-           "all runs, each less the mean of its suite, Student's t test of its slope, corrected by Holm's method over these "
+    return "<p>Test whether values rise or fall with the order of the runs: a line through the logarithms of all runs, each "
+           "less the mean of its suite, and Student's t test of its slope, corrected by Holm's method over these "
            "lines.</p>\n<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
         + row({"metric", "change for each run", "p corrected", "trend"}, "th") + rows + "</table>\n";
 }

@@ -49,8 +49,8 @@ struct Reading
 /// where jitter lets a frame overtake more than metrics::SequenceTracker::kShortWindow others.
 bool sequenceNumbersCountLoss(const impair::ImpairmentSettings &link, Load load);
 
-/// All values but Metric::LineLoad, Metric::Switch and Metric::SessionMemory; NaN where one could not be measured. `sealed`: the
-/// link carries records. `countsLoss`: see sequenceNumbersCountLoss().
+/// All values but Metric::LineLoad, Metric::Switch and Metric::SessionMemory; NaN where one could not be measured. `sealed`:
+/// the link carries records. `countsLoss`: see sequenceNumbersCountLoss().
 Values valuesBetween(const Reading &begin, const Reading &end, bool sealed, bool countsLoss);
 
 /// Metric::LineLoad between two readings; NaN if the line has no limited rate.

@@ -1,5 +1,5 @@
-// What moves: a body with its actuators and the control loops that belong to them. A demand of the flight mode goes in; the true
-// state comes out. One class per kind of vehicle.
+// What moves: a body with its actuators and the control loops that belong to them. A demand of the flight mode goes in; the
+// true state comes out. One class per kind of vehicle.
 #pragma once
 
 #include "core/sim/airframe.h"

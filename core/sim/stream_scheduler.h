@@ -1,5 +1,5 @@
-// Schedule of telemetry: of ArduPilot the groups of REQUEST_DATA_STREAM, whose rates are the SR0_ parameters, of PX4 the rates at
-// which it streams without being asked; and single messages with an interval of their own. Rates are exact in the long run.
+// Schedule of telemetry: of ArduPilot the groups of REQUEST_DATA_STREAM, whose rates are the SR0_ parameters, of PX4 the rates
+// at which it streams without being asked; and single messages with an interval of their own. Rates are exact in the long run.
 #pragma once
 
 #include "core/base/clock.h"

@@ -115,7 +115,8 @@ void Pair::pump()
         while (const auto transmit = end.endpoint->pollTransmit()) {
             end.bytesOut += transmit->bytes.size();
             ++end.datagramsOut;
-            link.send(now, {side, end.port, 0, Bytes(transmit->bytes.begin(), transmit->bytes.end()), transmit->to.remote.port});
+            Bytes bytes(transmit->bytes.begin(), transmit->bytes.end());
+            link.send(now, {side, end.port, 0, std::move(bytes), transmit->to.remote.port});
         }
         while (auto event = end.endpoint->pollEvent())
             end.events.push_back(std::move(*event));

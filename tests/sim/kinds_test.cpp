@@ -1,5 +1,5 @@
-// Planes and rovers: their modes, parameters and missions, and the way they move: a plane takes off along the ground, circles and
-// never stands still; a rover stays on the ground and stops.
+// Planes and rovers: their modes, parameters and missions, and the way they move: a plane takes off along the ground, circles
+// and never stands still; a rover stays on the ground and stops.
 #include "tests/sim/some_items.h"
 #include "tests/support/test_runner.h"
 

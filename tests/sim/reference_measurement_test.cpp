@@ -1,8 +1,8 @@
 // Holds the conversation of the reference with a real ArduCopter and compares the facts with those on file, which a test of the
 // simulated copter relies on.
 //
-// ARDUPILOT_SITL names the arducopter program, as for ardupilot_test; without it the test is skipped. REFERENCE_OUT names a file
-// to write what was measured to.
+// ARDUPILOT_SITL names the arducopter program, as for ardupilot_test; without it the test is skipped. REFERENCE_OUT names a
+// file to write what was measured to.
 #include "tests/sim/reference_conversation.h"
 #include "tests/support/eventually.h"
 #include "tests/support/program.h"

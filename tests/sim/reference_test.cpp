@@ -1,6 +1,6 @@
 // The simulated copter holds the same conversation as a real ArduCopter 3.6.7 did, and gives the same facts: messages, rates,
-// answers and their order, ranges of fields. What differs on purpose stands in tables here, with the reason; an entry that is no
-// longer a difference fails as well.
+// answers and their order, ranges of fields. What differs on purpose stands in tables here, with the reason; an entry that is
+// no longer a difference fails as well.
 #include "tests/sim/reference_conversation.h"
 #include "tests/sim/test_station.h"
 #include "tests/support/test_runner.h"

@@ -36,8 +36,8 @@ public:
     bool available() const { return !m_program.isEmpty(); }
     QString program() const { return m_program; }
 
-    /// Runs it on a TCP port at `speed` times real time. Its eeprom and logs go to a temporary working directory, into which this
-    /// process changes.
+    /// Runs it on a TCP port at `speed` times real time. Its eeprom and logs go to a temporary working directory, into which
+    /// this process changes.
     std::unique_ptr<Program> start(quint16 port, int speed) const
     {
         if (!QDir::setCurrent(m_folder.path()))

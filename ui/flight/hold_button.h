@@ -1,6 +1,6 @@
 // A button for commands that move a vehicle: it acts only after it was held for half a second, by mouse, Space or Enter.
-// Releasing early, leaving the button, losing the focus or pressing Esc aborts. A hold begins with a fresh press: a key that was
-// down before does nothing.
+// Releasing early, leaving the button, losing the focus or pressing Esc aborts. A hold begins with a fresh press: a key that
+// was down before does nothing.
 #pragma once
 
 #include "ui/command_guard.h"

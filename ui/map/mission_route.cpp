@@ -31,7 +31,8 @@ bool hasPlace(const vehicle::MissionItem &item)
         && (item.latitude != 0 || item.longitude != 0);
 }
 
-/// Commands that the vehicle executes at or on the way to a place; the others below MAV_CMD_NAV_LAST change nothing of the route.
+/// Commands that the vehicle executes at or on the way to a place; the others below MAV_CMD_NAV_LAST change nothing of the
+/// route.
 bool isFlownTo(std::uint16_t command)
 {
     switch (command) {

@@ -49,8 +49,8 @@ struct MissionRoute
     const RouteStop *stopOf(int sequence) const;
 };
 
-/// `home` is where take-offs without a place begin and returns to launch end. With `firstIsHome`, item 0 is home and no stop, as
-/// ArduPilot keeps it.
+/// `home` is where take-offs without a place begin and returns to launch end. With `firstIsHome`, item 0 is home and no stop,
+/// as ArduPilot keeps it.
 MissionRoute routeOf(const std::vector<vehicle::MissionItem> &items, const LocalFrame &frame, std::optional<QPointF> home,
                      bool firstIsHome);
 

@@ -1,5 +1,5 @@
-// The bar across the top of the window that says when the picture is not the live one: a replay, or the demo. During a replay it
-// shows the state of the live link as well. Lives on the GUI thread.
+// The bar across the top of the window that says when the picture is not the live one: a replay, or the demo. During a replay
+// it shows the state of the live link as well. Lives on the GUI thread.
 #pragma once
 
 #include "ui/view_state.h"

@@ -4,10 +4,23 @@ namespace skyseal::engine {
 
 namespace {
 
+vehicle::VehicleConfig vehicleConfig(const StationConfig &config)
+{
+    vehicle::VehicleConfig out;
+    out.ownSystemId = config.systemId;
+    out.ownComponentId = config.componentId;
+    out.streams = config.lowBandwidth ? vehicle::StreamProfile::LowBandwidth : vehicle::StreamProfile::Standard;
+    out.streamRate = config.streamRate;
+    out.timeSyncEvery = config.timeSyncEvery;
+    return out;
+}
+
 /// The agent's list alone holds the role of this station, and an agent does not answer commands of an observer.
 const std::string kMaybeObserver = "; the agent may know this station as an observer, whose commands it drops";
 
 } // namespace
+
+Fleet::Fleet(const StationConfig &config) : m_vehicles(vehicleConfig(config)) {}
 
 std::optional<VehicleFound> Fleet::take(TimePoint now, WallTime wall, LinkId link, const mavlink::Frame &frame,
                                         std::optional<channel::SessionId> session)

@@ -5,6 +5,7 @@
 #include "core/engine/common/totals.h"
 #include "core/engine/station/event.h"
 #include "core/engine/station/inspector_table.h"
+#include "core/engine/station/station_config.h"
 #include "core/engine/station/vehicle_watches.h"
 #include "core/vehicle/vehicle_set.h"
 
@@ -15,7 +16,7 @@ namespace skyseal::engine {
 class Fleet
 {
 public:
-    explicit Fleet(const vehicle::VehicleConfig &config) : m_vehicles(config) {}
+    explicit Fleet(const StationConfig &config);
 
     /// Takes an accepted frame; `session` is empty for a clear one. Returns an event if it makes a vehicle known.
     std::optional<VehicleFound> take(TimePoint now, WallTime wall, LinkId link, const mavlink::Frame &frame,

@@ -2,7 +2,6 @@
 
 #include "core/channel/endpoint.h"
 #include "core/engine/station/snapshot.h"
-#include "core/keys/counter_file.h"
 #include "core/crypto/mavsec_cipher.h"
 #include "core/metrics/process_usage.h"
 #include "core/vehicle/request_failure.h"
@@ -11,26 +10,11 @@
 
 namespace skyseal::engine {
 
-namespace {
-
-vehicle::VehicleConfig vehicleConfig(const StationConfig &config)
-{
-    vehicle::VehicleConfig out;
-    out.ownSystemId = config.systemId;
-    out.ownComponentId = config.componentId;
-    out.streams = config.lowBandwidth ? vehicle::StreamProfile::LowBandwidth : vehicle::StreamProfile::Standard;
-    out.streamRate = config.streamRate;
-    out.timeSyncEvery = config.timeSyncEvery;
-    return out;
-}
-
-} // namespace
-
 StationCore::StationCore(StationConfig config, std::unique_ptr<SecretFiles> secrets, StationSinks sinks)
     : m_config(std::move(config)), m_sinks(std::move(sinks)),
       m_settings(m_config.secure, m_config.policy, m_config.preferredSuite), m_secrets(std::move(secrets)),
       m_links(*this, [this](link::Link &link) { linkChanged(link); }),
-      m_ingress(mavlink::Dialect::builtin(), m_links.carriers()), m_fleet(vehicleConfig(m_config)),
+      m_ingress(mavlink::Dialect::builtin(), m_links.carriers()), m_fleet(m_config),
       m_sender({m_config.systemId, m_config.componentId}, m_links, m_ingress),
       m_receiver({m_config.systemId, m_config.componentId},
                  {m_links, m_ingress, m_fleet, m_sender.routes(), m_settings,
@@ -159,13 +143,13 @@ bool StationCore::openPairing(std::string name, std::shared_ptr<const crypto::Pa
 {
     if (!m_channel)
         return false;
+    const TimePoint now = steadyNow();
     channel::PairingConfig config;
     config.role = channel::Role::Station;
     config.identity = m_secrets->identity;
     config.name = std::move(name);
     config.systemId = m_config.systemId;
     config.passphrase = std::move(passphrase);
-    const TimePoint now = steadyNow();
     m_channel->pairing.open(now, std::move(config));
     callAgents(now); // one that listens may be waiting for this station
     finishWake();
@@ -436,12 +420,7 @@ void StationCore::everyQuarterSecond(TimePoint now)
     m_pace.markChanged();
     if (!m_config.diagnostics)
         return;
-    MetricsSampler::Reading reading{channelTotals(sources()), mavlinkTotals(sources()), anyHeard, m_fleet.latency(now)};
-    m_links.forEach([&](const link::Link &link) {
-        reading.rxBytes += link.counters().rxBytes;
-        reading.txBytes += link.counters().txBytes;
-    });
-    m_sampler.sample(now, seconds(now - m_clock.start), reading);
+    m_sampler.sample(now, seconds(now - m_clock.start), metricsReading(sources(), now, anyHeard));
 }
 
 void StationCore::everySecond(TimePoint now)
@@ -453,7 +432,7 @@ void StationCore::everySecond(TimePoint now)
     m_receiver.gate().publishRefusals(now, [&](Event event) { m_events.publish(now, std::move(event)); });
     saveSealedSystems(now);
     if (m_secrets) {
-        if (auto storage = m_storage.counters.note(now, m_secrets->counters->problem()))
+        if (auto storage = m_storage.noteCounters(now, *m_secrets))
             m_sinks.event(std::move(*storage));
     }
     if (m_channel) {
@@ -475,25 +454,19 @@ void StationCore::publishUnanswering(TimePoint now)
         m_events.publish(now, std::move(event));
 }
 
-/// Stores as which systems the peers were heard, if that has changed.
 void StationCore::saveSealedSystems(TimePoint now)
 {
-    const SealedSystems &heard = m_receiver.gate().policy().sealedSystems();
-    if (!m_secrets || m_secrets->paths.peers.empty() || heard == m_secrets->sealedSystems || now < m_storage.saveSystemsAgain)
-        return;
-    const std::string file = sealedSystemsFile(m_secrets->paths);
-    const auto written = writeSealedSystems(file, heard);
-    if (written)
-        m_secrets->sealedSystems = heard;
-    else if (m_storage.saveSystemsAgain == TimePoint::min())
-        m_sinks.event(RecordingProblem{file, written.error().message}); // still in force for this run
-    m_storage.saveSystemsAgain = written || now == kNever ? TimePoint::min() : now + keys::FileCounterStore::kRetryAfter;
+    const auto problem = m_secrets ? m_storage.saveSystems(now, *m_secrets, m_receiver.gate().policy().sealedSystems())
+                                   : std::nullopt;
+    if (problem)
+        m_sinks.event(*problem);
 }
 
 SnapshotSources StationCore::sources()
 {
-    return {m_links, m_channel.get(), m_receiver.datagrams(), m_receiver.gate(),
-            m_fleet, m_sampler,       m_recorder.get(),       m_publishingCpu};
+    return {m_links,         m_channel.get(), m_receiver.datagrams(),     m_receiver.gate(),
+            m_fleet,         m_sampler,       m_recorder.get(),           m_publishingCpu,
+            m_gateway.get(), m_feed.get(),    m_storage.countersProblem()};
 }
 
 /// A measurement wants to know what its meter costs.
@@ -513,13 +486,6 @@ std::shared_ptr<Snapshot> StationCore::takeSnapshot(TimePoint now, bool withProb
     auto out = buildSnapshot(sources(), now, withProbe);
     out->number = m_pace.takeNumber();
     out->time = seconds(now - m_clock.start);
-    if (m_gateway) {
-        out->served = m_gateway->links(now);
-        out->clients = m_gateway->clients();
-    }
-    if (m_feed)
-        out->broker = m_feed->status();
-    out->storageProblem = m_storage.counters.problem();
     if (m_sinks.eventsDropped)
         out->eventsDropped = m_sinks.eventsDropped();
     return out;

@@ -19,6 +19,7 @@
 #include "core/engine/station/station_config.h"
 #include "core/engine/station/station_receiver.h"
 #include "core/engine/station/station_sender.h"
+#include "core/engine/station/station_storage.h"
 #include "core/engine/station/station_snapshot.h"
 
 #include <functional>
@@ -101,13 +102,6 @@ private:
         unsigned quarters = 0;
     };
 
-    /// Problems of the files that are written.
-    struct Storage
-    {
-        StorageWatch counters;
-        TimePoint saveSystemsAgain = TimePoint::min(); ///< after a failure
-    };
-
     void linkReceived(link::Link &link, std::span<const link::ReceivedBlock> blocks) override;
     void linkPeerJoined(link::Link &link, const Path &path) override;
     void linkPeerLeft(link::Link &link, const Path &path) override;
@@ -156,7 +150,7 @@ private:
     MetricsSampler m_sampler;
     SnapshotPace m_pace;
     EventPublisher<Event, StationCauses> m_events; ///< those that strangers can cause; the others go to m_sinks
-    Storage m_storage;
+    StationStorage m_storage;
     Clock m_clock;
     bool m_measuring = false;
     Duration m_publishingCpu{}; ///< while measuring

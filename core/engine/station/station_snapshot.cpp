@@ -1,5 +1,7 @@
 #include "core/engine/station/station_snapshot.h"
 
+#include "core/engine/gateway/gateway.h"
+#include "core/engine/station/feed.h"
 #include "core/engine/station/snapshot.h"
 #include "core/metrics/process_usage.h"
 
@@ -45,6 +47,16 @@ ChannelTotals channelTotals(const SnapshotSources &from)
     return out;
 }
 
+MetricsSampler::Reading metricsReading(const SnapshotSources &from, TimePoint now, bool anyHeard)
+{
+    MetricsSampler::Reading out{channelTotals(from), mavlinkTotals(from), anyHeard, from.fleet.latency(now)};
+    from.links.forEach([&](const link::Link &link) {
+        out.rxBytes += link.counters().rxBytes;
+        out.txBytes += link.counters().txBytes;
+    });
+    return out;
+}
+
 std::shared_ptr<Snapshot> buildSnapshot(const SnapshotSources &from, TimePoint now, bool withProbe)
 {
     auto out = std::make_shared<Snapshot>();
@@ -63,6 +75,13 @@ std::shared_ptr<Snapshot> buildSnapshot(const SnapshotSources &from, TimePoint n
     out->inspector = from.fleet.inspector().rows(now);
     if (from.recorder)
         out->recording = from.recorder->snapshot();
+    if (from.gateway) {
+        out->served = from.gateway->links(now);
+        out->clients = from.gateway->clients();
+    }
+    if (from.feed)
+        out->broker = from.feed->status();
+    out->storageProblem = from.storageProblem;
     out->processCpuPercent = from.sampler.processCpuPercent();
     out->residentBytes = from.sampler.residentBytes();
     out->plaintextRefused = from.gate.refusals().plaintextFrames() + from.gate.pending().frames();

@@ -11,9 +11,12 @@
 #include "core/engine/station/station_channel.h"
 
 #include <memory>
+#include <string_view>
 
 namespace skyseal::engine {
 
+class Feed;
+class Gateway;
 struct Snapshot;
 
 /// The parts that a snapshot shows; references live during the call.
@@ -25,12 +28,18 @@ struct SnapshotSources
     const FrameGate &gate;
     const Fleet &fleet;
     const MetricsSampler &sampler;
-    const Recorder *recorder; ///< null when nothing is recorded
-    Duration publishingCpu{}; ///< see Probe
+    const Recorder *recorder;             ///< null when nothing is recorded
+    Duration publishingCpu{};             ///< see Probe
+    Gateway *gateway = nullptr;           ///< null while no clients are served
+    const Feed *feed = nullptr;           ///< null while nothing is published
+    std::string_view storageProblem = {}; ///< see Snapshot
 };
 
 MavlinkTotals mavlinkTotals(const SnapshotSources &from);
 ChannelTotals channelTotals(const SnapshotSources &from);
+
+/// The values of a point of the diagnostics. `anyHeard`: a vehicle is heard.
+MetricsSampler::Reading metricsReading(const SnapshotSources &from, TimePoint now, bool anyHeard);
 
 /// The caller fills in the number and the time.
 std::shared_ptr<Snapshot> buildSnapshot(const SnapshotSources &from, TimePoint now, bool withProbe);
