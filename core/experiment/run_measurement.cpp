@@ -24,6 +24,7 @@ void RunMeasurement::begin(const MeasuredLink &link, const Snapshot &snapshot)
 {
     const engine::SessionSnapshot *up = link.session(*snapshot);
     m_session = up ? std::optional(up->info.session) : std::nullopt;
+    m_peer = up ? std::optional(up->info.peer) : std::nullopt;
     m_begin = readingOf(link, snapshot);
     m_reportBefore = m_begin.agent ? std::optional(m_begin.agent->stamp) : std::nullopt;
     m_begin.agent.reset();
@@ -47,7 +48,7 @@ void RunMeasurement::end(const MeasuredLink &link, const Snapshot &snapshot, con
     const engine::SessionSnapshot *up = link.session(*snapshot);
     const crypto::SuiteId suite = plan.arms[sample.run.arm].suite;
     if (!link.isPlain() && (!up || up->info.session != m_session || up->info.suite != suite)) {
-        sample.problem = "the session did not last through the run";
+        sample.problem = kSessionEnded;
         return;
     }
     const impair::ImpairmentSettings &line = plan.conditions[sample.run.condition].settings;

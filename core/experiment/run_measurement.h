@@ -13,6 +13,9 @@ namespace skyseal::experiment {
 class RunMeasurement
 {
 public:
+    /// Problem of a run during which the session ended.
+    static constexpr const char *kSessionEnded = "the session did not last through the run";
+
     using Snapshot = std::shared_ptr<const engine::Snapshot>; ///< at both edges with a probe
 
     explicit RunMeasurement(std::function<ProgramUsage()> programs) : m_programs(std::move(programs)) {}
@@ -24,6 +27,8 @@ public:
     bool hasReport() const { return m_begin.agent.has_value(); }
     /// True if the live session differs from that at the beginning. A short silence of the same session does not count.
     bool sessionChanged(const MeasuredLink &link, const engine::Snapshot &snapshot) const;
+    /// True if this new session is with the peer of the session at the beginning, which it replaces.
+    bool isReplacedBy(const channel::SessionUp &up) const { return m_peer == up.peer && m_session != up.session; }
     /// Fills seconds, values, validity and counters of the sample, or its problem: the session or the vehicle did not last
     /// through the run. Metric::Switch and Metric::SessionMemory stay as they are.
     void end(const MeasuredLink &link, const Snapshot &snapshot, const Plan &plan, Sample &sample);
@@ -34,7 +39,8 @@ private:
     std::function<ProgramUsage()> m_programs;
     metrics::EnergyMeter m_energy;
     Reading m_begin;
-    std::optional<channel::SessionId> m_session;
+    std::optional<channel::SessionId> m_session; ///< empty in plain MAVLink
+    std::optional<channel::PublicKey> m_peer;    ///< of that session
     std::optional<std::uint32_t> m_reportBefore; ///< stamp of the agent's newest report when the run began
 };
 

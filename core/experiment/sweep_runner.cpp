@@ -162,6 +162,9 @@ void SweepRunner::handleEvent(const engine::Event &event)
             giveUp(link.url + ": " + link.problem);
     } else if (const auto *up = std::get_if<channel::SessionUp>(&event)) {
         m_link.sessionUp(*up);
+        const bool isMeasured = m_stage == Stage::Measuring || m_stage == Stage::Ending;
+        if (isMeasured && !m_link.isPlain() && m_measurement.isReplacedBy(*up))
+            endRun(RunMeasurement::kSessionEnded);
     } else if (const auto *done = std::get_if<channel::SwitchDone>(&event)) {
         handleSwitch(*done);
     }

@@ -167,7 +167,8 @@ void LostLinkTest::lostWhileARunIsMeasured()
     sweep.runner->start();
     EVENTUALLY(sweep.over);
     QCOMPARE(sweep.samples.size(), std::size_t(2));
-    QCOMPARE(sweep.samples[0].first.problem, std::string("the session did not last through the run"));
+    QCOMPARE(QString::fromStdString(sweep.samples[0].first.problem),
+             QStringLiteral("the session did not last through the run"));
     QCOMPARE(sweep.samples[1].first.problem, std::string());
     QCOMPARE(int(sweep.samples[1].second), int(sweep.results().plan.arms[sweep.samples[1].first.run.arm].suite));
 }
