@@ -338,7 +338,7 @@ void SweepWindowTest::cancelGoesBack()
     QTest::mouseClick(find<QPushButton>("sweepCancel"), Qt::LeftButton);
     EVENTUALLY(!page().isRunning());
     EVENTUALLY_EQUAL(suite(), SuiteId::Aes256Gcm);
-    QVERIFY(find<QLabel>("secureTitle")->text().startsWith(q("Sealed")));
+    EVENTUALLY(find<QLabel>("secureTitle")->text().startsWith(q("Sealed")));
 }
 
 /// A radio's line, by clicks: the page and the report name it, and it shows in what comes through.
