@@ -15,10 +15,10 @@ constexpr Duration kAnswerKept = std::chrono::seconds(10);
 /// in its name.
 constexpr std::ptrdiff_t kMostAnsweredOfPeer = 4;
 constexpr std::size_t kMostAnswered = 64;
-/// Datagrams of one round, so that those of many quiet sessions do not fill the queue.
+/// Datagrams of one round, so that those of many quiet sessions, whose reports may be due at once, do not fill the queue.
 constexpr std::size_t kMostAnnouncements = 48;
 constexpr std::size_t kMostRequests = 16;
-static_assert(2 * kMostAnnouncements + kMostRequests < DatagramQueue::kSlots);
+static_assert(SessionTable::kSlots + 2 * kMostAnnouncements + kMostRequests <= DatagramQueue::kSlots);
 
 bool holds(const std::vector<Path> &paths, const Path &path)
 {
@@ -280,9 +280,11 @@ void AgentHandshakes::requestReports(TimePoint now)
         Path to;
     };
     std::vector<Request> requests;
+    bool anyQuiet = false;
     m_core.table.forEach([&](SessionTable::Entry &entry) {
         if (!entry.up || !entry.session->quiet(now))
             return;
+        anyQuiet = true;
         const Path used = entry.session->path();
         for (const Path &path : m_core.config.announceTo) {
             // Without an address or a node of its own, a place leads to the peers of its link, this one among them.
@@ -291,7 +293,7 @@ void AgentHandshakes::requestReports(TimePoint now)
                 requests.push_back({entry.session.get(), path});
         }
     });
-    if (requests.empty() || !m_requests.take(now))
+    if (!anyQuiet || !m_requests.take(now))
         return;
     const std::size_t count = std::min(requests.size(), kMostRequests);
     for (std::size_t i = 0; i < count; ++i) {
@@ -306,8 +308,8 @@ TimePoint AgentHandshakes::deadline(TimePoint now)
     for (const Answered &answered : m_answered)
         due = std::min(due, answered.until);
     m_core.table.forEach([&](SessionTable::Entry &entry) {
-        if (entry.up && !entry.session->quiet(now)) // It is announced to from then on.
-            due = std::min(due, entry.session->quietFrom());
+        if (entry.up) // From then on it is announced to, and requests reports.
+            due = std::min(due, entry.session->quiet(now) ? m_requests.next() : entry.session->quietFrom());
     });
     return due;
 }

@@ -14,7 +14,7 @@ namespace skyseal::channel {
 class DatagramQueue
 {
 public:
-    static constexpr std::size_t kSlots = 128;
+    static constexpr std::size_t kSlots = 384; ///< a report of each session, announcements, and some more
     static constexpr std::size_t kMaxLength = 256;
 
     struct Item

@@ -317,18 +317,18 @@ void StationHandshakes::callAgents(TimePoint now)
             agents.push_back(peer.key);
     }
     std::vector<Path> places = m_core.config.callAt;
-    std::erase_if(places, [this](const Path &path) { return isTaken(path); });
+    std::erase_if(places, [this, now](const Path &path) { return isTaken(now, path); });
     m_calls.take(now, agents, places, [&](const PublicKey &agent, const Path &place) {
         want(now + AgentCalls::kTurn, agent, place.carrier, now).placeAt(place).proven = true; // by the operator, who named it
     });
 }
 
-/// True if the agent that listens there has a session, also one that has moved to another of its links since.
-bool StationHandshakes::isTaken(const Path &place)
+/// True if the agent that listens there has a session that is heard.
+bool StationHandshakes::isTaken(TimePoint now, const Path &place)
 {
     bool taken = false;
     m_core.table.forEach([&](const SessionTable::Entry &entry) {
-        taken = taken || (entry.up && (entry.session->path() == place || entry.session->origin() == place));
+        taken = taken || (entry.up && !entry.session->silent(now) && entry.session->path() == place);
     });
     return taken;
 }

@@ -42,7 +42,7 @@ private:
     using Place = HandshakeAttempt::Place;
 
     void callAgents(TimePoint now);
-    bool isTaken(const Path &place);
+    bool isTaken(TimePoint now, const Path &place);
     static bool mayReplace(const Session &session, Carrier carrier);
     Attempt *attemptWith(const PublicKey &peer, Carrier carrier);
     Attempt *attemptOfCookie(TimePoint now, const Path &from, ByteView datagram, Cookie &cookie);

@@ -28,6 +28,8 @@ private Q_SLOTS:
     void init();
     void cleanup() { m_links.remove(kLink); }
     void mavlinkFromThereMakesCallsRare();
+    void forgedMavlinkNeverStopsCalls_data();
+    void forgedMavlinkNeverStopsCalls();
     void mavlinkFromElsewhereDoesNot();
     void notWhereAnAgentHadASession();
     void notWhereAVehicleIsFlownInClear();
@@ -80,6 +82,36 @@ void CallPlacesTest::mavlinkFromThereMakesCallsRare()
     QVERIFY(!m_places.takeChanged());
     callsIn(10); // The last MAVLink still counts.
     QCOMPARE(callsIn(10), 10);
+}
+
+void CallPlacesTest::forgedMavlinkNeverStopsCalls_data()
+{
+    QTest::addColumn<int>("every"); // ms
+    for (const int every : {100, 999, 5000, 9999, 10001, 10010, 10999, 11500, 29999, 30001})
+        QTest::addRow("every %d ms", every) << every;
+}
+
+/// At whatever interval frames are forged, also just when the last one is forgotten.
+void CallPlacesTest::forgedMavlinkNeverStopsCalls()
+{
+    QFETCH(int, every);
+    int calls = 0;
+    TimePoint forged = m_now, second = m_now + 500ms, latest = m_now;
+    for (const TimePoint end = m_now + 1h; m_now < end; m_now = std::min(forged, second)) {
+        if (m_now == forged) {
+            m_places.noteMavlink(*m_link, path(), m_now);
+            forged += std::chrono::milliseconds(every);
+        }
+        if (m_now == second) {
+            second += 1s;
+            if (m_places.update(m_now, m_links, [](const Path &) { return false; }).empty())
+                continue;
+            ++calls;
+            QVERIFY(m_now - latest <= 31s);
+            latest = m_now;
+        }
+    }
+    QVERIFY2(calls >= 115, qPrintable(QString::number(calls)));
 }
 
 void CallPlacesTest::mavlinkFromElsewhereDoesNot()

@@ -29,13 +29,10 @@ public:
             return;
         if (!m_newest || link.id() != m_newestLink) {
             m_newestLink = link.id();
-            m_newest = &m_mavlink[m_newestLink];
+            m_newest = &m_places[m_newestLink];
         }
-        if (!m_newest->isFresh(now)) {
-            m_newest->nextCall = now + kCallSparingly;
-            m_changed = true;
-        }
-        m_newest->latest = now;
+        m_changed |= !m_newest->isMavlink(now);
+        m_newest->mavlink = now;
     }
     /// A record of an agent came from there: MAVLink of strangers does not count any more.
     void noteSession(const link::Link &link, const Path &from)
@@ -55,35 +52,29 @@ public:
             const bool calls = link.traits().isDatagramClient() && !links.isListenOnly(link.id()) && link.remote() != Address{};
             const bool greeted = link.counters().txBlocks > 0; // a second ago, so that a router could answer
             const Path path{link.id(), link.remote()};
-            if (calls && greeted && !isFlown(path) && mayCall(link.id(), now))
-                out.push_back(path);
+            if (!calls || !greeted || isFlown(path))
+                return;
+            Place &place = m_places[link.id()];
+            if (place.isMavlink(now) && !m_sessions.contains(link.id()) && now < place.called + kCallSparingly)
+                return;
+            place.called = now;
+            out.push_back(path);
         });
         return out;
     }
 
 private:
-    struct Mavlink
+    struct Place
     {
-        std::optional<TimePoint> latest;
-        TimePoint nextCall{};
-        bool isFresh(TimePoint now) const { return latest && now - *latest <= kForgetAfter; }
+        std::optional<TimePoint> mavlink; ///< newest frame from there
+        TimePoint called = TimePoint::min() + kCallSparingly;
+        bool isMavlink(TimePoint now) const { return mavlink && now - *mavlink <= kForgetAfter; }
     };
 
-    bool mayCall(LinkId link, TimePoint now)
-    {
-        const auto heard = m_mavlink.find(link);
-        if (heard == m_mavlink.end() || !heard->second.isFresh(now) || m_sessions.contains(link))
-            return true;
-        if (now < heard->second.nextCall)
-            return false;
-        heard->second.nextCall = now + kCallSparingly;
-        return true;
-    }
-
-    std::map<LinkId, Mavlink> m_mavlink; ///< from the addresses of the links
-    LinkId m_newestLink{};               ///< where the newest frame came
-    Mavlink *m_newest = nullptr;         ///< its entry
-    std::set<LinkId> m_sessions;         ///< links at whose address an agent had a session
+    std::map<LinkId, Place> m_places;
+    LinkId m_newestLink{};       ///< where the newest frame came
+    Place *m_newest = nullptr;   ///< its entry
+    std::set<LinkId> m_sessions; ///< links at whose address an agent had a session
     std::optional<LinkId> m_newestSession;
     bool m_changed = false;
 };
