@@ -30,7 +30,7 @@ void SimHost::start()
 {
     makeVehicles(steadyNow());
     link::LinkOptions options;
-    options.segmentedUdp = m_settings.saturate; // a generator of load must not be what limits it
+    options.segmentedUdp = m_settings.saturate; // the generator must not be the bottleneck
     for (const link::LinkUrl &url : m_settings.links) {
         const LinkId id{static_cast<std::uint32_t>(m_links.size() + 1)};
         m_links.push_back(std::make_unique<SimLink>(

@@ -55,7 +55,7 @@ EpollDispatcher::~EpollDispatcher()
 bool EpollDispatcher::processEvents(QEventLoop::ProcessEventsFlags flags)
 {
     m_interrupted = false;
-    // What was posted before this line is sent now; what is posted after it sets the flag again.
+    // Events posted before this line are sent now; later ones set the flag again.
     m_woken.exchange(false);
     Q_EMIT awake();
     QCoreApplication::sendPostedEvents();

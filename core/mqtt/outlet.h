@@ -1,5 +1,5 @@
-// Where messages for a broker go. Thread-safe, and no call blocks on the network. Topics are relative to the prefix of the
-// broker's URL; topics.h makes them.
+// Interface to the publisher of messages to a broker. Thread-safe, and no call blocks on the network. Topics are relative to
+// the prefix of the broker's URL; topics.h makes them.
 #pragma once
 
 #include "core/base/bytes.h"

@@ -1,4 +1,4 @@
-// What moves: a body with its actuators and the control loops that belong to them. A demand of the flight mode goes in; the
+// A vehicle body with its actuators and control loops. A demand of the flight mode goes in; the
 // true state comes out. One class per kind of vehicle.
 #pragma once
 
@@ -38,7 +38,7 @@ public:
     virtual bool idle() const = 0;
     /// Demanded thrust, [0, 1].
     virtual double throttle() const = 0;
-    /// What the motors draw and shake, as a share of their full thrust.
+    /// Load of the motors, a share of their full thrust: scales current and vibration.
     virtual double load() const = 0;
     /// The angles that the control loops follow, rad.
     virtual Euler target() const = 0;

@@ -98,7 +98,7 @@ void FixedWing::fly(double dt, const FlightDemand &demand, const Estimate &estim
     if (const auto *thrust = std::get_if<Thrust>(&demand.vertical))
         speed = settings.speed * (0.6 + 0.8 * (thrust->share - settings.hoverThrottle));
     if (m_idle || (demand.touchdown && -m_state.position.z < kLevelBelow))
-        speed = kSlowest; // it glides
+        speed = kSlowest; // engine off: gliding descent
     m_airspeed += std::clamp(std::max(speed, kSlowest) - m_airspeed, -kSpeedChange * dt, kSpeedChange * dt);
 
     const double roll = m_idle ? 0 : wantedRoll(demand, estimate, settings);

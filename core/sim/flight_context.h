@@ -1,5 +1,5 @@
-// What the parts of an autopilot share: the vehicle and its world, what it was told, and what it knows. Arming, Failsafes and
-// FlightRequests act on it.
+// State that the parts of an autopilot share: the vehicle and its world, its parameters and orders, and its estimate. Arming,
+// Failsafes and FlightRequests act on it.
 #pragma once
 
 #include "core/sim/battery_watch.h"

@@ -1,4 +1,4 @@
-// What an operator may ask of the flight: modes, take-off, destinations, speeds. Independent of MAVLink: every request is a
+// Requests of an operator to the flight: modes, take-off, destinations, speeds. Independent of MAVLink: every request is a
 // method, every refusal a sentence.
 #pragma once
 

@@ -25,7 +25,7 @@ public:
     virtual std::optional<ItemError> check(std::size_t sequence, const StoredItem &item) const = 0;
     /// Replaces the list. Returns false, and changes nothing, if the items do not belong together.
     virtual bool replace(std::vector<StoredItem> items) = 0;
-    /// What is stored, without what the vehicle adds when it answers: to keep it over a reboot.
+    /// The stored items, without those that the vehicle adds to its answers; they are kept over a reboot.
     virtual std::vector<StoredItem> stored() const = 0;
 };
 

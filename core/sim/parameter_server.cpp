@@ -81,7 +81,7 @@ void ParameterServer::handleDeadline(TimePoint now)
 
 void ParameterServer::sendHash()
 {
-    std::uint32_t hash = 2166136261u; // any function of all values does: stations only compare
+    std::uint32_t hash = 2166136261u; // any hash is acceptable, since stations only compare it
     for (std::size_t i = 0; i < m_parameters.count(); ++i)
         hash = (hash ^ std::bit_cast<std::uint32_t>(m_parameters.value(i))) * 16777619u;
     mavlink::ParamValue out;

@@ -1,4 +1,4 @@
-// What is simulated: the kind of vehicle, and the firmware whose habits it has on MAVLink.
+// Type of a simulated vehicle: its kind, and the firmware as which it behaves on MAVLink.
 #pragma once
 
 #include "core/mavlink/enums.h"

@@ -6,7 +6,7 @@
 //     Write:  CreateFile → WriteFile of every chunk, in a window → TerminateSession → CalcFileCRC32
 //     Remove: RemoveFile
 //
-// A file is a row of chunks of 239 bytes. Of files that the vehicle makes up while they are read (ArduPilot's @PARAM and @SYS)
+// A file is a row of chunks of 239 bytes. Of virtual files (ArduPilot's @PARAM and @SYS)
 // the announced size is an estimate (AP_Filesystem_Param::stat(): twelve bytes a parameter): a short chunk or the answer "end
 // of file" ends them. All their chunks must be read with the same size (AP_Filesystem_Param::read()).
 // Requests are repeated with their sequence number, by which the vehicle recognises them, when the measured round trip has

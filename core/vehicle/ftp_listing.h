@@ -1,4 +1,4 @@
-// What the answers of MAVLink FTP say: one part of a directory, and the reason of a refusal.
+// Parses answers of MAVLink FTP: one part of a directory listing, and the reason of a refusal.
 // https://mavlink.io/en/services/ftp.html
 #pragma once
 

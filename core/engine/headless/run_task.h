@@ -1,4 +1,4 @@
-// What a run without a window does besides following the vehicles: requests to a vehicle, and what to make of their results.
+// The task of a run without a window: sends requests to a vehicle and evaluates their results.
 // The run calls it on its thread, sends its requests, and ends when it has finished.
 #pragma once
 

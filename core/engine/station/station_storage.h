@@ -1,5 +1,5 @@
-// What a station stores beside its recordings: the system ids under which its peers were heard, and, by the counter store, the
-// counters of handshakes. Reports failures; nothing here stops a session. I/O thread.
+// Persistent state of a station beside its recordings: the system ids under which its peers were heard, and, by the counter
+// store, the counters of handshakes. Reports failures; nothing here stops a session. I/O thread.
 #pragma once
 
 #include "core/engine/common/sealed_systems.h"
