@@ -28,7 +28,7 @@ public:
     {
         auto &there = m_mavlinkAt[link];
         if (!there.latest || now - *there.latest > kForgotten + kTolerance)
-            there = {now, {}, {}};
+            there = {};
         there.latest = now;
         m_countFrom = std::max(m_countFrom, now + kForgotten + 2 * kNoticed); // the address leaves the turns, and returns
     }
@@ -61,7 +61,6 @@ public:
 private:
     struct Router
     {
-        TimePoint since;
         std::optional<TimePoint> latest; ///< frame
         std::optional<TimePoint> called; ///< the first message of the newest second of calls
     };
@@ -70,7 +69,8 @@ private:
     {
         if (now - *there.latest > kForgotten - kTolerance || (there.called && now - *there.called <= kNoticed))
             return;
-        if (now - there.called.value_or(there.since) < kSparingly - kNoticed)
+        // The station counts from its last call, which may have been before the first frame.
+        if (there.called && now - *there.called < kSparingly - kNoticed)
             violated("hardly anybody is called where MAVLink comes from");
         there.called = now;
     }

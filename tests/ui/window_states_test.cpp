@@ -337,6 +337,11 @@ private Q_SLOTS:
         QVERIFY2(said.contains(QStringLiteral("87 refused")), qPrintable(said));
         QVERIFY(find<StripItem>("stripLock")->toolTip().contains(QStringLiteral("Under attack: 87")));
         QVERIFY(find<QLabel>("secureAdvice")->text().contains(QStringLiteral("87 of impostors")));
+        // Plain MAVLink of the vehicle itself, until its session is up again.
+        m_station->notify(channel::SessionUp{});
+        m_station->notify(engine::PlaintextRefused{1, "10.0.0.9:14550", 3, {}});
+        m_station->show(sealedSnapshot(3));
+        QVERIFY(!find<StripItem>("stripLock")->toolTip().contains(QStringLiteral("Under attack")));
     }
 
     void fetchingFromALostVehicleSaysSo()

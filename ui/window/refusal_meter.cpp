@@ -4,6 +4,12 @@ namespace skyseal::ui {
 
 void RefusalMeter::handleEvent(const engine::Event &event, double now)
 {
+    if (std::holds_alternative<channel::SessionUp>(event)) {
+        m_refusals.clear();
+        m_countsFrom = now + kGrace;
+    }
+    if (now < m_countsFrom)
+        return;
     // With `mayBe`, a vehicle only waits for approval.
     if (const auto *clear = std::get_if<engine::PlaintextRefused>(&event); clear && clear->mayBe.empty())
         m_refusals.push_back({now, clear->systemId, clear->frames});

@@ -13,6 +13,9 @@ class RefusalMeter
 {
 public:
     static constexpr double kWindow = 60; ///< seconds
+    /// Seconds after the beginning of a session in which nothing counts, nor anything before: a vehicle that sent plain MAVLink
+    /// until then, as during a measurement, is no impostor of itself.
+    static constexpr double kGrace = 2;
 
     /// `now` in seconds on any steady clock. The station reports refusals at most once a second and kind.
     void handleEvent(const engine::Event &event, double now);
@@ -27,6 +30,7 @@ private:
     };
 
     std::deque<Refusal> m_refusals;
+    double m_countsFrom = 0;
 };
 
 } // namespace skyseal::ui
