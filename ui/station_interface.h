@@ -6,6 +6,7 @@
 #include "core/engine/gateway/serve_config.h"
 #include "core/engine/station/event.h"
 #include "core/engine/station/mavsec_settings.h"
+#include "core/engine/station/snapshot_ptr.h"
 #include "core/vehicle/request.h"
 
 #include <QtCore/QObject>
@@ -15,13 +16,9 @@
 #include <string>
 #include <vector>
 
-namespace skyseal::engine {
-struct Snapshot;
-}
-
 namespace skyseal::ui {
 
-using SnapshotPtr = std::shared_ptr<const engine::Snapshot>;
+using engine::SnapshotPtr;
 
 /// Lives on the GUI thread. Requests return at once; results arrive as events.
 class StationInterface : public QObject

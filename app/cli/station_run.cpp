@@ -1,7 +1,7 @@
 #include "app/cli/station_run.h"
 
 #include "app/cli/broker_report.h"
-#include "app/cli/control/control_server.h"
+#include "app/cli/control/control_socket.h"
 #include "app/cli/json_report.h"
 #include "app/cli/metrics_server.h"
 #include "app/cli/people_report.h"
@@ -102,7 +102,7 @@ int runStation(StationRun run)
         complain(run.program, station.error().text());
         return kCannotOpen;
     }
-    ControlServer control(**station, run.config.keys.peers);
+    ControlSocket control(**station, run.config.keys.peers);
     if (!run.control.isEmpty()) {
         if (const auto listening = control.listen(run.control); !listening) {
             complain(run.program, listening.error().text());

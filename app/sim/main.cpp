@@ -17,9 +17,9 @@ sim::VehicleType typeFrom(app::Options &options)
     sim::VehicleType type;
     const std::string kind = options.text("kind"), autopilot = options.text("autopilot");
     if (kind == "plane")
-        type.kind = sim::VehicleKind::Plane;
+        type.kind = sim::CraftKind::Plane;
     else if (kind == "rover")
-        type.kind = sim::VehicleKind::Rover;
+        type.kind = sim::CraftKind::Rover;
     else if (kind != "copter")
         options.fail("--kind: '" + kind + "' is none of copter, plane, rover");
     if (autopilot == "px4")

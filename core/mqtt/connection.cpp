@@ -225,10 +225,10 @@ void Publisher::Connection::handOver()
         send(*message);
 }
 
-std::optional<Message> Publisher::Connection::next()
+std::optional<OutgoingMessage> Publisher::Connection::next()
 {
     const std::lock_guard lock(m_mutex);
-    std::optional<Message> out;
+    std::optional<OutgoingMessage> out;
     if (m_unconfirmed < kMostUnconfirmed)
         out = m_queue.takeEvent();
     if (!out && m_unsentBytes < kMostUnsent)
@@ -236,7 +236,7 @@ std::optional<Message> Publisher::Connection::next()
     return out;
 }
 
-void Publisher::Connection::send(const Message &message)
+void Publisher::Connection::send(const OutgoingMessage &message)
 {
     const bool isEvent = message.kind == Kind::Event;
     int id = 0;

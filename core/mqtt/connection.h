@@ -53,8 +53,8 @@ private:
     void accepted();
     void lost();
     void handOver();
-    std::optional<Message> next();
-    void send(const Message &message);
+    std::optional<OutgoingMessage> next();
+    void send(const OutgoingMessage &message);
     void sendGatewayState(const char *state);
     void sayGoodbye();
     void noteSent(int id);

@@ -48,21 +48,21 @@ void PublishQueue::putRaw(std::uint8_t systemId, ByteView frame)
     ++raw.frames;
 }
 
-std::optional<Message> PublishQueue::takeEvent()
+std::optional<OutgoingMessage> PublishQueue::takeEvent()
 {
     if (m_events.empty())
         return std::nullopt;
-    std::optional<Message> out(std::move(m_events.front()));
+    std::optional<OutgoingMessage> out(std::move(m_events.front()));
     m_events.pop_front();
     return out;
 }
 
-std::optional<Message> PublishQueue::takeOther()
+std::optional<OutgoingMessage> PublishQueue::takeOther()
 {
     if (!m_order.empty()) {
         auto state = m_states.extract(m_order.front());
         m_order.pop_front();
-        return Message{Kind::State, std::move(state.key()), std::move(state.mapped())};
+        return OutgoingMessage{Kind::State, std::move(state.key()), std::move(state.mapped())};
     }
     if (m_rawWaiting == 0)
         return std::nullopt;
@@ -70,7 +70,7 @@ std::optional<Message> PublishQueue::takeOther()
         ++m_nextRaw;
     const std::uint8_t systemId = m_nextRaw++;
     Raw &raw = m_raw[systemId];
-    Message out{Kind::Raw, vehicleMavlink(systemId), raw.bytes}; // a copy: the buffer stays
+    OutgoingMessage out{Kind::Raw, vehicleMavlink(systemId), raw.bytes}; // a copy: the buffer stays
     raw.bytes.clear();
     raw.frames = 0;
     --m_rawWaiting;

@@ -18,7 +18,7 @@ namespace skyseal::mqtt {
 enum class Kind : std::uint8_t { State, Event, Raw };
 inline constexpr std::size_t kKinds = 3;
 
-struct Message
+struct OutgoingMessage
 {
     Kind kind{};
     std::string topic;
@@ -43,9 +43,9 @@ public:
     void putRaw(std::uint8_t systemId, ByteView frame);
 
     /// The oldest event. Events are taken apart from the rest, since the broker has to confirm each.
-    std::optional<Message> takeEvent();
+    std::optional<OutgoingMessage> takeEvent();
     /// The state that waited the longest, then frames.
-    std::optional<Message> takeOther();
+    std::optional<OutgoingMessage> takeOther();
     bool isEmpty() const { return m_states.empty() && m_events.empty() && m_rawWaiting == 0; }
 
     /// Messages that never reached the broker: states that a newer one replaced, events, and frames.
@@ -62,7 +62,7 @@ private:
 
     std::deque<std::string> m_order; ///< topics of m_states, the oldest first
     std::map<std::string, std::string> m_states;
-    std::deque<Message> m_events;
+    std::deque<OutgoingMessage> m_events;
     std::array<Raw, 256> m_raw;   ///< by system id
     std::size_t m_rawWaiting = 0; ///< vehicles with frames
     std::uint8_t m_nextRaw = 0;   ///< vehicles take turns

@@ -9,14 +9,14 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/mqtt/outlet.h"
+#include "core/mqtt/message_sink.h"
 #include "core/mqtt/publisher_config.h"
 
 #include <memory>
 
 namespace skyseal::mqtt {
 
-class Publisher final : public Outlet
+class Publisher final : public MessageSink
 {
 public:
     static constexpr std::size_t kMostUnsent = 64 * 1024;

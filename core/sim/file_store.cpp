@@ -25,7 +25,7 @@ std::string nameWithin(const std::string &directory, const std::string &path)
 
 } // namespace
 
-FileResult<std::string> FileStore::normalised(std::string_view path)
+StoreResult<std::string> FileStore::normalised(std::string_view path)
 {
     if (path.size() > kLongestPath)
         return fail(FileError::Invalid);
@@ -55,7 +55,7 @@ bool FileStore::hasChildren(const std::string &directory) const
     return std::any_of(m_nodes.begin(), m_nodes.end(), [&](const auto &node) { return folderOf(node.first) == directory; });
 }
 
-FileResult<FileStore::Node *> FileStore::file(const std::string &path)
+StoreResult<FileStore::Node *> FileStore::file(const std::string &path)
 {
     if (isDirectory(path))
         return fail(FileError::IsDirectory);
@@ -65,7 +65,7 @@ FileResult<FileStore::Node *> FileStore::file(const std::string &path)
     return &at->second;
 }
 
-FileResult<void> FileStore::roomAt(const std::string &path) const
+StoreResult<void> FileStore::roomAt(const std::string &path) const
 {
     if (path.empty() || m_nodes.contains(path))
         return fail(FileError::Exists);
@@ -77,7 +77,7 @@ FileResult<void> FileStore::roomAt(const std::string &path) const
     return {};
 }
 
-FileResult<void> FileStore::resize(Node &node, std::size_t size)
+StoreResult<void> FileStore::resize(Node &node, std::size_t size)
 {
     if (size > kMostBytes || m_bytes - node.content.size() > kMostBytes - size)
         return fail(FileError::NoSpace);
@@ -86,7 +86,7 @@ FileResult<void> FileStore::resize(Node &node, std::size_t size)
     return {};
 }
 
-FileResult<std::vector<FileEntry>> FileStore::list(const std::string &directory) const
+StoreResult<std::vector<FileEntry>> FileStore::list(const std::string &directory) const
 {
     if (!isDirectory(directory))
         return fail(m_nodes.contains(directory) ? FileError::NotDirectory : FileError::NotFound);
@@ -98,7 +98,7 @@ FileResult<std::vector<FileEntry>> FileStore::list(const std::string &directory)
     return entries;
 }
 
-FileResult<ByteView> FileStore::read(const std::string &path) const
+StoreResult<ByteView> FileStore::read(const std::string &path) const
 {
     if (isDirectory(path))
         return fail(FileError::IsDirectory);
@@ -108,7 +108,7 @@ FileResult<ByteView> FileStore::read(const std::string &path) const
     return ByteView(at->second.content);
 }
 
-FileResult<void> FileStore::create(const std::string &path, bool truncate)
+StoreResult<void> FileStore::create(const std::string &path, bool truncate)
 {
     if (const auto existing = file(path)) {
         if (truncate)
@@ -123,7 +123,7 @@ FileResult<void> FileStore::create(const std::string &path, bool truncate)
     return {};
 }
 
-FileResult<void> FileStore::write(const std::string &path, std::uint32_t offset, ByteView bytes)
+StoreResult<void> FileStore::write(const std::string &path, std::uint32_t offset, ByteView bytes)
 {
     const auto node = file(path);
     if (!node)
@@ -137,7 +137,7 @@ FileResult<void> FileStore::write(const std::string &path, std::uint32_t offset,
     return {};
 }
 
-FileResult<void> FileStore::truncate(const std::string &path, std::uint32_t size)
+StoreResult<void> FileStore::truncate(const std::string &path, std::uint32_t size)
 {
     const auto node = file(path);
     if (!node)
@@ -145,7 +145,7 @@ FileResult<void> FileStore::truncate(const std::string &path, std::uint32_t size
     return resize(**node, size);
 }
 
-FileResult<void> FileStore::remove(const std::string &path)
+StoreResult<void> FileStore::remove(const std::string &path)
 {
     const auto node = file(path);
     if (!node)
@@ -155,7 +155,7 @@ FileResult<void> FileStore::remove(const std::string &path)
     return {};
 }
 
-FileResult<void> FileStore::makeDirectory(const std::string &path)
+StoreResult<void> FileStore::makeDirectory(const std::string &path)
 {
     if (const auto room = roomAt(path); !room)
         return room;
@@ -163,7 +163,7 @@ FileResult<void> FileStore::makeDirectory(const std::string &path)
     return {};
 }
 
-FileResult<void> FileStore::removeDirectory(const std::string &path)
+StoreResult<void> FileStore::removeDirectory(const std::string &path)
 {
     const auto at = m_nodes.find(path);
     if (at == m_nodes.end())
@@ -176,7 +176,7 @@ FileResult<void> FileStore::removeDirectory(const std::string &path)
     return {};
 }
 
-FileResult<void> FileStore::rename(const std::string &from, const std::string &to)
+StoreResult<void> FileStore::rename(const std::string &from, const std::string &to)
 {
     const auto at = m_nodes.find(from);
     if (at == m_nodes.end())

@@ -24,7 +24,7 @@ enum class FileError : std::uint8_t {
     NoSpace = 28,
     NotEmpty = 39
 };
-template<typename T> using FileResult = Result<T, FileError>;
+template<typename T> using StoreResult = Result<T, FileError>;
 
 struct FileEntry
 {
@@ -42,23 +42,23 @@ public:
 
     /// A path without "//", "." and leading or trailing slashes; "" is the root. Refused if it has "..", control characters or
     /// is too long.
-    static FileResult<std::string> normalised(std::string_view path);
+    static StoreResult<std::string> normalised(std::string_view path);
 
     // Paths are normalised.
-    FileResult<std::vector<FileEntry>> list(const std::string &directory) const;
+    StoreResult<std::vector<FileEntry>> list(const std::string &directory) const;
     /// The content of a file, valid until the next change.
-    FileResult<ByteView> read(const std::string &path) const;
+    StoreResult<ByteView> read(const std::string &path) const;
     /// Makes a file, or opens the one that exists; `truncate` empties it.
-    FileResult<void> create(const std::string &path, bool truncate);
+    StoreResult<void> create(const std::string &path, bool truncate);
     /// Writes at an offset; a gap before it becomes zeros.
-    FileResult<void> write(const std::string &path, std::uint32_t offset, ByteView bytes);
+    StoreResult<void> write(const std::string &path, std::uint32_t offset, ByteView bytes);
     /// Cuts a file, or fills it up with zeros.
-    FileResult<void> truncate(const std::string &path, std::uint32_t size);
-    FileResult<void> remove(const std::string &path);
-    FileResult<void> makeDirectory(const std::string &path);
-    FileResult<void> removeDirectory(const std::string &path);
+    StoreResult<void> truncate(const std::string &path, std::uint32_t size);
+    StoreResult<void> remove(const std::string &path);
+    StoreResult<void> makeDirectory(const std::string &path);
+    StoreResult<void> removeDirectory(const std::string &path);
     /// Renames a file or an empty folder; the new name must not exist.
-    FileResult<void> rename(const std::string &from, const std::string &to);
+    StoreResult<void> rename(const std::string &from, const std::string &to);
 
     std::size_t bytes() const { return m_bytes; }
     std::size_t nodes() const { return m_nodes.size(); }
@@ -70,12 +70,12 @@ private:
         Bytes content;
     };
     using Nodes = std::map<std::string, Node>;
-    FileResult<Node *> file(const std::string &path);
+    StoreResult<Node *> file(const std::string &path);
     bool isDirectory(const std::string &path) const;
     bool hasChildren(const std::string &directory) const;
     /// Whether a new node may be made at a path.
-    FileResult<void> roomAt(const std::string &path) const;
-    FileResult<void> resize(Node &node, std::size_t size);
+    StoreResult<void> roomAt(const std::string &path) const;
+    StoreResult<void> resize(Node &node, std::size_t size);
 
     Nodes m_nodes; ///< without the root
     std::size_t m_bytes = 0;

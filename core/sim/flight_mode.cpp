@@ -77,9 +77,9 @@ const ModeRow &ModeTable::row(FlightMode mode) const
 const ModeTable &modeTable(const VehicleType &type)
 {
     switch (type.kind) {
-    case VehicleKind::Copter: return type.isPx4() ? kPx4Copter : kCopter;
-    case VehicleKind::Plane: return kPlane;
-    case VehicleKind::Rover: return kRover;
+    case CraftKind::Copter: return type.isPx4() ? kPx4Copter : kCopter;
+    case CraftKind::Plane: return kPlane;
+    case CraftKind::Rover: return kRover;
     }
     return kCopter;
 }

@@ -18,9 +18,9 @@ BodyState standing(double heading)
 std::unique_ptr<Craft> makeCraft(const VehicleType &type, double heading)
 {
     switch (type.kind) {
-    case VehicleKind::Copter: break;
-    case VehicleKind::Plane: return std::make_unique<FixedWing>(standing(heading));
-    case VehicleKind::Rover: return std::make_unique<GroundVehicle>(standing(heading));
+    case CraftKind::Copter: break;
+    case CraftKind::Plane: return std::make_unique<FixedWing>(standing(heading));
+    case CraftKind::Rover: return std::make_unique<GroundVehicle>(standing(heading));
     }
     return std::make_unique<Multirotor>(standing(heading));
 }

@@ -220,7 +220,7 @@ FlightSettings flightSettings(const Parameters &parameters, const GeoFrame &worl
     FlightSettings s;
     if (type.isPx4())
         s = px4Settings(p);
-    else if (type.kind == VehicleKind::Copter)
+    else if (type.kind == CraftKind::Copter)
         s = copterSettings(p);
     else
         s = type.isRover() ? roverSettings(p) : planeSettings(p);

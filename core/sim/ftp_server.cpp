@@ -97,7 +97,7 @@ void FtpServer::answer(TimePoint now, const FrameSender &peer, const FtpMessage 
 void FtpServer::changeFile(const FtpMessage &request, FtpMessage &reply)
 {
     const std::string_view path = pathIn(request.content());
-    const auto complete = [&](const FileResult<void> &done) {
+    const auto complete = [&](const StoreResult<void> &done) {
         if (!done)
             refuse(reply, done.error());
     };

@@ -36,13 +36,13 @@ constexpr Supported kCommands[] = {
     {mavlink::MAV_CMD_DO_CHANGE_SPEED, true, true, true},
 };
 
-bool isSupported(std::uint16_t command, VehicleKind kind)
+bool isSupported(std::uint16_t command, CraftKind kind)
 {
     const auto at = std::find_if(std::begin(kCommands), std::end(kCommands),
                                  [&](const Supported &row) { return row.command == command; });
     if (at == std::end(kCommands))
         return false;
-    return kind == VehicleKind::Copter ? at->copter : kind == VehicleKind::Plane ? at->plane : at->rover;
+    return kind == CraftKind::Copter ? at->copter : kind == CraftKind::Plane ? at->plane : at->rover;
 }
 
 } // namespace

@@ -173,7 +173,7 @@ double MissionRunner::timeToStay(const StoredItem &item, const Situation &s) con
 {
     if (item.command == MAV_CMD_NAV_LOITER_TURNS)
         return duration(item.parameters[0]) * 2 * kPi * s.settings.loiterRadius / std::max(s.settings.speed, 1.0);
-    const bool passesBy = item.command == MAV_CMD_NAV_WAYPOINT && m_type.kind == VehicleKind::Plane;
+    const bool passesBy = item.command == MAV_CMD_NAV_WAYPOINT && m_type.kind == CraftKind::Plane;
     return passesBy ? 0 : duration(item.parameters[0]);
 }
 

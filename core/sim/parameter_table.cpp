@@ -50,15 +50,15 @@ Table build(const VehicleType &type)
     } else {
         append(table, arduPilotRows());
         switch (type.kind) {
-        case VehicleKind::Copter: // stabilize, altitude hold, loiter, RTL, land, guided
+        case CraftKind::Copter: // stabilize, altitude hold, loiter, RTL, land, guided
             append(table, copterRows());
             appendChannels(table, "FLTMODE", {0, 2, 5, 6, 9, 4});
             break;
-        case VehicleKind::Plane: // RTL, RTL, fly-by-wire A twice, manual twice
+        case CraftKind::Plane: // RTL, RTL, fly-by-wire A twice, manual twice
             append(table, planeRows());
             appendChannels(table, "FLTMODE", {11, 11, 5, 5, 0, 0});
             break;
-        case VehicleKind::Rover: // manual
+        case CraftKind::Rover: // manual
             append(table, roverRows());
             appendChannels(table, "MODE", {0, 0, 0, 0, 0, 0});
             break;
@@ -72,11 +72,11 @@ Table build(const VehicleType &type)
 
 const std::vector<ParameterInfo> &parameterTable(const VehicleType &type)
 {
-    static const Table copter = build({VehicleKind::Copter}), plane = build({VehicleKind::Plane}),
-                       rover = build({VehicleKind::Rover}), px4 = build({VehicleKind::Copter, Firmware::Px4});
+    static const Table copter = build({CraftKind::Copter}), plane = build({CraftKind::Plane}),
+                       rover = build({CraftKind::Rover}), px4 = build({CraftKind::Copter, Firmware::Px4});
     if (type.isPx4())
         return px4;
-    return type.kind == VehicleKind::Plane ? plane : type.isRover() ? rover : copter;
+    return type.kind == CraftKind::Plane ? plane : type.isRover() ? rover : copter;
 }
 
 } // namespace skyseal::sim

@@ -56,7 +56,7 @@ bool VehicleFiles::isParameterFile(std::string_view path)
     return FileStore::normalised(pathOf(path)).value_or("") == kParameterFile;
 }
 
-FileResult<std::string> VehicleFiles::changeable(std::string_view path)
+StoreResult<std::string> VehicleFiles::changeable(std::string_view path)
 {
     auto whole = FileStore::normalised(path);
     if (!whole)
@@ -80,7 +80,7 @@ std::string VehicleFiles::newestLog() const
     return std::to_string(m_logs.log(m_logs.count() - 1).number) + "\n";
 }
 
-FileResult<std::vector<FileEntry>> VehicleFiles::list(std::string_view directory) const
+StoreResult<std::vector<FileEntry>> VehicleFiles::list(std::string_view directory) const
 {
     const auto path = FileStore::normalised(directory);
     if (!path)
@@ -100,7 +100,7 @@ FileResult<std::vector<FileEntry>> VehicleFiles::list(std::string_view directory
     return entries;
 }
 
-FileResult<Bytes> VehicleFiles::read(std::string_view name) const
+StoreResult<Bytes> VehicleFiles::read(std::string_view name) const
 {
     if (isParameterFile(name)) {
         const std::size_t query = name.find('?');
@@ -108,7 +108,7 @@ FileResult<Bytes> VehicleFiles::read(std::string_view name) const
         Bytes packed;
         if (selection)
             packed = packParameters(m_autopilot.parameters(), *selection);
-        return packed.empty() ? FileResult<Bytes>(fail(FileError::Invalid)) : packed;
+        return packed.empty() ? StoreResult<Bytes>(fail(FileError::Invalid)) : packed;
     }
     const auto path = FileStore::normalised(name);
     if (!path)
@@ -125,22 +125,22 @@ FileResult<Bytes> VehicleFiles::read(std::string_view name) const
     return Bytes(content->begin(), content->end());
 }
 
-FileResult<void> VehicleFiles::create(std::string_view path, bool truncate)
+StoreResult<void> VehicleFiles::create(std::string_view path, bool truncate)
 {
     return changeable(path).and_then([&](const std::string &whole) { return m_card.create(whole, truncate); });
 }
 
-FileResult<void> VehicleFiles::write(std::string_view path, std::uint32_t offset, ByteView bytes)
+StoreResult<void> VehicleFiles::write(std::string_view path, std::uint32_t offset, ByteView bytes)
 {
     return changeable(path).and_then([&](const std::string &whole) { return m_card.write(whole, offset, bytes); });
 }
 
-FileResult<void> VehicleFiles::truncate(std::string_view path, std::uint32_t size)
+StoreResult<void> VehicleFiles::truncate(std::string_view path, std::uint32_t size)
 {
     return changeable(path).and_then([&](const std::string &whole) { return m_card.truncate(whole, size); });
 }
 
-FileResult<void> VehicleFiles::remove(std::string_view path)
+StoreResult<void> VehicleFiles::remove(std::string_view path)
 {
     if (const auto log = findLog(FileStore::normalised(path).value_or(""))) {
         if (m_autopilot.armed())
@@ -151,7 +151,7 @@ FileResult<void> VehicleFiles::remove(std::string_view path)
     return changeable(path).and_then([&](const std::string &whole) { return m_card.remove(whole); });
 }
 
-FileResult<void> VehicleFiles::makeDirectory(std::string_view path)
+StoreResult<void> VehicleFiles::makeDirectory(std::string_view path)
 {
     const auto existing = FileStore::normalised(path);
     if (existing && m_card.list(*existing))
@@ -159,12 +159,12 @@ FileResult<void> VehicleFiles::makeDirectory(std::string_view path)
     return changeable(path).and_then([&](const std::string &whole) { return m_card.makeDirectory(whole); });
 }
 
-FileResult<void> VehicleFiles::removeDirectory(std::string_view path)
+StoreResult<void> VehicleFiles::removeDirectory(std::string_view path)
 {
     return changeable(path).and_then([&](const std::string &whole) { return m_card.removeDirectory(whole); });
 }
 
-FileResult<void> VehicleFiles::rename(std::string_view from, std::string_view to)
+StoreResult<void> VehicleFiles::rename(std::string_view from, std::string_view to)
 {
     const auto source = changeable(from), target = changeable(to);
     if (!source || !target)
@@ -172,7 +172,7 @@ FileResult<void> VehicleFiles::rename(std::string_view from, std::string_view to
     return m_card.rename(*source, *target);
 }
 
-FileResult<void> VehicleFiles::storeParameters(ByteView file)
+StoreResult<void> VehicleFiles::storeParameters(ByteView file)
 {
     if (!unpackParameters(file, m_autopilot.parameters()))
         return fail(FileError::Invalid);

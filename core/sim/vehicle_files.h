@@ -13,24 +13,24 @@ class VehicleFiles
 public:
     VehicleFiles(FileStore &card, FlightLogs &logs, Autopilot &autopilot);
 
-    FileResult<std::vector<FileEntry>> list(std::string_view directory) const;
+    StoreResult<std::vector<FileEntry>> list(std::string_view directory) const;
     /// A copy of a file as it is now.
-    FileResult<Bytes> read(std::string_view path) const;
-    FileResult<void> create(std::string_view path, bool truncate);
-    FileResult<void> write(std::string_view path, std::uint32_t offset, ByteView bytes);
-    FileResult<void> truncate(std::string_view path, std::uint32_t size);
-    FileResult<void> remove(std::string_view path);
-    FileResult<void> makeDirectory(std::string_view path);
-    FileResult<void> removeDirectory(std::string_view path);
-    FileResult<void> rename(std::string_view from, std::string_view to);
+    StoreResult<Bytes> read(std::string_view path) const;
+    StoreResult<void> create(std::string_view path, bool truncate);
+    StoreResult<void> write(std::string_view path, std::uint32_t offset, ByteView bytes);
+    StoreResult<void> truncate(std::string_view path, std::uint32_t size);
+    StoreResult<void> remove(std::string_view path);
+    StoreResult<void> makeDirectory(std::string_view path);
+    StoreResult<void> removeDirectory(std::string_view path);
+    StoreResult<void> rename(std::string_view from, std::string_view to);
 
     /// Whether a path is the packed parameter file, which is uploaded as a whole.
     static bool isParameterFile(std::string_view path);
-    FileResult<void> storeParameters(ByteView file);
+    StoreResult<void> storeParameters(ByteView file);
 
 private:
     /// A normalised path that may be changed: on the card, and not what the vehicle itself keeps there.
-    static FileResult<std::string> changeable(std::string_view path);
+    static StoreResult<std::string> changeable(std::string_view path);
     std::optional<std::size_t> findLog(const std::string &path) const;
     std::string newestLog() const;
 

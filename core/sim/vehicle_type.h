@@ -7,25 +7,25 @@
 
 namespace skyseal::sim {
 
-enum class VehicleKind { Copter, Plane, Rover };
+enum class CraftKind { Copter, Plane, Rover };
 enum class Firmware { ArduPilot, Px4 };
 
 struct VehicleType
 {
-    VehicleKind kind = VehicleKind::Copter;
+    CraftKind kind = CraftKind::Copter;
     Firmware firmware = Firmware::ArduPilot;
 
     bool isPx4() const { return firmware == Firmware::Px4; }
-    bool isRover() const { return kind == VehicleKind::Rover; }
+    bool isRover() const { return kind == CraftKind::Rover; }
     /// Whether it can stand still in the air.
-    bool hovers() const { return kind == VehicleKind::Copter; }
+    bool hovers() const { return kind == CraftKind::Copter; }
 
     std::uint8_t mavType() const
     {
         switch (kind) {
-        case VehicleKind::Copter: return mavlink::MAV_TYPE_QUADROTOR;
-        case VehicleKind::Plane: return mavlink::MAV_TYPE_FIXED_WING;
-        case VehicleKind::Rover: return mavlink::MAV_TYPE_GROUND_ROVER;
+        case CraftKind::Copter: return mavlink::MAV_TYPE_QUADROTOR;
+        case CraftKind::Plane: return mavlink::MAV_TYPE_FIXED_WING;
+        case CraftKind::Rover: return mavlink::MAV_TYPE_GROUND_ROVER;
         }
         return mavlink::MAV_TYPE_GENERIC;
     }
@@ -36,9 +36,9 @@ struct VehicleType
         if (isPx4())
             return "skyseal-sim, flies like PX4 1.14";
         switch (kind) {
-        case VehicleKind::Copter: return "skyseal-sim, flies like ArduCopter 4.5";
-        case VehicleKind::Plane: return "skyseal-sim, flies like ArduPlane 4.5";
-        case VehicleKind::Rover: return "skyseal-sim, drives like ArduRover 4.5";
+        case CraftKind::Copter: return "skyseal-sim, flies like ArduCopter 4.5";
+        case CraftKind::Plane: return "skyseal-sim, flies like ArduPlane 4.5";
+        case CraftKind::Rover: return "skyseal-sim, drives like ArduRover 4.5";
         }
         return "";
     }

@@ -25,10 +25,10 @@ struct Recorded
     std::map<std::uint8_t, Bytes> frames;
 };
 
-class RecordingOutlet final : public mqtt::Outlet
+class RecordingSink final : public mqtt::MessageSink
 {
 public:
-    explicit RecordingOutlet(Recorded &out) : m_out(out) {}
+    explicit RecordingSink(Recorded &out) : m_out(out) {}
     void putState(std::string topic, std::string payload) override { m_out.states.emplace_back(topic, payload); }
     void putEvent(std::string topic, std::string payload) override { m_out.events.emplace_back(topic, payload); }
     void putRaw(std::uint8_t systemId, ByteView frame) override
@@ -66,7 +66,7 @@ struct Rig
     Recorded received;
     FleetFeed feed;
 
-    explicit Rig(bool raw = false) : feed(std::make_unique<RecordingOutlet>(received), raw) {}
+    explicit Rig(bool raw = false) : feed(std::make_unique<RecordingSink>(received), raw) {}
     QStringList topicsOf(const Event &event)
     {
         received.events.clear();

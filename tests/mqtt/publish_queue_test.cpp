@@ -12,7 +12,7 @@ using namespace skyseal::mqtt;
 
 namespace {
 
-std::string topicOf(std::optional<Message> message)
+std::string topicOf(std::optional<OutgoingMessage> message)
 {
     return message ? message->topic : "none";
 }
@@ -105,7 +105,7 @@ void PublishQueueTest::nothingIsLostUncounted()
     const auto holds = [] {
         PublishQueue queue;
         std::array<std::uint64_t, kKinds> put{}, taken{};
-        const auto take = [&](std::optional<Message> message) {
+        const auto take = [&](std::optional<OutgoingMessage> message) {
             if (!message)
                 return false;
             // Each frame is one byte.

@@ -34,7 +34,7 @@ private Q_SLOTS:
 
 namespace {
 
-SimulatedVehicleConfig of(VehicleKind kind)
+SimulatedVehicleConfig of(CraftKind kind)
 {
     SimulatedVehicleConfig config;
     config.autopilot.type.kind = kind;
@@ -82,9 +82,9 @@ void SimKindsTest::identifiesItself_data()
     QTest::addColumn<int>("kind");
     QTest::addColumn<int>("type");
     QTest::addColumn<QByteArray>("text");
-    QTest::newRow("copter") << int(VehicleKind::Copter) << int(MAV_TYPE_QUADROTOR) << QByteArray("ArduCopter");
-    QTest::newRow("plane") << int(VehicleKind::Plane) << int(MAV_TYPE_FIXED_WING) << QByteArray("ArduPlane");
-    QTest::newRow("rover") << int(VehicleKind::Rover) << int(MAV_TYPE_GROUND_ROVER) << QByteArray("ArduRover");
+    QTest::newRow("copter") << int(CraftKind::Copter) << int(MAV_TYPE_QUADROTOR) << QByteArray("ArduCopter");
+    QTest::newRow("plane") << int(CraftKind::Plane) << int(MAV_TYPE_FIXED_WING) << QByteArray("ArduPlane");
+    QTest::newRow("rover") << int(CraftKind::Rover) << int(MAV_TYPE_GROUND_ROVER) << QByteArray("ArduRover");
 }
 
 void SimKindsTest::identifiesItself()
@@ -92,7 +92,7 @@ void SimKindsTest::identifiesItself()
     QFETCH(int, kind);
     QFETCH(int, type);
     QFETCH(QByteArray, text);
-    TestStation station(of(static_cast<VehicleKind>(kind)));
+    TestStation station(of(static_cast<CraftKind>(kind)));
     station.run(2);
     const auto heartbeat = station.last<mavlink::Heartbeat>();
     QCOMPARE(int(heartbeat.type), type);
@@ -108,7 +108,7 @@ void SimKindsTest::identifiesItself()
 
 void SimKindsTest::hasParametersOfItsKind()
 {
-    const Parameters copter({VehicleKind::Copter}), plane({VehicleKind::Plane}), rover({VehicleKind::Rover});
+    const Parameters copter({CraftKind::Copter}), plane({CraftKind::Plane}), rover({CraftKind::Rover});
     for (const Parameters *all : {&copter, &plane, &rover}) {
         QVERIFY(all->find("SYSID_THISMAV") && all->find("SIM_SPEEDUP") && all->find("SR0_EXTRA1")
                 && all->find("BATT_CAPACITY"));
@@ -126,7 +126,7 @@ void SimKindsTest::hasParametersOfItsKind()
 
 void SimKindsTest::planeTakesOffAndCircles()
 {
-    TestStation station(of(VehicleKind::Plane));
+    TestStation station(of(CraftKind::Plane));
     QVERIFY(armIn(station, PLANE_MODE_TAKEOFF));
     QVERIFY(station.until([&] { return !truth(station).onGround; }, 20));
     QVERIFY(truth(station).position.horizontal() > 10); // along the ground
@@ -145,7 +145,7 @@ void SimKindsTest::planeTakesOffAndCircles()
 
 void SimKindsTest::planeFliesItsMissionAndLands()
 {
-    TestStation station(of(VehicleKind::Plane));
+    TestStation station(of(CraftKind::Plane));
     station.run(6);
     std::vector<mavlink::MissionItemInt> items{
         itemAt(MAV_CMD_NAV_WAYPOINT, 0, 0, 0), itemAt(MAV_CMD_NAV_TAKEOFF, 0, 0, 0), itemAt(MAV_CMD_NAV_WAYPOINT, 0, 500, 0),
@@ -169,7 +169,7 @@ void SimKindsTest::planeFliesItsMissionAndLands()
 
 void SimKindsTest::planeReturnsAndCirclesHome()
 {
-    TestStation station(of(VehicleKind::Plane));
+    TestStation station(of(CraftKind::Plane));
     QVERIFY(circling(station));
     QCOMPARE(station.command(MAV_CMD_NAV_RETURN_TO_LAUNCH), int(MAV_RESULT_ACCEPTED));
     QCOMPARE(station.vehicle.autopilot().modes().row().number, std::uint32_t(PLANE_MODE_RTL));
@@ -181,7 +181,7 @@ void SimKindsTest::planeReturnsAndCirclesHome()
 
 void SimKindsTest::planeGoesWhereItIsSent()
 {
-    TestStation station(of(VehicleKind::Plane));
+    TestStation station(of(CraftKind::Plane));
     QVERIFY(circling(station));
     QCOMPARE(station.command(MAV_CMD_DO_SET_MODE, {1, PLANE_MODE_GUIDED}), int(MAV_RESULT_ACCEPTED));
     QVERIFY(!station.vehicle.autopilot().requests().goTo({600, 200, -80}));
@@ -196,7 +196,7 @@ void SimKindsTest::planeGoesWhereItIsSent()
 
 void SimKindsTest::planeGlidesToTheGroundWithoutItsMotor()
 {
-    TestStation station(of(VehicleKind::Plane));
+    TestStation station(of(CraftKind::Plane));
     QVERIFY(circling(station));
     QCOMPARE(station.command(MAV_CMD_COMPONENT_ARM_DISARM, {0, 21196}), int(MAV_RESULT_ACCEPTED));
     station.run(5);
@@ -208,7 +208,7 @@ void SimKindsTest::planeGlidesToTheGroundWithoutItsMotor()
 
 void SimKindsTest::planeTakesNoTakeOffCommand()
 {
-    TestStation station(of(VehicleKind::Plane));
+    TestStation station(of(CraftKind::Plane));
     QVERIFY(armIn(station, PLANE_MODE_GUIDED));
     QCOMPARE(station.command(MAV_CMD_NAV_TAKEOFF, {0, 0, 0, 0, 0, 0, 30}), int(MAV_RESULT_FAILED));
     QCOMPARE(station.command(MAV_CMD_NAV_LAND), int(MAV_RESULT_UNSUPPORTED)); // by a mission
@@ -218,7 +218,7 @@ void SimKindsTest::planeTakesNoTakeOffCommand()
 
 void SimKindsTest::returnModeIsNotArmed()
 {
-    for (const VehicleKind kind : {VehicleKind::Plane, VehicleKind::Rover}) {
+    for (const CraftKind kind : {CraftKind::Plane, CraftKind::Rover}) {
         TestStation station(of(kind));
         station.run(6);
         QCOMPARE(station.command(MAV_CMD_DO_SET_MODE, {1, 11}), int(MAV_RESULT_ACCEPTED)); // RTL of both
@@ -230,7 +230,7 @@ void SimKindsTest::returnModeIsNotArmed()
 
 void SimKindsTest::roverDrivesItsMission()
 {
-    TestStation station(of(VehicleKind::Rover));
+    TestStation station(of(CraftKind::Rover));
     station.run(6);
     const auto items = numbered({itemAt(MAV_CMD_NAV_WAYPOINT, 0, 0, 0), itemAt(MAV_CMD_NAV_WAYPOINT, 0, 30, 0),
                                  itemAt(MAV_CMD_NAV_WAYPOINT, 0, 30, 20), itemAt(MAV_CMD_NAV_RETURN_TO_LAUNCH, 0, 0, 0)},
@@ -255,7 +255,7 @@ void SimKindsTest::roverDrivesItsMission()
 
 void SimKindsTest::roverIsArmedAndDisarmedWhereItStands()
 {
-    TestStation station(of(VehicleKind::Rover));
+    TestStation station(of(CraftKind::Rover));
     QVERIFY(armIn(station, ROVER_MODE_GUIDED));
     QVERIFY(!station.vehicle.autopilot().requests().goTo({40, 0, 0}));
     QVERIFY(station.until([&] { return truth(station).velocity.horizontal() > 1.5; }, 20));
@@ -271,7 +271,7 @@ void SimKindsTest::roverIsArmedAndDisarmedWhereItStands()
 
 void SimKindsTest::roverRefusesToFly()
 {
-    TestStation station(of(VehicleKind::Rover));
+    TestStation station(of(CraftKind::Rover));
     QVERIFY(armIn(station, ROVER_MODE_GUIDED));
     QCOMPARE(station.command(MAV_CMD_NAV_TAKEOFF, {0, 0, 0, 0, 0, 0, 10}), int(MAV_RESULT_UNSUPPORTED));
     QCOMPARE(station.command(MAV_CMD_NAV_LAND), int(MAV_RESULT_UNSUPPORTED));
@@ -283,7 +283,7 @@ void SimKindsTest::roverRefusesToFly()
 
 void SimKindsTest::stationLossStopsARover()
 {
-    TestStation station(of(VehicleKind::Rover));
+    TestStation station(of(CraftKind::Rover));
     station.setParameter("FS_GCS_ENABLE", 1);
     QVERIFY(armIn(station, ROVER_MODE_GUIDED));
     QVERIFY(!station.vehicle.autopilot().requests().goTo({200, 0, 0}));
@@ -312,7 +312,7 @@ void SimKindsTest::missionsHoldTheCommandsOfTheirKind_data()
 void SimKindsTest::missionsHoldTheCommandsOfTheirKind()
 {
     QFETCH(int, command);
-    const VehicleKind kinds[] = {VehicleKind::Copter, VehicleKind::Plane, VehicleKind::Rover};
+    const CraftKind kinds[] = {CraftKind::Copter, CraftKind::Plane, CraftKind::Rover};
     const char *const columns[] = {"copter", "plane", "rover"};
     for (std::size_t i = 0; i < 3; ++i) {
         const bool *wanted = static_cast<bool *>(QTest::qData(columns[i], qMetaTypeId<bool>()));

@@ -16,7 +16,7 @@ void FleetFeed::take(const Snapshot &snapshot, WallTime now)
     const bool inTime = snapshot.time < m_nextState + kStateEvery; // otherwise there is nothing to make up for
     m_nextState = (inTime ? m_nextState : snapshot.time) + kStateEvery;
     for (const VehicleSnapshot &vehicle : snapshot.vehicles)
-        m_outlet->putState(mqtt::vehicleState(vehicle.state.systemId), vehicleStateEvent(snapshot, vehicle, now));
+        m_sink->putState(mqtt::vehicleState(vehicle.state.systemId), vehicleStateEvent(snapshot, vehicle, now));
 }
 
 void FleetFeed::handleEvent(const Event &event)
@@ -27,15 +27,15 @@ void FleetFeed::handleEvent(const Event &event)
         return;
     const std::vector<std::uint8_t> vehicles = vehiclesOf(event);
     for (const std::uint8_t systemId : vehicles)
-        m_outlet->putEvent(mqtt::vehicleEvent(systemId), line);
+        m_sink->putEvent(mqtt::vehicleEvent(systemId), line);
     if (vehicles.empty())
-        m_outlet->putEvent(mqtt::kGatewayEvent, line);
+        m_sink->putEvent(mqtt::kGatewayEvent, line);
 }
 
 void FleetFeed::takeFrame(ByteView frame)
 {
     if (m_raw)
-        m_outlet->putRaw(mavlink::systemIdOf(frame), frame);
+        m_sink->putRaw(mavlink::systemIdOf(frame), frame);
 }
 
 /// An event of a session concerns the vehicles behind it. A system id that no vehicle has is a stranger's claim, which makes

@@ -8,7 +8,7 @@
 #include "core/engine/station/event.h"
 #include "core/engine/station/feed.h"
 #include "core/engine/station/snapshot.h"
-#include "core/mqtt/outlet.h"
+#include "core/mqtt/message_sink.h"
 
 #include <memory>
 #include <vector>
@@ -22,7 +22,7 @@ public:
     static constexpr double kStateEvery = 0.5;
 
     /// `raw`: publish the frames, too.
-    FleetFeed(std::unique_ptr<mqtt::Outlet> outlet, bool raw) : m_outlet(std::move(outlet)), m_raw(raw) {}
+    FleetFeed(std::unique_ptr<mqtt::MessageSink> sink, bool raw) : m_sink(std::move(sink)), m_raw(raw) {}
 
     /// Call for every snapshot, of which some are published.
     void take(const Snapshot &snapshot, WallTime now);
@@ -30,13 +30,13 @@ public:
     void handleEvent(const Event &event);
 
     void takeFrame(ByteView frame) override;
-    mqtt::PublisherStatus status() const override { return m_outlet->status(); }
+    mqtt::PublisherStatus status() const override { return m_sink->status(); }
 
 private:
     std::vector<std::uint8_t> vehiclesOf(const Event &event) const;
     std::vector<std::uint8_t> vehiclesOver(channel::SessionId session) const;
 
-    const std::unique_ptr<mqtt::Outlet> m_outlet;
+    const std::unique_ptr<mqtt::MessageSink> m_sink;
     const bool m_raw;
     PeerNames m_names;
     std::map<std::uint8_t, std::optional<channel::SessionId>> m_vehicles; ///< and their sessions, by the newest snapshot

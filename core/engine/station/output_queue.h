@@ -5,18 +5,14 @@
 
 #include "core/channel/pairing.h"
 #include "core/engine/station/event.h"
+#include "core/engine/station/snapshot_ptr.h"
 
 #include <deque>
-#include <memory>
 #include <mutex>
 #include <utility>
 #include <variant>
 
 namespace skyseal::engine {
-
-struct Snapshot;
-
-using SnapshotPtr = std::shared_ptr<const Snapshot>;
 
 /// A snapshot with a probe.
 struct Probed

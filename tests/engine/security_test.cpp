@@ -7,7 +7,7 @@
 
 using namespace skyseal::engine;
 
-class SecurityOfTest : public QObject
+class SecurityTest : public QObject
 {
     Q_OBJECT
 
@@ -16,7 +16,7 @@ private Q_SLOTS:
     void attacks();
 };
 
-void SecurityOfTest::attacks_data()
+void SecurityTest::attacks_data()
 {
     QTest::addColumn<int>("good");
     QTest::addColumn<int>("forged");
@@ -30,7 +30,7 @@ void SecurityOfTest::attacks_data()
     QTest::newRow("one forged record") << 3000 << 1 << 0 << true;
 }
 
-void SecurityOfTest::attacks()
+void SecurityTest::attacks()
 {
     QFETCH(int, good);
     QFETCH(int, forged);
@@ -44,5 +44,5 @@ void SecurityOfTest::attacks()
     QCOMPARE(int(securityOf(snapshot)), int(attacked ? Security::UnderAttack : Security::Sealed));
 }
 
-SKYSEAL_TEST_APPLESS(SecurityOfTest)
-#include "security_of_test.moc"
+SKYSEAL_TEST_APPLESS(SecurityTest)
+#include "security_test.moc"

@@ -9,10 +9,10 @@
 
 namespace skyseal::mqtt {
 
-class Outlet
+class MessageSink
 {
 public:
-    virtual ~Outlet() = default;
+    virtual ~MessageSink() = default;
 
     /// The present state of something; a newer one replaces it, also while it waits. Retained by the broker, QoS 0.
     virtual void putState(std::string topic, std::string payload) = 0;

@@ -24,7 +24,7 @@
 
 namespace skyseal::app {
 
-class ControlServer : public QObject
+class ControlSocket : public QObject
 {
     Q_OBJECT
 
@@ -33,8 +33,8 @@ public:
     static constexpr int kMostConnections = 8;
 
     /// `station` must outlive this object; `peersFile` is its list of peers, empty without keys.
-    ControlServer(engine::Station &station, std::string peersFile);
-    ~ControlServer() override;
+    ControlSocket(engine::Station &station, std::string peersFile);
+    ~ControlSocket() override;
 
     /// Listens on a socket that only this user can open. Replaces one that a killed program left behind, and fails if another
     /// program listens there.

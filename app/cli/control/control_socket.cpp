@@ -1,4 +1,4 @@
-#include "app/cli/control/control_server.h"
+#include "app/cli/control/control_socket.h"
 
 #include "app/cli/people_report.h"
 #include "core/crypto/suite.h"
@@ -56,7 +56,7 @@ std::string brokerLine(const mqtt::PublisherStatus &broker)
 
 } // namespace
 
-ControlServer::ControlServer(engine::Station &station, std::string peersFile)
+ControlSocket::ControlSocket(engine::Station &station, std::string peersFile)
     : m_station(station), m_peersFile(std::move(peersFile))
 {
     connect(&m_station, &engine::Station::snapshotReady, this,
@@ -65,9 +65,9 @@ ControlServer::ControlServer(engine::Station &station, std::string peersFile)
     connect(&m_server, &QLocalServer::newConnection, this, [this] { accept(); });
 }
 
-ControlServer::~ControlServer() = default;
+ControlSocket::~ControlSocket() = default;
 
-Result<void, InputError> ControlServer::listen(const QString &path)
+Result<void, InputError> ControlSocket::listen(const QString &path)
 {
     m_server.setSocketOptions(QLocalServer::UserAccessOption);
     m_server.setMaxPendingConnections(kMostConnections);
@@ -90,7 +90,7 @@ Result<void, InputError> ControlServer::listen(const QString &path)
     return {};
 }
 
-void ControlServer::accept()
+void ControlSocket::accept()
 {
     while (QLocalSocket *asker = m_server.nextPendingConnection()) {
         connect(asker, &QLocalSocket::disconnected, asker, &QObject::deleteLater);
@@ -103,7 +103,7 @@ void ControlServer::accept()
     }
 }
 
-void ControlServer::readRequests(QLocalSocket *asker)
+void ControlSocket::readRequests(QLocalSocket *asker)
 {
     while (asker->canReadLine()) {
         const QJsonDocument request = QJsonDocument::fromJson(asker->readLine());
@@ -118,7 +118,7 @@ void ControlServer::readRequests(QLocalSocket *asker)
     }
 }
 
-void ControlServer::handle(QLocalSocket *asker, const QJsonObject &request)
+void ControlSocket::handle(QLocalSocket *asker, const QJsonObject &request)
 {
     const QString name = request.value(QStringLiteral("request")).toString();
     if (name == QLatin1String("status"))
@@ -131,7 +131,7 @@ void ControlServer::handle(QLocalSocket *asker, const QJsonObject &request)
         answerError(asker, QStringLiteral("status, switch or revoke is expected"));
 }
 
-void ControlServer::sendStatus(QLocalSocket *asker)
+void ControlSocket::sendStatus(QLocalSocket *asker)
 {
     if (!m_snapshot)
         return answerError(asker, QStringLiteral("not started yet"));
@@ -146,7 +146,7 @@ void ControlServer::sendStatus(QLocalSocket *asker)
               {QStringLiteral("text"), text}});
 }
 
-void ControlServer::switchSuite(QLocalSocket *asker, const QString &name)
+void ControlSocket::switchSuite(QLocalSocket *asker, const QString &name)
 {
     const auto suite = crypto::suiteFromName(name.toStdString());
     if (!suite)
@@ -161,7 +161,7 @@ void ControlServer::switchSuite(QLocalSocket *asker, const QString &name)
     m_switches.push_back(std::move(pending));
 }
 
-void ControlServer::revoke(QLocalSocket *asker, const QString &peer)
+void ControlSocket::revoke(QLocalSocket *asker, const QString &peer)
 {
     if (m_peersFile.empty())
         return answerError(asker, QStringLiteral("this station has no list of peers"));
@@ -185,7 +185,7 @@ void ControlServer::revoke(QLocalSocket *asker, const QString &peer)
         });
 }
 
-void ControlServer::noteEvent(const engine::Event &event)
+void ControlSocket::noteEvent(const engine::Event &event)
 {
     if (const auto *done = std::get_if<channel::SwitchDone>(&event)) {
         const auto isWanted = [done](const Switch &pending) { return pending.suite == done->to; };
@@ -201,7 +201,7 @@ void ControlServer::noteEvent(const engine::Event &event)
 
 /// The session has done with the switches that are concerned; `problem` is empty if it succeeded.
 template<typename Concerned>
-void ControlServer::switchEnded(channel::SessionId session, Concerned concerned, const QString &problem)
+void ControlSocket::switchEnded(channel::SessionId session, Concerned concerned, const QString &problem)
 {
     std::erase_if(m_switches, [&](Switch &pending) {
         if (!concerned(pending) || pending.waitsFor.erase(session) == 0)
