@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/crypto/suite.h"
+#include "core/mavlink/enums.h"
 #include "ui/text/units.h"
 #include "ui/theme/palettes.h"
 
@@ -30,7 +31,7 @@ struct Settings
     Theme theme = Theme::Desktop;
     UnitSystem units = UnitSystem::Metric;
     int systemId = 255;
-    int componentId = 190;
+    int componentId = mavlink::MAV_COMP_ID_MISSIONPLANNER;
     bool record = true;
     QString recordFolder; ///< empty = the application's own folder
     bool allowResearch = false;

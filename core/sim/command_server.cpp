@@ -1,15 +1,15 @@
 #include "core/sim/command_server.h"
 
 #include "core/mavlink/enums.h"
+#include "core/mavlink/force_arm.h"
 #include "core/mavlink/messages.h"
+#include "core/mavlink/px4_mode.h"
 
 namespace skyseal::sim {
 
 using namespace mavlink;
 
 namespace {
-
-constexpr float kForce = 21196; // the number that ArduPilot and the MAVLink standard agree on for "in spite of everything"
 
 /// A float of the wire as an index: out of range or not-a-number gives 2^32-1, which names nothing.
 std::uint32_t index(float value)
@@ -99,10 +99,9 @@ std::uint8_t CommandServer::enter(FlightMode mode)
 
 std::uint8_t CommandServer::arm(const Command &command)
 {
-    const bool force = command.parameters[1] == kForce;
+    const bool force = command.parameters[1] == kForceArmDisarm;
     if (command.parameters[0] == 1)
-        return answer(
-            m_autopilot.arming().arm(force || command.parameters[1] == 2989)); // 2989: ArduPilot's own, for arming only
+        return answer(m_autopilot.arming().arm(force || command.parameters[1] == kForceArmArduPilot));
     if (command.parameters[0] == 0)
         return answer(m_autopilot.arming().disarm(force));
     return MAV_RESULT_UNSUPPORTED;

@@ -1,5 +1,7 @@
 #include "core/sim/flight_mode.h"
 
+#include "core/mavlink/px4_mode.h"
+
 #include <algorithm>
 
 namespace skyseal::sim {
@@ -42,13 +44,18 @@ constexpr ModeRow kRoverModes[] = {
     {Guided, ROVER_MODE_GUIDED, "GUIDED", true, true, false},
 };
 
-// Main and sub modes of px4_custom_mode.h. PX4 does not arm in the modes that land or return (ModeRequirements).
+// PX4 does not arm in the modes that land or return (ModeRequirements).
 constexpr ModeRow kPx4CopterModes[] = {
-    {Guided, px4Mode(4, 3), "AUTO.LOITER", true, true, false},   {Manual, px4Mode(1), "MANUAL", false, true, true},
-    {AltHold, px4Mode(2), "ALTCTL", false, true, true},          {Loiter, px4Mode(3), "POSCTL", true, true, true},
-    {TakeOff, px4Mode(4, 2), "AUTO.TAKEOFF", true, true, false}, {Auto, px4Mode(4, 4), "AUTO.MISSION", true, true, false},
-    {Rtl, px4Mode(4, 5), "AUTO.RTL", true, false, false},        {Land, px4Mode(4, 6), "AUTO.LAND", false, false, false},
-    {Offboard, px4Mode(6), "OFFBOARD", true, true, false},       {Stabilize, px4Mode(7), "STABILIZED", false, true, true},
+    {Guided, kPx4AutoLoiter, "AUTO.LOITER", true, true, false},
+    {Manual, kPx4Manual, "MANUAL", false, true, true},
+    {AltHold, kPx4AltitudeControl, "ALTCTL", false, true, true},
+    {Loiter, kPx4PositionControl, "POSCTL", true, true, true},
+    {TakeOff, kPx4AutoTakeOff, "AUTO.TAKEOFF", true, true, false},
+    {Auto, kPx4AutoMission, "AUTO.MISSION", true, true, false},
+    {Rtl, kPx4AutoRtl, "AUTO.RTL", true, false, false},
+    {Land, kPx4AutoLand, "AUTO.LAND", false, false, false},
+    {Offboard, kPx4Offboard, "OFFBOARD", true, true, false},
+    {Stabilize, kPx4Stabilized, "STABILIZED", false, true, true},
 };
 
 constexpr ModeTable kCopter(kCopterModes, Land), kPlane(kPlaneModes, Rtl), kRover(kRoverModes, Hold),

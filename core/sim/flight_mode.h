@@ -60,10 +60,4 @@ private:
 
 const ModeTable &modeTable(const VehicleType &type);
 
-/// custom_mode of PX4: the main mode in the third byte, the sub mode in the fourth (px4_custom_mode.h).
-constexpr std::uint32_t px4Mode(std::uint32_t mainMode, std::uint32_t subMode = 0)
-{
-    return mainMode << 16 | subMode << 24;
-}
-
 } // namespace skyseal::sim

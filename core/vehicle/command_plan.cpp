@@ -1,5 +1,6 @@
 #include "core/vehicle/command_plan.h"
 
+#include "core/mavlink/force_arm.h"
 #include "core/vehicle/flight_modes.h"
 #include "core/vehicle/message_io.h"
 
@@ -11,9 +12,6 @@ namespace {
 
 using Plan = Result<CommandPlan, std::string>;
 
-/// Parameter 2 of MAV_CMD_COMPONENT_ARM_DISARM that overrides checks; no enum of the dialect has it.
-constexpr float kForce = 21196;
-constexpr float kForceArmArduPilot = 2989; // ArduPilot's own number for arming without checks
 /// Parameter 1 of MAV_CMD_DO_CHANGE_SPEED.
 constexpr float kAirSpeed = mavlink::SPEED_TYPE_AIRSPEED, kGroundSpeed = mavlink::SPEED_TYPE_GROUNDSPEED;
 /// Of SET_POSITION_TARGET_GLOBAL_INT: only the position counts.
@@ -54,13 +52,14 @@ public:
 
     Plan operator()(const Arm &arm) const
     {
-        const float force = m_kind.isArduPilot() ? kForceArmArduPilot : kForce;
+        const float force = m_kind.isArduPilot() ? mavlink::kForceArmArduPilot : mavlink::kForceArmDisarm;
         return plan(order(mavlink::MAV_CMD_COMPONENT_ARM_DISARM, 1, arm.force ? force : 0), ArmedIs{true});
     }
 
     Plan operator()(const Disarm &disarm) const
     {
-        return plan(order(mavlink::MAV_CMD_COMPONENT_ARM_DISARM, 0, disarm.force ? kForce : 0), ArmedIs{false});
+        return plan(order(mavlink::MAV_CMD_COMPONENT_ARM_DISARM, 0, disarm.force ? mavlink::kForceArmDisarm : 0),
+                    ArmedIs{false});
     }
 
     Plan operator()(const SetMode &mode) const

@@ -1,6 +1,7 @@
 #include "core/vehicle/flight_modes.h"
 
 #include "core/base/ascii.h"
+#include "core/mavlink/px4_mode.h"
 
 #include <charconv>
 #include <span>
@@ -94,17 +95,22 @@ constexpr Mode kTrackerModes[] = {{TRACKER_MODE_MANUAL, "MANUAL"},
                                   {TRACKER_MODE_AUTO, "AUTO"},
                                   {TRACKER_MODE_INITIALIZING, "INITIALISING"}};
 
-/// PX4 packs the main mode into bits 16..23 and the sub mode into bits 24..31.
-constexpr std::uint32_t px4(std::uint32_t mainMode, std::uint32_t subMode = 0)
-{
-    return mainMode << 16 | subMode << 24;
-}
-
-constexpr Mode kPx4Modes[] = {
-    {px4(1), "MANUAL"},     {px4(2), "ALTCTL"},      {px4(3), "POSCTL"},      {px4(4, 1), "READY"},
-    {px4(4, 2), "TAKEOFF"}, {px4(4, 3), "LOITER"},   {px4(4, 4), "MISSION"},  {px4(4, 5), "RTL"},
-    {px4(4, 6), "LAND"},    {px4(4, 8), "FOLLOWME"}, {px4(4, 9), "PRECLAND"}, {px4(4, 10), "VTOL_TAKEOFF"},
-    {px4(5), "ACRO"},       {px4(6), "OFFBOARD"},    {px4(7), "STABILIZED"},  {px4(8), "RATTITUDE"}};
+constexpr Mode kPx4Modes[] = {{kPx4Manual, "MANUAL"},
+                              {kPx4AltitudeControl, "ALTCTL"},
+                              {kPx4PositionControl, "POSCTL"},
+                              {kPx4AutoReady, "READY"},
+                              {kPx4AutoTakeOff, "TAKEOFF"},
+                              {kPx4AutoLoiter, "LOITER"},
+                              {kPx4AutoMission, "MISSION"},
+                              {kPx4AutoRtl, "RTL"},
+                              {kPx4AutoLand, "LAND"},
+                              {kPx4AutoFollowTarget, "FOLLOWME"},
+                              {kPx4AutoPrecisionLand, "PRECLAND"},
+                              {kPx4AutoVtolTakeOff, "VTOL_TAKEOFF"},
+                              {kPx4Acro, "ACRO"},
+                              {kPx4Offboard, "OFFBOARD"},
+                              {kPx4Stabilized, "STABILIZED"},
+                              {kPx4Rattitude, "RATTITUDE"}};
 
 std::span<const Mode> modesOf(VehicleKind kind)
 {

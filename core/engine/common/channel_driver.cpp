@@ -3,6 +3,7 @@
 #include "core/channel/endpoint.h"
 #include "core/channel/record.h"
 #include "core/engine/common/urgency.h"
+#include "core/mavlink/frame.h"
 #include "core/metrics/process_usage.h"
 
 #include <algorithm>
@@ -99,7 +100,7 @@ bool ChannelDriver::mayWait(TimePoint now, const Path &path, Batch &batch) const
 /// Returns false if this frame has to be sent in a record.
 bool ChannelDriver::queueInline(TimePoint now, channel::SessionId session, ByteView frame, Batch &batch)
 {
-    if (frame[0] != 0xfd || frame.size() < 3 || frame[2] != 0)
+    if (frame[0] != mavlink::kMagic2 || frame.size() < 3 || frame[2] != 0)
         return false;
     if (!batch.sealedInPlace) // the frames before it go first, since counters rise
         sealBatch(now, session, batch);

@@ -1,0 +1,31 @@
+// Custom modes of PX4, which the dialects do not define: the main mode in the third byte, the sub mode in the fourth, with the
+// numbers of PX4's px4_custom_mode.h.
+#pragma once
+
+#include <cstdint>
+
+namespace skyseal::mavlink {
+
+constexpr std::uint32_t px4Mode(std::uint32_t mainMode, std::uint32_t subMode = 0)
+{
+    return mainMode << 16 | subMode << 24;
+}
+
+inline constexpr std::uint32_t kPx4Manual = px4Mode(1);
+inline constexpr std::uint32_t kPx4AltitudeControl = px4Mode(2);
+inline constexpr std::uint32_t kPx4PositionControl = px4Mode(3);
+inline constexpr std::uint32_t kPx4AutoReady = px4Mode(4, 1);
+inline constexpr std::uint32_t kPx4AutoTakeOff = px4Mode(4, 2);
+inline constexpr std::uint32_t kPx4AutoLoiter = px4Mode(4, 3);
+inline constexpr std::uint32_t kPx4AutoMission = px4Mode(4, 4);
+inline constexpr std::uint32_t kPx4AutoRtl = px4Mode(4, 5);
+inline constexpr std::uint32_t kPx4AutoLand = px4Mode(4, 6);
+inline constexpr std::uint32_t kPx4AutoFollowTarget = px4Mode(4, 8);
+inline constexpr std::uint32_t kPx4AutoPrecisionLand = px4Mode(4, 9);
+inline constexpr std::uint32_t kPx4AutoVtolTakeOff = px4Mode(4, 10);
+inline constexpr std::uint32_t kPx4Acro = px4Mode(5);
+inline constexpr std::uint32_t kPx4Offboard = px4Mode(6);
+inline constexpr std::uint32_t kPx4Stabilized = px4Mode(7);
+inline constexpr std::uint32_t kPx4Rattitude = px4Mode(8);
+
+} // namespace skyseal::mavlink
