@@ -23,12 +23,10 @@ constexpr Duration kSettle = milliseconds(500);                ///< a new statio
 constexpr Duration kSettleAgain = milliseconds(200);
 constexpr Duration kMostSettle = std::chrono::seconds(2);    ///< for a vehicle that does not answer TIMESYNC
 constexpr Duration kMostSettling = std::chrono::seconds(30); ///< of a saturated load; the run is measured all the same
-constexpr int kFirstWarmUps = 4;      ///< warm-ups before the first run of programs that have just started
-constexpr unsigned kMostAttempts = 3; ///< of a run whose load is not what its name says
+constexpr int kFirstWarmUps = 4; ///< warm-ups before the first run of programs that have just started
 constexpr Duration kProbePatience = std::chrono::seconds(10);
-constexpr int kWatching = 20;           ///< snapshots a second while the link is brought into its state
-constexpr int kForReports = 1;          ///< while a run waits for the agent's first report
-constexpr unsigned kMostFailedRuns = 3; ///< in a row; after that the link counts as lost
+constexpr int kWatching = 20;  ///< snapshots a second while the link is brought into its state
+constexpr int kForReports = 1; ///< while a run waits for the agent's first report
 
 std::function<ProgramUsage()> programsOf(const Lab *lab)
 {
@@ -93,16 +91,13 @@ void SweepRunner::start()
 
 void SweepRunner::cancel()
 {
-    if (m_stage != Stage::Restoring)
+    if (!m_stage.is(SweepStage::Restoring))
         giveUp("cancelled");
 }
 
-void SweepRunner::enter(Stage stage, Duration patience)
+void SweepRunner::enter(SweepStage stage, Duration patience)
 {
-    m_stage = stage;
-    m_patience = patience;
-    m_stageClock.start();
-    m_stageStart = m_snapshot ? m_snapshot->time : 0;
+    m_stage.enter(stage, patience, now(), m_snapshot ? m_snapshot->time : 0);
     if (m_station.isOpen())
         m_station.setSnapshotsPerSecond(snapshotsPerSecond());
 }
@@ -110,10 +105,10 @@ void SweepRunner::enter(Stage stage, Duration patience)
 /// That the stage needs. A run that is measured needs none but to see the agent's first report.
 int SweepRunner::snapshotsPerSecond() const
 {
-    switch (m_stage) {
-    case Stage::Beginning:
-    case Stage::Ending: return 0;
-    case Stage::Measuring: return m_link.isPlain() || m_measurement.hasReport() ? 0 : kForReports;
+    switch (m_stage.stage()) {
+    case SweepStage::Beginning:
+    case SweepStage::Ending: return 0;
+    case SweepStage::Measuring: return m_link.isPlain() || m_measurement.hasReport() ? 0 : kForReports;
     default: return kWatching;
     }
 }
@@ -132,9 +127,8 @@ void SweepRunner::beginNextRun()
     m_runStart = now();
     m_switch.begin(arm().suite);
     m_fresh = !m_station.isOpen();
-    m_attempts = 1;
+    m_attempts.beginRun(m_queue.atBlockStart());
     m_isCurrent = false;
-    m_hopeless = m_hopeless && !m_queue.atBlockStart();
     Q_EMIT runBegan(run);
     if (m_fresh)
         openStation();
@@ -150,7 +144,7 @@ void SweepRunner::openStation()
         m_link.setProtection(protectionOf(arm()), nullptr);
     if (const auto opened = m_station.open(protectionOf(arm())); !opened)
         return giveUp(opened.error().text());
-    enter(Stage::Connecting, kConnectPatience);
+    enter(SweepStage::Connecting, kConnectPatience);
 }
 
 void SweepRunner::handleEvent(const engine::Event &event)
@@ -162,7 +156,7 @@ void SweepRunner::handleEvent(const engine::Event &event)
             giveUp(link.url + ": " + link.problem);
     } else if (const auto *up = std::get_if<channel::SessionUp>(&event)) {
         m_link.sessionUp(*up);
-        const bool isMeasured = m_stage == Stage::Measuring || m_stage == Stage::Ending;
+        const bool isMeasured = m_stage.is(SweepStage::Measuring) || m_stage.is(SweepStage::Ending);
         if (isMeasured && !m_link.isPlain() && m_measurement.isReplacedBy(*up))
             endRun(RunMeasurement::kSessionEnded);
     } else if (const auto *done = std::get_if<channel::SwitchDone>(&event)) {
@@ -175,44 +169,44 @@ void SweepRunner::handleSnapshot(const RunMeasurement::Snapshot &snapshot)
     m_snapshot = snapshot;
     m_link.update(*snapshot);
     m_opened = m_opened || session();
-    const double inStage = snapshot->time - m_stageStart;
-    switch (m_stage) {
-    case Stage::Connecting:
+    const double inStage = m_stage.age(snapshot->time);
+    switch (m_stage.stage()) {
+    case SweepStage::Connecting:
         // The position matters only for the vehicle of a lab, which has just started.
         if (m_config.lab ? m_link.hasSettledVehicle(*snapshot) : m_link.hasVehicle(*snapshot))
-            enter(Stage::Settling, kConnectPatience);
+            enter(SweepStage::Settling, kConnectPatience);
         break;
-    case Stage::Settling:
+    case SweepStage::Settling:
         if (isSettled(inStage))
             prepareLink();
         break;
-    case Stage::Switching: continueSwitch(); break;
-    case Stage::WarmingUp:
+    case SweepStage::Switching: continueSwitch(); break;
+    case SweepStage::WarmingUp:
         if (!m_link.isUnder(arm().suite, *snapshot))
             beginSwitch(); // the link was lost before the measurement began
         else if (isWarm(inStage))
             requestBegin();
         break;
-    case Stage::Measuring: watchRun(*snapshot); break;
-    case Stage::Restoring: continueRestoring(); break;
-    case Stage::Idle:
-    case Stage::Closing:
-    case Stage::Beginning:
-    case Stage::Ending: break;
+    case SweepStage::Measuring: watchRun(*snapshot); break;
+    case SweepStage::Restoring: continueRestoring(); break;
+    case SweepStage::Idle:
+    case SweepStage::Closing:
+    case SweepStage::Beginning:
+    case SweepStage::Ending: break;
     }
 }
 
 void SweepRunner::handleProbe(const RunMeasurement::Snapshot &snapshot)
 {
-    if (snapshot->time < m_stageStart)
+    if (m_stage.age(snapshot->time) < 0)
         return; // of a run that was given up meanwhile
-    if (m_stage != Stage::Beginning && m_stage != Stage::Ending && m_stage != Stage::Restoring)
+    if (!m_stage.is(SweepStage::Beginning) && !m_stage.is(SweepStage::Ending) && !m_stage.is(SweepStage::Restoring))
         return;
     m_snapshot = snapshot;
     m_link.update(*snapshot);
-    if (m_stage == Stage::Beginning)
+    if (m_stage.is(SweepStage::Beginning))
         return beginMeasuring();
-    if (m_stage == Stage::Ending)
+    if (m_stage.is(SweepStage::Ending))
         return endRun();
     m_isCurrent = true;
     continueRestoring();
@@ -255,7 +249,7 @@ void SweepRunner::prepareLink()
     if (m_link.isCarriedAs(wanted))
         return beginSwitch();
     setProtection(wanted);
-    enter(Stage::Connecting, kConnectPatience);
+    enter(SweepStage::Connecting, kConnectPatience);
 }
 
 void SweepRunner::setProtection(std::optional<engine::Protection> protection)
@@ -268,7 +262,7 @@ void SweepRunner::beginSwitch()
 {
     if (!m_link.isPlain())
         m_station.holdSuite(arm().suite);
-    enter(Stage::Switching, kSwitchPatience);
+    enter(SweepStage::Switching, kSwitchPatience);
     continueSwitch();
 }
 
@@ -284,7 +278,7 @@ void SweepRunner::beginWarmUp()
 {
     const Run &run = m_queue.current();
     m_settling = LoadSettling(lineRate(m_config.plan.conditions[run.condition].settings));
-    enter(Stage::WarmingUp, kFirstWarmUps * m_config.plan.warmUp + kMostSettling + kConnectPatience);
+    enter(SweepStage::WarmingUp, kFirstWarmUps * m_config.plan.warmUp + kMostSettling + kConnectPatience);
 }
 
 void SweepRunner::orderSwitch()
@@ -296,21 +290,21 @@ void SweepRunner::orderSwitch()
 
 void SweepRunner::handleSwitch(const channel::SwitchDone &done)
 {
-    if (m_stage == Stage::Measuring && !done.rekey && done.failure == channel::SwitchFailure::None)
+    if (m_stage.is(SweepStage::Measuring) && !done.rekey && done.failure == channel::SwitchFailure::None)
         return endRun("another suite came into use during the run");
-    if (m_stage != Stage::Switching)
+    if (!m_stage.is(SweepStage::Switching))
         return;
     using Outcome = SuiteSwitch::Outcome;
     const Outcome outcome = m_switch.finish(done, session() != nullptr, now());
     if (outcome == Outcome::Retry)
-        enter(Stage::Switching, kSwitchPatience); // the link works, only slowly
+        enter(SweepStage::Switching, kSwitchPatience); // the link works, only slowly
     else if (outcome == Outcome::Failed)
         endRun(m_switch.problem());
 }
 
 void SweepRunner::requestBegin()
 {
-    enter(Stage::Beginning, kProbePatience);
+    enter(SweepStage::Beginning, kProbePatience);
     m_station.requestProbe();
 }
 
@@ -319,7 +313,7 @@ void SweepRunner::beginMeasuring()
     if (!m_link.isUnder(arm().suite, *m_snapshot))
         return beginSwitch(); // the link was lost at the last moment
     m_measurement.begin(m_link, m_snapshot);
-    enter(Stage::Measuring, m_config.plan.measure + kConnectPatience);
+    enter(SweepStage::Measuring, m_config.plan.measure + kConnectPatience);
     m_measured.start(std::chrono::duration_cast<milliseconds>(m_config.plan.measure));
 }
 
@@ -334,9 +328,9 @@ void SweepRunner::watchRun(const engine::Snapshot &snapshot)
 
 void SweepRunner::requestEnd()
 {
-    if (m_stage != Stage::Measuring)
+    if (!m_stage.is(SweepStage::Measuring))
         return;
-    enter(Stage::Ending, kProbePatience);
+    enter(SweepStage::Ending, kProbePatience);
     m_station.requestProbe();
 }
 
@@ -346,31 +340,24 @@ void SweepRunner::endRun(std::string problem)
     sample.problem = std::move(problem);
     if (sample.problem.empty())
         m_measurement.end(m_link, m_snapshot, m_config.plan, sample);
-    if (!sample.invalid.empty() && mayRepeat()) {
-        ++m_attempts;
+    if (!sample.invalid.empty() && m_attempts.mayRepeat()) {
+        m_attempts.repeat();
         return beginWarmUp();
     }
     if (sample.problem.empty()) {
         sample.values[Metric::Switch] = m_switch.milliseconds();
         addSessionMemory(sample);
-        m_hopeless = !sample.invalid.empty();
+        m_attempts.runMeasured(sample.invalid.empty());
         if (m_link.isPlain())
             m_link.plainSucceeded();
-        m_failedRuns = 0;
     } else {
-        ++m_failedRuns;
+        m_attempts.runFailed();
     }
     record(sample);
-    if (m_failedRuns >= kMostFailedRuns)
-        return giveUp("given up after " + std::to_string(kMostFailedRuns)
+    if (m_attempts.isLinkLost())
+        return giveUp("given up after " + std::to_string(RunAttempts::kMostFailedRuns)
                       + " runs in a row that failed; the last one: " + sample.problem);
     beginNextRun();
-}
-
-/// Once, if the run before in this block was not valid in spite of that: the machine cannot make the load.
-bool SweepRunner::mayRepeat() const
-{
-    return m_attempts < (m_hopeless ? 1 : kMostAttempts);
 }
 
 /// Measured once for each suite, so one sample of each cell has it, however often the suite is run.
@@ -391,7 +378,7 @@ void SweepRunner::refuseRun(const std::string &problem)
     sample.problem = problem;
     record(sample);
     QTimer::singleShot(0, this, [this] { // hundreds of refused runs must not nest
-        if (m_stage == Stage::Idle)
+        if (m_stage.is(SweepStage::Idle))
             beginNextRun();
     });
 }
@@ -402,13 +389,13 @@ Sample SweepRunner::sampleOfRun() const
     out.run = m_queue.current();
     out.order = static_cast<unsigned>(m_queue.position());
     out.start = m_runStart;
-    out.attempts = m_attempts;
+    out.attempts = m_attempts.count();
     return out;
 }
 
 void SweepRunner::record(const Sample &sample)
 {
-    m_stage = Stage::Idle;
+    m_stage.enterUnlimited(SweepStage::Idle);
     m_queue.finishRun(now());
     m_results.samples.push_back(sample);
     Q_EMIT sampleTaken(sample);
@@ -416,18 +403,18 @@ void SweepRunner::record(const Sample &sample)
 
 void SweepRunner::handleTimeout()
 {
-    if (m_stage == Stage::Idle || m_stage == Stage::Closing || Duration(milliseconds(m_stageClock.elapsed())) < m_patience)
+    if (!m_stage.isOverdue(now()))
         return;
-    switch (m_stage) {
-    case Stage::Connecting:
-    case Stage::Settling:
+    switch (m_stage.stage()) {
+    case SweepStage::Connecting:
+    case SweepStage::Settling:
         // Without a link each further run would only wait as long.
         if (!m_link.isPlain())
             return giveUp("no sealed session with a vehicle came up");
         m_link.plainSilent();
         endRun("no vehicle was heard in plain MAVLink; do both ends allow it?");
         break;
-    case Stage::Restoring: closeStation(); break;
+    case SweepStage::Restoring: closeStation(); break;
     default: endRun("the link fell silent");
     }
 }
@@ -437,7 +424,7 @@ void SweepRunner::giveUp(const std::string &problem)
     if (!m_problem.empty())
         return;
     m_problem = problem;
-    if (m_stage != Stage::Closing)
+    if (!m_stage.is(SweepStage::Closing))
         restoreLink();
 }
 
@@ -453,7 +440,7 @@ void SweepRunner::restoreLink()
     if (m_station.isBorrowed())
         setProtection(std::nullopt);
     m_station.holdSuite(*m_link.firstSuite());
-    enter(Stage::Restoring, kRestorePatience);
+    enter(SweepStage::Restoring, kRestorePatience);
     m_station.requestProbe(); // behind every order so far
 }
 
@@ -466,7 +453,7 @@ void SweepRunner::continueRestoring()
 
 void SweepRunner::closeStation()
 {
-    m_stage = Stage::Closing;
+    m_stage.enterUnlimited(SweepStage::Closing);
     m_station.close(suiteToResume());
 }
 
@@ -483,7 +470,7 @@ void SweepRunner::end()
     m_tick.stop();
     if (m_config.lab)
         m_config.lab->stop();
-    m_stage = Stage::Idle;
+    m_stage.enterUnlimited(SweepStage::Idle);
     m_results.complete = m_problem.empty() && m_queue.atEnd();
     m_results.seconds = now();
     Q_EMIT finished(m_opened, m_problem);

@@ -12,9 +12,11 @@
 #include "core/experiment/load_settling.h"
 #include "core/experiment/measured_link.h"
 #include "core/experiment/results.h"
+#include "core/experiment/run_attempts.h"
 #include "core/experiment/run_measurement.h"
 #include "core/experiment/run_queue.h"
 #include "core/experiment/suite_switch.h"
+#include "core/experiment/sweep_stage.h"
 #include "core/experiment/sweep_station.h"
 
 #include <QtCore/QElapsedTimer>
@@ -59,19 +61,6 @@ Q_SIGNALS:
     void finished(bool opened, const std::string &problem);
 
 private:
-    enum class Stage : std::uint8_t {
-        Idle,
-        Closing,
-        Connecting,
-        Settling,
-        Switching,
-        WarmingUp,
-        Beginning, ///< the first probe of the run is requested
-        Measuring,
-        Ending, ///< the last probe of the run is requested
-        Restoring
-    };
-
     void handleSnapshot(const RunMeasurement::Snapshot &snapshot);
     void handleProbe(const RunMeasurement::Snapshot &snapshot);
     void handleEvent(const engine::Event &event);
@@ -100,13 +89,12 @@ private:
     std::optional<crypto::SuiteId> suiteToResume() const;
     void giveUp(const std::string &problem);
     void end();
-    void enter(Stage stage, Duration patience);
+    void enter(SweepStage stage, Duration patience);
     int snapshotsPerSecond() const;
 
     bool isEnding() const { return !m_problem.empty() || m_queue.atEnd(); }
     bool isSettled(double inStage) const;
     bool isWarm(double inStage);
-    bool mayRepeat() const;
     const SweepArm &arm() const { return m_config.plan.arms[m_queue.current().arm]; }
     const engine::SessionSnapshot *session() const { return m_snapshot ? m_link.session(*m_snapshot) : nullptr; }
     double now() const { return static_cast<double>(m_clock.nsecsElapsed()) / 1e9; }
@@ -121,18 +109,13 @@ private:
     RunMeasurement m_measurement;
     RunMeasurement::Snapshot m_snapshot; ///< the newest one
     bool m_isCurrent = false;            ///< while restoring: it was taken after the last run's orders
-    Stage m_stage = Stage::Idle;
-    double m_stageStart = 0; ///< snapshot time
-    QElapsedTimer m_stageClock;
-    Duration m_patience{};
+    StageTimer m_stage;
+    RunAttempts m_attempts;
     QElapsedTimer m_clock;
-    double m_runStart = 0;     ///< seconds since the sweep began
-    bool m_fresh = false;      ///< the station was opened for this run
-    bool m_opened = false;     ///< a link worked at least once
-    unsigned m_failedRuns = 0; ///< in a row
-    unsigned m_attempts = 1;   ///< of this run
-    bool m_hopeless = false;   ///< no attempt of the run before reached its load
-    std::string m_problem;     ///< reason why the sweep ends early
+    double m_runStart = 0; ///< seconds since the sweep began
+    bool m_fresh = false;  ///< the station was opened for this run
+    bool m_opened = false; ///< a link worked at least once
+    std::string m_problem; ///< reason why the sweep ends early
     QTimer m_tick{this};
     QTimer m_measured{this}; ///< fires at the end of a run
 };
