@@ -18,17 +18,15 @@ bool FtpClient::perform(TimePoint now, RequestId id, const Request &request)
     } else if (const auto *write = std::get_if<vehicle::WriteFile>(&request)) {
         if (!begin(now, id, FileAction::Write, write->path))
             return true;
-        if (!write->content || write->content->size() > kMostBytes) {
-            finish(false, "nothing was sent: a file has at most " + std::to_string(kMostBytes) + " bytes");
+        if (!m_transfer.setSource(write->content)) {
+            finish(false, "nothing was sent: a file has at most " + std::to_string(FileTransfer::kMostBytes) + " bytes");
             return true;
         }
-        m_source = write->content;
-        m_size = m_announced = m_source->size();
         stepWithPath(now, Phase::Creating, mavlink::MAV_FTP_OPCODE_CREATEFILE);
     } else if (const auto *remove = std::get_if<vehicle::RemoveFile>(&request)) {
         if (begin(now, id, FileAction::Remove, remove->path))
             stepWithPath(now, Phase::Removing, mavlink::MAV_FTP_OPCODE_REMOVEFILE);
-    } else if (m_phase != Phase::Idle && !m_ended && isCancelOf(request, m_request)) {
+    } else if (m_phase != Phase::Idle && !m_ended && isCancelOf(request, m_transfer.id())) {
         terminate(now);
     } else {
         return false;
@@ -112,9 +110,9 @@ void FtpClient::terminate(TimePoint now)
 TransferProgress FtpClient::transferred() const
 {
     if (m_phase == Phase::Listing)
-        return {m_request, m_listed, 0};
-    const std::size_t done = std::min(m_window.received() * kChunk, m_size);
-    return {m_request, done, std::max(done, m_announced)};
+        return {m_transfer.id(), m_transfer.listed(), 0};
+    const std::size_t done = std::min(m_window.received() * kChunk, m_transfer.size());
+    return {m_transfer.id(), done, std::max(done, m_transfer.announcedSize())};
 }
 
 bool FtpClient::begin(TimePoint now, RequestId id, FileAction action, const std::string &path)
@@ -128,23 +126,15 @@ bool FtpClient::begin(TimePoint now, RequestId id, FileAction action, const std:
         return refuse("another file transfer is under way");
     if (path.empty() || path.size() > kMostPath || path.find('\0') != std::string::npos)
         return refuse("nothing was sent: a path of up to " + std::to_string(kMostPath) + " bytes is needed");
-    m_request = id;
-    m_action = action;
-    m_path = path;
-    m_wasReset = m_verified = false;
-    m_entries.clear();
-    m_content.clear();
-    m_source.reset();
-    m_size = m_listed = 0;
+    m_transfer = FileTransfer(id, action, path);
+    m_wasReset = false;
     m_reached = 0;
     m_session = kSession;
-    m_isEstimate = false;
-    m_announced = 0;
     if (m_sequence == 0)
         m_sequence = static_cast<std::uint16_t>(
             std::chrono::duration_cast<std::chrono::milliseconds>(now.time_since_epoch()).count());
     m_pace = {};
-    m_chunks.fill(kNoChunk);
+    m_requests.clear();
     m_window.setMost(action == FileAction::Write ? kWritesUnderWay : RequestWindow::kMost);
     m_window.begin();
     suppose(m_window.rtt());
@@ -169,7 +159,7 @@ void FtpClient::stepWithPath(TimePoint now, Phase phase, std::uint8_t opcode, st
     message.session = kSession;
     message.opcode = opcode;
     message.offset = offset;
-    message.append(asBytes(m_path));
+    message.append(asBytes(m_transfer.path()));
     step(now, phase, message);
 }
 
@@ -193,19 +183,15 @@ void FtpClient::handleStepAnswer(TimePoint now, const FtpMessage &answer)
     case Phase::Opening: return handleOpened(now, answer);
     case Phase::Creating:
         m_session = answer.session;
-        if (m_size == 0)
+        if (m_transfer.size() == 0)
             return close(now);
         m_phase = Phase::Writing;
-        m_window.setCount(chunksOf(m_size));
+        m_window.setCount(m_transfer.chunks());
         m_window.openUpTo(m_window.count());
         return requestChunks(now);
     case Phase::Closing: return check(now);
-    case Phase::Checking: {
-        const Bytes &content = m_action == FileAction::Write ? *m_source : m_content;
-        const auto theirs = answer.number();
-        m_verified = theirs == mavlink::ftpChecksum(content);
-        return m_verified || !theirs ? finish(true) : finish(false, "the checksums of both ends differ");
-    }
+    case Phase::Checking:
+        return m_transfer.verify(answer.number()) ? finish(true) : finish(false, "the checksums of both ends differ");
     case Phase::Removing: return finish(true);
     default: return;
     }
@@ -253,11 +239,9 @@ void FtpClient::handleListing(TimePoint now, const FtpMessage &answer)
     FtpListing part = parseListing(answer.content());
     if (part.count == 0)
         return finish(true);
-    m_listed += part.count;
-    if (m_listed > kMostEntries)
-        return finish(false, "the folder has more than " + std::to_string(kMostEntries) + " entries");
-    std::ranges::move(part.entries, std::back_inserter(m_entries));
-    stepWithPath(now, Phase::Listing, mavlink::MAV_FTP_OPCODE_LISTDIRECTORY, m_listed);
+    if (!m_transfer.addEntries(std::move(part)))
+        return finish(false, "the folder has more than " + std::to_string(FileTransfer::kMostEntries) + " entries");
+    stepWithPath(now, Phase::Listing, mavlink::MAV_FTP_OPCODE_LISTDIRECTORY, m_transfer.listed());
 }
 
 void FtpClient::handleOpened(TimePoint now, const FtpMessage &answer)
@@ -266,14 +250,11 @@ void FtpClient::handleOpened(TimePoint now, const FtpMessage &answer)
     const auto size = answer.number();
     if (!size)
         return finish(false, "the vehicle does not tell the size of the file");
-    m_announced = *size;
-    m_isEstimate = m_path.starts_with('@');
-    m_size = m_isEstimate ? std::min(kMostBytes, kLeastRoom + m_announced * 4) : m_announced;
-    if (m_size > kMostBytes)
-        return finish(false, "the file is larger than " + std::to_string(kMostBytes) + " bytes");
-    if (m_size == 0)
+    if (!m_transfer.announce(*size))
+        return finish(false, "the file is larger than " + std::to_string(FileTransfer::kMostBytes) + " bytes");
+    if (m_transfer.size() == 0)
         return close(now);
-    m_window.setCount(chunksOf(m_size));
+    m_window.setCount(m_transfer.chunks());
     burst(now);
 }
 
@@ -287,7 +268,7 @@ void FtpClient::burst(TimePoint now)
     message.session = m_session;
     message.offset = static_cast<std::uint32_t>(m_reached * kChunk);
     message.size = kChunk;
-    m_latest = {};
+    m_pace.restart();
     step(now, Phase::Bursting, message);
 }
 
@@ -299,7 +280,8 @@ void FtpClient::handleBurst(TimePoint now, const FtpMessage &answer)
         // Of this burst: an earlier one may have been answered twice.
         if (answer.session != m_session)
             return;
-        if (*error == mavlink::MAV_FTP_ERR_EOF && m_isEstimate && answer.offset > 0 && answer.offset >= m_content.size())
+        if (*error == mavlink::MAV_FTP_ERR_EOF && m_transfer.isEstimate() && answer.offset > 0
+            && answer.offset >= m_transfer.end())
             endAt(answer.offset); // both autopilots name the offset that is the end
         if (*error == mavlink::MAV_FTP_ERR_EOF || *error == mavlink::MAV_FTP_ERR_UNKNOWNCOMMAND)
             return fillGaps(now);
@@ -315,14 +297,12 @@ void FtpClient::handleBurst(TimePoint now, const FtpMessage &answer)
         return;
     if (index == m_message.offset / kChunk)
         m_repetition.measure(now, m_window.rtt());
-    if (m_latest != TimePoint{})
-        m_pace.measure(now - m_latest);
-    m_latest = now;
+    m_pace.arrived(now);
     if (!takeChunk(now, answer.offset, answer.content()))
         return;
     m_reached = std::max(m_reached, index + 1);
     m_repetition.begin();
-    m_repetition.postpone(now + std::max({m_pace.timeout() * 2, m_window.rtt().timeout(), kLeastPause}));
+    m_repetition.postpone(now + std::max({m_pace.pause(), m_window.rtt().timeout(), kLeastPause}));
     if (answer.burstComplete || m_window.isComplete())
         burst(now);
 }
@@ -347,32 +327,22 @@ void FtpClient::requestChunks(TimePoint now)
         message.offset = static_cast<std::uint32_t>(*index * kChunk);
         if (m_phase == Phase::Writing) {
             message.opcode = mavlink::MAV_FTP_OPCODE_WRITEFILE;
-            message.append(ByteView(*m_source).subspan(message.offset, std::min(kChunk, m_size - message.offset)));
+            message.append(m_transfer.sourceChunk(*index));
         } else {
             message.opcode = mavlink::MAV_FTP_OPCODE_READFILE;
             message.size = kChunk;
         }
-        m_chunks[message.sequence & 0xFF] = static_cast<std::uint32_t>(*index);
-        m_sequences[message.sequence & 0xFF] = message.sequence;
+        m_requests.sent(message.sequence, *index);
         mavlink::FileTransferProtocol out;
         out.payload = message.encode();
         send(out);
     }
 }
 
-/// The chunk whose request has this answer; nullopt if it is none of the latest ones.
-std::optional<std::size_t> FtpClient::chunkOf(std::uint16_t sequence) const
-{
-    const auto request = static_cast<std::uint16_t>(sequence - 1);
-    if (m_sequences[request & 0xFF] != request)
-        return std::nullopt;
-    return m_chunks[request & 0xFF];
-}
-
 void FtpClient::handleChunkAnswer(TimePoint now, const FtpMessage &answer)
 {
     const bool isWrite = m_phase == Phase::Writing;
-    const auto index = chunkOf(answer.sequence);
+    const auto index = m_requests.answeredBy(answer.sequence);
     if (answer.requested != (isWrite ? mavlink::MAV_FTP_OPCODE_WRITEFILE : mavlink::MAV_FTP_OPCODE_READFILE) || !index
         || answer.session != m_session || *index >= m_window.count())
         return;
@@ -398,12 +368,11 @@ bool FtpClient::takeChunk(TimePoint now, std::uint32_t offset, ByteView data)
     if (offset % kChunk != 0 || index >= m_window.count() || data.empty())
         return true; // not a whole chunk: it is requested again
     const std::size_t end = offset + data.size();
-    if (data.size() < kChunk && end != m_size && !endAt(end))
+    if (data.size() < kChunk && end != m_transfer.size() && !endAt(end))
         return false;
     if (index >= m_window.count() || !m_window.arrived(now, index))
         return true;
-    m_content.resize(std::max(m_content.size(), end));
-    std::ranges::copy(data, m_content.begin() + offset);
+    m_transfer.store(offset, data);
     m_deadline = now + kGiveUp;
     return true;
 }
@@ -411,14 +380,11 @@ bool FtpClient::takeChunk(TimePoint now, std::uint32_t offset, ByteView data)
 /// The file ends sooner than it was announced. Returns false, and ends the transfer, if it was longer before.
 bool FtpClient::endAt(std::size_t bytes)
 {
-    if (m_content.size() > bytes) {
+    if (!m_transfer.endAt(bytes)) {
         finish(false, "the file changed while it was read");
         return false;
     }
-    m_size = std::min(m_size, bytes);
-    m_announced = m_size;
-    m_isEstimate = false;
-    m_window.setCount(chunksOf(m_size));
+    m_window.setCount(m_transfer.chunks());
     m_window.openUpTo(m_window.count());
     return true;
 }
@@ -431,27 +397,20 @@ void FtpClient::close(TimePoint now)
     step(now, Phase::Closing, message);
 }
 
-/// Files that ArduPilot makes up while they are read would be made up a second time for a checksum.
+/// Of a virtual file, ArduPilot would compute the checksum of newly generated contents.
 void FtpClient::check(TimePoint now)
 {
-    if (m_path.starts_with('@'))
+    if (m_transfer.isVirtual())
         return finish(true);
     stepWithPath(now, Phase::Checking, mavlink::MAV_FTP_OPCODE_CALCFILECRC);
 }
 
 void FtpClient::finish(bool ok, std::string reason, bool changeUnanswered)
 {
-    FileResult result{.id = m_request, .systemId = addressing().system, .action = m_action, .path = m_path, .ok = ok};
+    FileResult result = m_transfer.takeResult(ok);
+    result.systemId = addressing().system;
     result.reason = std::move(reason);
     result.changeUnanswered = changeUnanswered;
-    result.verified = m_verified;
-    if (ok && m_action == FileAction::List)
-        result.entries = std::make_shared<const std::vector<RemoteFile>>(std::move(m_entries));
-    if (ok && m_action == FileAction::Read)
-        result.content = std::make_shared<const Bytes>(std::move(m_content));
-    m_entries.clear();
-    m_content = {};
-    m_source.reset();
     m_phase = Phase::Idle;
     m_deadline = kNever;
     m_repetition.stop();
@@ -473,7 +432,7 @@ void FtpClient::giveUp(TimePoint now)
         return finish(false, "the vehicle does not take byte " + std::to_string(m_window.firstMissing() * kChunk));
     default: break;
     }
-    const bool isChange = m_action == FileAction::Write || m_action == FileAction::Remove;
+    const bool isChange = m_transfer.action() == FileAction::Write || m_transfer.action() == FileAction::Remove;
     finish(false, "no answer to " + std::to_string(m_repetition.attempts()) + " attempts", isChange);
 }
 

@@ -6,11 +6,9 @@
 //     Write:  CreateFile → WriteFile of every chunk, in a window → TerminateSession → CalcFileCRC32
 //     Remove: RemoveFile
 //
-// A file is a row of chunks of 239 bytes. Of virtual files (ArduPilot's @PARAM and @SYS)
-// the announced size is an estimate (AP_Filesystem_Param::stat(): twelve bytes a parameter): a short chunk or the answer "end
-// of file" ends them. All their chunks must be read with the same size (AP_Filesystem_Param::read()).
-// Requests are repeated with their sequence number, by which the vehicle recognises them, when the measured round trip has
-// passed without an answer. Sizes, folders and jumps in a file are bounded, whatever the vehicle sends.
+// A file is a row of chunks of 239 bytes (FileTransfer). All chunks of a virtual file must be read with the same size
+// (AP_Filesystem_Param::read()). Requests are repeated with their sequence number, by which the vehicle recognises them, when
+// the measured round trip has passed without an answer. Jumps in a file are bounded, whatever the vehicle sends.
 //
 // As in ArduPilot's GCS_FTP.cpp and PX4's mavlink_ftp.cpp, a request with the sequence number of the one before gets the answer
 // to that one, whatever it requests and whoever of this system id sent it: the first number depends on the time, so that a
@@ -19,13 +17,14 @@
 #pragma once
 
 #include "core/mavlink/ftp_message.h"
+#include "core/vehicle/arrival_pace.h"
+#include "core/vehicle/chunk_requests.h"
+#include "core/vehicle/file_transfer.h"
 #include "core/vehicle/micro_protocol.h"
 #include "core/vehicle/repetition.h"
 #include "core/vehicle/request_window.h"
 
-#include <array>
 #include <functional>
-#include <memory>
 #include <string>
 
 namespace skyseal::vehicle {
@@ -35,12 +34,9 @@ using mavlink::FtpMessage;
 class FtpClient : public MicroProtocol
 {
 public:
-    static constexpr std::size_t kChunk = FtpMessage::kMostData;
+    static constexpr std::size_t kChunk = FileTransfer::kChunk;
     static constexpr int kAttempts = 8;                           ///< of a request, then it fails
     static constexpr Duration kGiveUp = std::chrono::seconds(12); ///< without progress
-    static constexpr std::size_t kMostBytes = 256u << 20;         ///< of a file
-    static constexpr std::size_t kLeastRoom = 64u << 10;          ///< for a file whose size is an estimate
-    static constexpr std::size_t kMostEntries = 10'000;           ///< of a folder
     static constexpr std::size_t kMostPath = kChunk - 1;
     /// Of requests about a path; the file that is opened may get another one.
     static constexpr std::uint8_t kSession = 1;
@@ -70,7 +66,6 @@ public:
     TransferProgress transferred() const;
 
 private:
-    static constexpr std::uint32_t kNoChunk = 0xFFFFFFFF;
     enum class Phase : std::uint8_t {
         Idle,
         Listing,
@@ -101,41 +96,27 @@ private:
     /// Returns false if the transfer has ended.
     bool takeChunk(TimePoint now, std::uint32_t offset, ByteView data);
     bool endAt(std::size_t bytes);
-    std::optional<std::size_t> chunkOf(std::uint16_t sequence) const;
     void close(TimePoint now);
     void check(TimePoint now);
     void terminate(TimePoint now);
     void finish(bool ok, std::string reason = {}, bool changeUnanswered = false);
     void giveUp(TimePoint now);
-    std::size_t chunksOf(std::size_t bytes) const { return (bytes + kChunk - 1) / kChunk; }
     bool isTransferring() const { return m_phase == Phase::Reading || m_phase == Phase::Writing; }
 
-    RequestId m_request{};
+    FileTransfer m_transfer;                 ///< the one in progress, or the latest one
     std::function<void(FileResult)> m_ended; ///< of read(); null of a transfer that was requested of this client
     Phase m_phase = Phase::Idle;
-    FileAction m_action{};
-    std::string m_path;
     std::uint8_t m_session = 0;
-    bool m_wasReset = false;     ///< the sessions of the vehicle were closed to make room
-    FtpMessage m_refused;        ///< for which they were closed
-    bool m_isEstimate = false;   ///< m_size is an upper limit
-    std::size_t m_announced = 0; ///< size of the file as the vehicle says, for people
-    std::vector<RemoteFile> m_entries;
-    Bytes m_content;                              ///< read so far
-    std::shared_ptr<const Bytes> m_source;        ///< to be written
-    std::size_t m_size = 0;                       ///< of the file, as far as it is known
-    std::uint32_t m_listed = 0;                   ///< entries of the folder, those that were skipped included
-    RequestWindow m_window;                       ///< of chunks; its round trip serves all requests
-    std::array<std::uint32_t, 256> m_chunks{};    ///< by the lower half of the sequence number of their request
-    std::array<std::uint16_t, 256> m_sequences{}; ///< the whole of it
-    std::size_t m_reached = 0;                    ///< chunks up to here were sent in bursts
-    RttEstimator m_pace;                          ///< intervals between chunks of a burst
-    TimePoint m_latest{};                         ///< arrival of the latest one
-    FtpMessage m_message;                         ///< sent last, except those of the window
-    std::uint16_t m_sequence = 0;                 ///< of the request sent last
-    Repetition m_repetition;                      ///< of m_message; during a burst, of its pause
-    TimePoint m_deadline = kNever;                ///< without progress, the transfer fails
-    bool m_verified = false;
+    bool m_wasReset = false; ///< the sessions of the vehicle were closed to make room
+    FtpMessage m_refused;    ///< for which they were closed
+    RequestWindow m_window;  ///< of chunks; its round trip serves all requests
+    ChunkRequests m_requests;
+    std::size_t m_reached = 0;     ///< chunks up to here were sent in bursts
+    ArrivalPace m_pace;            ///< of chunks of a burst
+    FtpMessage m_message;          ///< sent last, except those of the window
+    std::uint16_t m_sequence = 0;  ///< of the request sent last
+    Repetition m_repetition;       ///< of m_message; during a burst, of its pause
+    TimePoint m_deadline = kNever; ///< without progress, the transfer fails
 };
 
 } // namespace skyseal::vehicle

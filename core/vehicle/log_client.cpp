@@ -57,7 +57,7 @@ void LogClient::handleDeadline(TimePoint now)
             return finish(false,
                           kind().isArduPilot() && state().armed ? "the vehicle does not list its logs while it is armed"
                                                                 : "the vehicle does not list its logs");
-        return finish(false, "the vehicle does not send byte " + std::to_string(m_begin * kChunk) + " and following");
+        return finish(false, "the vehicle does not send byte " + std::to_string(m_content.pieceOffset()) + " and following");
     }
     if (now < m_repeat)
         return;
@@ -80,7 +80,7 @@ std::optional<TransferProgress> LogClient::progress() const
     case Phase::Listing: return TransferProgress{m_request, m_entries.size(), m_announced.value_or(0)};
     case Phase::Reading: break;
     }
-    return TransferProgress{m_request, std::min((m_begin + m_pieceReceived) * kChunk, m_size), m_size};
+    return TransferProgress{m_request, m_content.received(), m_content.size()};
 }
 
 bool LogClient::begin(TimePoint now, RequestId id, LogAction action, std::uint16_t log)
@@ -99,7 +99,7 @@ bool LogClient::begin(TimePoint now, RequestId id, LogAction action, std::uint16
     m_phase = Phase::Listing;
     m_entries.clear();
     m_announced.reset();
-    m_content.clear();
+    m_content = {};
     m_pace = {};
     m_silent = 0;
     suppose(m_rtt);
@@ -115,7 +115,7 @@ void LogClient::requestList(TimePoint now)
     request.start = one ? m_log : 0;
     request.end = one ? m_log : 0xFFFF;
     send(request);
-    m_latest = {};
+    m_pace.restart();
     m_firstRequested.reset();
     rest(now);
 }
@@ -130,11 +130,9 @@ void LogClient::rest(TimePoint now)
 
 void LogClient::handleEntry(TimePoint now, const mavlink::LogEntry &entry)
 {
-    if (m_latest != TimePoint{})
-        m_pace.measure(now - m_latest);
-    else if (m_silent == 0)
+    if (m_pace.isWaiting() && m_silent == 0)
         m_rtt.measure(now - m_requested);
-    m_latest = now;
+    m_pace.arrived(now);
     m_silent = 0;
     if (entry.num_logs == 0) {
         m_entries.clear();
@@ -147,7 +145,7 @@ void LogClient::handleEntry(TimePoint now, const mavlink::LogEntry &entry)
     if (m_entries.size() < kMostLogs && m_entries.emplace(entry.id, OnboardLog{entry.id, entry.size, entry.time_utc}).second
         && m_action != LogAction::Erase)
         m_deadline = now + kGiveUp;
-    m_repeat = now + std::max(m_pace.timeout() * 2, RttEstimator::kFirstTimeout);
+    m_repeat = now + std::max(m_pace.pause(), RttEstimator::kFirstTimeout);
     if (m_action == LogAction::Read ? entry.id == m_log : m_entries.size() >= std::min<std::size_t>(entry.num_logs, kMostLogs))
         handleListed(now);
 }
@@ -169,13 +167,10 @@ void LogClient::handleListed(TimePoint now)
         return finish(false, "the vehicle has no such log");
     if (entry->second.size > kMostBytes)
         return finish(false, "the log is larger than " + std::to_string(kMostBytes) + " bytes");
-    m_size = entry->second.size;
-    if (m_size == 0)
+    m_content = LogContent(entry->second.size);
+    if (m_content.size() == 0)
         return finish(true);
     m_phase = Phase::Reading;
-    m_begin = 0;
-    m_piece.assign(std::min(kPiece, (m_size + kChunk - 1) / kChunk), false);
-    m_pieceReceived = 0;
     m_pace = {};
     m_deadline = now + kGiveUp;
     requestPiece(now);
@@ -184,45 +179,26 @@ void LogClient::handleListed(TimePoint now)
 /// Requests what is missing of the piece, as runs of chunks.
 void LogClient::requestPiece(TimePoint now)
 {
-    const std::size_t most = kind().isArduPilot() ? kMostRuns : 1;
-    std::vector<std::pair<std::size_t, std::size_t>> runs; // begin and end, within the piece
-    for (std::size_t i = 0; i < m_piece.size() && runs.size() < most; ++i) {
-        if (m_piece[i])
-            continue;
-        runs.emplace_back(i, endOfRun(i));
-        i = runs.back().second;
-    }
-    const bool isWhole = runs.size() == 1 && runs[0].second - runs[0].first > kSpanned;
-    const int copies = kind().isArduPilot() && runs.size() <= kAskedTwice && !isWhole ? 2 : 1;
+    const bool isArduPilot = kind().isArduPilot();
+    const auto runs = m_content.missing(isArduPilot ? kMostRuns : 1, isArduPilot ? 0 : kSpanned);
+    const bool isWhole = runs.size() == 1 && runs[0].end - runs[0].first > kSpanned;
+    const int copies = isArduPilot && runs.size() <= kAskedTwice && !isWhole ? 2 : 1;
     for (int copy = 0; copy < copies; ++copy) {
-        for (const auto &[begin, end] : runs)
-            requestRun(m_begin + begin, end - begin);
+        for (const LogContent::Run &run : runs)
+            requestRun(run);
     }
-    m_firstRequested = m_silent == 0 && !runs.empty() ? std::optional(m_begin + runs[0].first) : std::nullopt;
-    m_latest = {};
+    m_firstRequested = m_silent == 0 && !runs.empty() ? std::optional(runs[0].first) : std::nullopt;
+    m_pace.restart();
     rest(now);
 }
 
-/// Of a run that begins at a missing chunk of the piece: where the next one is there, or, in a run that is requested alone, a
-/// long row of them.
-std::size_t LogClient::endOfRun(std::size_t first) const
-{
-    const std::size_t spanned = kind().isArduPilot() ? 0 : kSpanned;
-    std::size_t end = first + 1;
-    for (std::size_t i = end; i < m_piece.size() && i <= end + spanned; ++i) {
-        if (!m_piece[i])
-            end = i + 1;
-    }
-    return end;
-}
-
-void LogClient::requestRun(std::size_t first, std::size_t chunks)
+void LogClient::requestRun(const LogContent::Run &run)
 {
     mavlink::LogRequestData request;
-    m_lastRequested = first + chunks - 1;
+    m_lastRequested = run.end - 1;
     request.id = m_log;
-    request.ofs = static_cast<std::uint32_t>(first * kChunk);
-    request.count = static_cast<std::uint32_t>(std::min(chunks * kChunk, m_size - first * kChunk));
+    request.ofs = static_cast<std::uint32_t>(run.first * kChunk);
+    request.count = static_cast<std::uint32_t>(std::min(run.end * kChunk, m_content.size()) - run.first * kChunk);
     send(request);
 }
 
@@ -230,41 +206,25 @@ void LogClient::handleData(TimePoint now, const mavlink::LogData &data)
 {
     const std::size_t index = data.ofs / kChunk;
     const std::size_t count = std::min<std::size_t>(data.count, kChunk);
-    if (data.id != m_log || data.ofs % kChunk != 0 || index < m_begin || index >= m_begin + m_piece.size())
+    if (data.id != m_log || data.ofs % kChunk != 0 || !m_content.isInPiece(index))
         return;
-    if (m_latest != TimePoint{})
-        m_pace.measure(now - m_latest);
-    else if (index == m_firstRequested)
+    if (m_pace.isWaiting() && index == m_firstRequested)
         m_rtt.measure(now - m_requested);
-    m_latest = now;
+    m_pace.arrived(now);
     m_silent = 0;
-    m_repeat = now + std::max({m_pace.timeout() * 2, m_rtt.timeout(), kLeastPause});
-    if (count < kChunk && data.ofs + count < m_size) {
-        // The log ends sooner than it was listed.
-        if (m_content.size() > data.ofs + count)
-            return finish(false, "the log changed while it was read");
-        m_size = data.ofs + count;
-        m_piece.resize((m_size + kChunk - 1) / kChunk - m_begin);
-    }
-    const bool isNew = index < m_begin + m_piece.size() && !m_piece[index - m_begin];
-    if (isNew) {
-        m_piece[index - m_begin] = true;
-        ++m_pieceReceived;
+    m_repeat = now + std::max({m_pace.pause(), m_rtt.timeout(), kLeastPause});
+    if (count < kChunk && data.ofs + count < m_content.size() && !m_content.endAt(data.ofs + count))
+        return finish(false, "the log changed while it was read");
+    const bool isNew = m_content.store(index, ByteView(data.data).first(count));
+    if (isNew)
         m_deadline = now + kGiveUp;
-        const std::size_t end = std::min<std::size_t>(data.ofs + count, m_size);
-        m_content.resize(std::max(m_content.size(), end));
-        std::copy_n(data.data.begin(), end - data.ofs, m_content.begin() + data.ofs);
-    }
-    if (!isPieceComplete()) {
+    if (!m_content.isPieceComplete()) {
         if (isNew && index == m_lastRequested)
             requestPiece(now);
         return;
     }
-    m_begin += m_piece.size();
-    if (m_begin * kChunk >= m_size)
+    if (!m_content.beginNextPiece())
         return finish(true);
-    m_piece.assign(std::min(kPiece, (m_size + kChunk - 1) / kChunk - m_begin), false);
-    m_pieceReceived = 0;
     requestPiece(now);
 }
 
@@ -280,12 +240,11 @@ void LogClient::finish(bool ok, std::string reason, bool changeUnanswered)
         result.entries = std::move(list);
     }
     if (ok && m_action == LogAction::Read)
-        result.content = std::make_shared<const Bytes>(std::move(m_content));
+        result.content = std::make_shared<const Bytes>(m_content.take());
     if (m_phase == Phase::Reading || (m_action == LogAction::Read && !ok))
         send(mavlink::LogRequestEnd{});
     m_entries.clear();
     m_content = {};
-    m_piece.clear();
     m_phase = Phase::Idle;
     m_repeat = m_deadline = kNever;
     report(std::move(result));

@@ -12,21 +12,22 @@
 // serves logs only while disarmed.
 #pragma once
 
+#include "core/vehicle/arrival_pace.h"
+#include "core/vehicle/log_content.h"
 #include "core/vehicle/micro_protocol.h"
 #include "core/vehicle/rtt_estimator.h"
 
 #include <map>
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace skyseal::vehicle {
 
 class LogClient : public MicroProtocol
 {
 public:
-    static constexpr std::size_t kChunk = 90;      ///< bytes of a LOG_DATA
-    static constexpr std::size_t kPiece = 4096;    ///< chunks that are requested at a time
+    static constexpr std::size_t kChunk = LogContent::kChunk;
+    static constexpr std::size_t kPiece = LogContent::kPiece;
     static constexpr std::size_t kMostRuns = 48;   ///< lost runs that are requested again at a time
     static constexpr std::size_t kAskedTwice = 16; ///< so few runs are requested twice at a time: the last ones decide
     static constexpr std::size_t kSpanned = 64;    ///< chunks that are sent again rather than waited for in another run
@@ -56,10 +57,8 @@ private:
     void handleData(TimePoint now, const mavlink::LogData &data);
     void requestList(TimePoint now);
     void requestPiece(TimePoint now);
-    std::size_t endOfRun(std::size_t first) const;
-    void requestRun(std::size_t first, std::size_t chunks);
+    void requestRun(const LogContent::Run &run);
     void rest(TimePoint now);
-    bool isPieceComplete() const { return m_pieceReceived == m_piece.size(); }
     void finish(bool ok, std::string reason = {}, bool changeUnanswered = false);
 
     RequestId m_request{};
@@ -68,15 +67,10 @@ private:
     std::uint16_t m_log = 0;
     std::map<std::uint16_t, OnboardLog> m_entries;
     std::optional<std::uint16_t> m_announced; ///< logs of the list
-    Bytes m_content;                          ///< complete pieces, then the one that is under way
-    std::size_t m_size = 0;                   ///< of the log
-    std::size_t m_begin = 0;                  ///< the first chunk of the piece
-    std::vector<bool> m_piece;                ///< the chunks that have arrived
-    std::size_t m_pieceReceived = 0;
+    LogContent m_content;
     std::size_t m_lastRequested = 0; ///< the chunk that ends the run requested last
     RttEstimator m_rtt;
-    RttEstimator m_pace;                         ///< intervals between messages of an answer
-    TimePoint m_latest{};                        ///< arrival of the latest one; zero after a request
+    ArrivalPace m_pace;                          ///< of the messages of an answer
     TimePoint m_requested{};                     ///< time of the request
     std::optional<std::size_t> m_firstRequested; ///< the chunk that begins the answer to it, if it was not requested before
     int m_silent = 0;                            ///< requests in a row without an answer

@@ -389,7 +389,7 @@ void FtpTest::farChunkIsNotKept()
     Harness h = Harness::copter();
     h.vehicle.perform(h.now, RequestId{1}, vehicle::ReadFile{"/a"});
     auto [open, opened] = sentAndAnswer(h);
-    opened.appendNumber(static_cast<std::uint32_t>(FtpClient::kMostBytes));
+    opened.appendNumber(static_cast<std::uint32_t>(FileTransfer::kMostBytes));
     h.feed(toUs(opened));
     auto [request, answer] = sentAndAnswer(h);
     QCOMPARE(int(request.opcode), int(mavlink::MAV_FTP_OPCODE_BURSTREADFILE));

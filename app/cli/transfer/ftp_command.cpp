@@ -7,7 +7,7 @@
 #include "app/common/format.h"
 #include "app/common/output.h"
 #include "core/base/json_writer.h"
-#include "core/vehicle/ftp_client.h"
+#include "core/vehicle/file_transfer.h"
 
 namespace skyseal::app {
 
@@ -109,7 +109,7 @@ int runPut(const QString &name, const QStringList &arguments)
         return *status;
     const QString folder = given[1].endsWith(QLatin1Char('/')) ? given[1] : QString();
     const std::string path = (folder.isEmpty() ? given[1] : folder + nameIn(given[0])).toStdString();
-    const auto content = readWhole(given[0], vehicle::FtpClient::kMostBytes);
+    const auto content = readWhole(given[0], vehicle::FileTransfer::kMostBytes);
     if (!content) {
         complain(name, content.error());
         return kCannotOpen;
