@@ -85,7 +85,7 @@ void checkKeys(const engine::KeyPaths &paths, Problems &problems)
         const QString folder = QFileInfo(QString::fromStdString(file)).absolutePath();
         if (::access(folder.toLocal8Bit().constData(), W_OK) != 0)
             problems.push_back(folder.toStdString()
-                               + " is not writable: the counters of handshakes and the list of peers stand there");
+                               + " is not writable, but holds the handshake counters and the list of peers");
     }
 }
 
@@ -106,7 +106,7 @@ int checkSetup(const AgentSetup &setup)
     for (const std::string &problem : problems)
         printLine(problem);
     if (problems.empty())
-        printLine("nothing is wrong with this set-up");
+        printLine("the configuration is valid");
     return problems.empty() ? kDone : kNotReached;
 }
 

@@ -123,7 +123,7 @@ void declareAgent(Options &options)
         "one; with --expect it becomes an observer.");
     PairingPrompt::declare(options); // with --json
     PairingPassphraseInput::declare(options);
-    options.addFlag("check", "Say what is wrong with this set-up, without starting: exit status 0 if nothing is, otherwise 1.");
+    options.addFlag("check", "Check this configuration without starting: exit status 0 if it is valid, otherwise 1.");
     options.addConfig();
 }
 

@@ -50,7 +50,7 @@ Result<mavlink::Dialect, InputError> readDialect(const std::string &file)
 int runDecode(const QStringList &arguments)
 {
     const QString name = QLatin1String(kName);
-    Options options(name, QStringLiteral("Shows MAVLink, one message a line."));
+    Options options(name, QStringLiteral("Shows MAVLink, one message per line."));
     declare(options);
     if (const auto status = options.parse(arguments))
         return *status;

@@ -23,9 +23,9 @@ struct Command
 constexpr Command kCommands[] = {
     {"monitor", "follows vehicles, switches ciphers, flies scripts", runMonitor},
     {"gateway", "serves other ground stations and programs through the sealed link", runGateway},
-    {"status", "shows the state of a gateway that runs", runStatus},
-    {"switch", "switches the sessions of a gateway that runs to another suite", runSwitch},
-    {"revoke", "removes a peer of a gateway that runs", runRevoke},
+    {"status", "shows the state of a running gateway", runStatus},
+    {"switch", "switches the sessions of a running gateway to another suite", runSwitch},
+    {"revoke", "removes a peer of a running gateway", runRevoke},
     {"param", "reads, writes, saves and restores parameters", runParam},
     {"mission", "reads, writes and clears the mission", runMission},
     {"fence", "reads, writes and clears the fence", runFence},

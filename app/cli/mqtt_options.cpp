@@ -14,7 +14,7 @@ void declareMqtt(Options &options)
     options.addValue("mqtt-key", "FILE", "Private key of --mqtt-cert (PEM, no passphrase), not readable by other users.");
     options.addValue("mqtt-login", "FILE",
                      "File with the user in its first line and the password in its second, not readable by other users.");
-    options.addFlag("mqtt-raw", "Publish the MAVLink frames of the vehicles, too.");
+    options.addFlag("mqtt-raw", "Also publish the MAVLink frames of the vehicles.");
 }
 
 std::optional<BrokerPlan> readMqtt(Options &options)

@@ -58,7 +58,7 @@ PairingPrompt::Settings PairingPrompt::read(Options &options)
     }
     out.replaces = options.has("replace");
     if (out.replaces && out.expected.empty())
-        options.fail("--replace: requires --expect; without it you are asked");
+        options.fail("--replace: requires --expect; without it, you are prompted");
     if (options.has("as")) {
         keys::PeerEntry entry;
         entry.peer.name = out.callIt = options.required("as");
@@ -100,7 +100,7 @@ void PairingPrompt::take(PairingStatus status)
             show("The fingerprint of this device:", {keys::fingerprint(status.key)});
         if (!m_settings.decidesRole)
             write("Open the pairing window at the agent while the vehicle is disarmed: skyseal-air --pair --identity FILE");
-        write("Waiting for the other end …");
+        write("Waiting for the other end…");
         return;
     case State::Seen:
         m_asked = std::move(status);

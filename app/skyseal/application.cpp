@@ -84,12 +84,11 @@ void Application::useKeys(const engine::KeyPaths &keys)
     });
     connect(m_peersWatch.get(), &PeersWatch::refused, this, [this](const QString &problem) {
         m_keyring.touched();
-        m_window->reportProblem(tr("The list of peers cannot be used, the previous list stays in force: %1").arg(problem));
+        m_window->reportProblem(tr("The list of peers cannot be used; the previous list stays in force: %1").arg(problem));
     });
     connect(m_peersWatch.get(), &PeersWatch::notificationFailed, this, [this](bool failed) {
         if (failed)
-            m_window->reportProblem(
-                tr("The system does not notify of changes of the list of peers: it is checked once a second"));
+            m_window->reportProblem(tr("The system does not report changes to the list of peers; it is checked once a second"));
     });
 }
 

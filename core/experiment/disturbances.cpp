@@ -22,7 +22,7 @@ constexpr Threshold kThresholds[] = {
     {Metric::Preemptions, 50, "the station's I/O thread had to give up its core ", " times a second"},
     {Metric::AgentPreemptions, 50, "the agent had to give up its core ", " times a second"},
     {Metric::FrequencyChange, 5, "the frequency of the cores differed by ", " % between begin and end"},
-    {Metric::LoadBegin, 1.5, "the load average at the begin was ", " per core"},
+    {Metric::LoadBegin, 1.5, "the load average at the start was ", " per core"},
     {Metric::LoadEnd, 1.5, "the load average at the end was ", " per core"},
     {Metric::MeterCpu, 2, "the measurement itself took ", " % of the CPU time of the station's I/O thread"},
     {Metric::SimulatorCpu, 95, "the simulator (which makes the load) used ", " % of a core"},

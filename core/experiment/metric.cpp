@@ -292,9 +292,9 @@ constexpr std::array<MetricInfo, kMetrics> kTable{{
      .explains = true},
     {.metric = Metric::LoadBegin,
      .key = "load_begin",
-     .title = "Load average per core, at the begin",
+     .title = "Load average per core, at the start",
      .description =
-         "load average of the last minute at the begin of the run, divided by the number of cores; the sweep's own programs "
+         "load average of the last minute at the start of the run, divided by the number of cores; the sweep's own programs "
          "are part of it",
      .explains = true},
     {.metric = Metric::LoadEnd,

@@ -181,7 +181,7 @@ std::string conditionText(const Condition &condition)
     add(link.corrupt > 0, percent(link.corrupt) + "corrupted");
     add(link.delay > Duration::zero(), ms(link.delay) + " delay");
     add(link.jitter > Duration::zero(), "up to " + ms(link.jitter) + " jitter");
-    return out.empty() ? "nothing impaired" : out;
+    return out.empty() ? "no impairment" : out;
 }
 
 std::vector<Run> schedule(const Plan &plan)

@@ -120,7 +120,7 @@ static std::string plainText(SecretKind kind, const Key32 &secret)
     std::string content;
     content.reserve(512); // growing would leave copies of the key
     content.append(header)
-        .append("\n# Keep this file to yourself: who has it can speak in your name.\n")
+        .append("\n# Keep this file private: anyone who has it can act in your name.\n")
         .append(key)
         .append("\n");
     wipeSecret(key.data(), key.size());

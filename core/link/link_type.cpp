@@ -48,7 +48,7 @@ constexpr LinkType kTypes[] = {
      LinkTarget::HostPort,
      {.isStream = true, .hasOneRemote = true},
      QT_TRANSLATE_NOOP("skyseal::link::LinkType", "TCP, connect to an address"),
-     QT_TRANSLATE_NOOP("skyseal::link::LinkType", "Connects to one server, again when the connection was lost."),
+     QT_TRANSLATE_NOOP("skyseal::link::LinkType", "Connects to one server and reconnects when the connection is lost."),
      make<TcpLink>},
     {"tcpin",
      LinkTarget::HostPort,

@@ -249,7 +249,7 @@ void FtpClient::handleOpened(TimePoint now, const FtpMessage &answer)
     m_session = answer.session;
     const auto size = answer.number();
     if (!size)
-        return finish(false, "the vehicle does not tell the size of the file");
+        return finish(false, "the vehicle does not report the size of the file");
     if (!m_transfer.announce(*size))
         return finish(false, "the file is larger than " + std::to_string(FileTransfer::kMostBytes) + " bytes");
     if (m_transfer.size() == 0)

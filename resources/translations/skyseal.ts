@@ -127,7 +127,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>nothing impaired</source>
+        <source>no impairment</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -158,7 +158,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The list of peers cannot be used, the previous list stays in force: %1</source>
+        <source>The list of peers cannot be used; the previous list stays in force: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -166,7 +166,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The system does not notify of changes of the list of peers: it is checked once a second</source>
+        <source>The system does not report changes to the list of peers; it is checked once a second</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -252,11 +252,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>one question</source>
+        <source>one request</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 questions</source>
+        <source>%1 requests</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -272,31 +272,31 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A device on the vehicle&apos;s side claims to be a vehicle with the system id %1 of a ground station: not accepted; an autopilot needs another id</source>
+        <source>A device on the vehicle side uses the system id %1 of a ground station and is ignored; an autopilot needs another id</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The counters of handshakes are stored again</source>
+        <source>Handshake counters are stored again</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The counters of handshakes cannot be stored: %1. The links go on. If this agent restarts now, it will answer handshakes that were recorded before; no session comes of them</source>
+        <source>Handshake counters cannot be stored: %1. The links stay up. If this agent restarts now, it will answer handshakes that were recorded before; no session results from them</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Refused %1 of %2, which is an observer: %3</source>
+        <source>Refused %1 from %2, which is an observer: %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Refused %1 of %2, which may not send as that system: %3</source>
+        <source>Refused %1 from %2, which may not send as that system: %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Refused %1 of %2, which asks too often: %3</source>
+        <source>Refused %1 from %2, which sends requests too often: %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Refused %1 of %2, too late to be obeyed: %3</source>
+        <source>Refused %1 from %2, received too late: %3</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -315,15 +315,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Vehicle is back</source>
+        <source>Link to the vehicle recovered</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This vehicle, at %1, waits for approval: it is not sealed and may be an impostor of %2, which was never heard</source>
+        <source>This vehicle, at %1, awaits approval: it is not sealed and may be impersonating %2, which has not been heard</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The agent %1 at %2 answered, or is gone</source>
+        <source>The agent %1 at %2 has answered or is no longer heard</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -499,7 +499,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Link %1: replayed to its end</source>
+        <source>Link %1: replay finished</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -511,15 +511,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 does not know how late commands arrive, and obeys none that may be older than %2 s: it ignored %3</source>
+        <source>%1 cannot determine the delay of commands and ignores any that may be older than %2 s: it ignored %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Messages to %1 were withheld or delayed on their way, and others overtook them: it ignored %2</source>
+        <source>Messages to %1 were withheld or delayed in transit and overtaken by others: it ignored %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Commands arrive up to %1 s late at %2, which obeys none that are older than %3 s: it ignored %4</source>
+        <source>Commands reach %2 up to %1 s late, and it ignores any that are older than %3 s: it ignored %4</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -531,11 +531,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The computer of %1 stores the counters of handshakes again</source>
+        <source>The computer of %1 stores handshake counters again</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The computer of %1 cannot store the counters of handshakes; its disk may be full, read-only or broken. The link goes on. If that computer restarts now, it will answer handshakes that were recorded before; no session comes of them</source>
+        <source>The computer of %1 cannot store handshake counters; its disk may be full, read-only or broken. The link stays up. If that computer restarts now, it will answer handshakes that were recorded before; no session results from them</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -559,11 +559,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Refused %1 of %2, which may not send as this vehicle. If %2 is its agent, bind the system to %2 in the list of peers</source>
+        <source>Refused %1 from %2, which may not send as this vehicle. If %2 is its agent, bind the system to %2 in the list of peers</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Refused %1 of %2, which sends as this vehicle although that belongs to %3. If %2 is a new agent of the same vehicle, remove %3 from the list of peers or bind the system to %2</source>
+        <source>Refused %1 from %2, which sends as this vehicle although that belongs to %3. If %2 is a new agent of the same vehicle, remove %3 from the list of peers or bind the system to %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -579,11 +579,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The counters of handshakes are stored again</source>
+        <source>Handshake counters are stored again</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The counters of handshakes cannot be stored: %1. The links go on. If this station restarts now, agents refuse its first handshake and return the right number</source>
+        <source>Handshake counters cannot be stored: %1. The links stay up. If this station restarts now, agents refuse its first handshake and return the correct counter</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -619,11 +619,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Client %1 at %2 is gone</source>
+        <source>Client %1 at %2 disconnected</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Not reported one by one: %1 came and went, %2 denied</source>
+        <source>Further events: %1 connected and disconnected, %2 denied</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -635,7 +635,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Denied %1 of client %2 at %3, the newest one %4</source>
+        <source>Denied %1 from client %2 at %3, most recently %4</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -666,7 +666,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>three wrong passphrases: they differ, or an attacker guesses; start again at both ends</source>
+        <source>three wrong passphrases: they differ, or an attacker is guessing; start again at both ends</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -769,7 +769,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>waiting to try again</source>
+        <source>waiting to retry</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -793,7 +793,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>its keys are in use twice, as if the machine of one end had been copied</source>
+        <source>its keys are in use twice, as if the machine at one end had been copied</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -801,7 +801,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>its key is not among the known peers any more</source>
+        <source>its key is no longer among the known peers</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -837,7 +837,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>it was made for another key than this one: a wrong destination, or an impostor</source>
+        <source>it was made for a different key: a wrong destination, or an impersonation</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -849,11 +849,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>its offer of suites was changed on the way</source>
+        <source>its offer of suites was modified in transit</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>it has another version of the protocol</source>
+        <source>it uses another version of the protocol</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -896,7 +896,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Connects to one server, again when the connection was lost.</source>
+        <source>Connects to one server and reconnects when the connection is lost.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -927,7 +927,7 @@
 <context>
     <name>skyseal::ui::AllowPlain</name>
     <message>
-        <source>Allow plain MAVLink for vehicle %1 …</source>
+        <source>Allow plain MAVLink for vehicle %1…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -943,7 +943,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It sends from %2 at present. If you allow it, any sender that claims in clear to be vehicle %1, from any address, is shown and commanded as that vehicle until this program ends or the vehicle is heard sealed. Anyone on the path can read and change the traffic.
+        <source>It currently sends from %2. If you allow it, any sender of plain MAVLink that claims to be vehicle %1, from any address, is shown and commanded as that vehicle until this program ends or the vehicle is heard sealed. Anyone on the path can read and change the traffic.
 
 If this should be the vehicle of %3, choose Cancel: its sealed link is broken or blocked.</source>
         <translation type="unfinished"></translation>
@@ -999,7 +999,7 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Working …</source>
+        <source>Working…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1038,7 +1038,7 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>I compared the new fingerprint at the device itself: &amp;replace the key</source>
+        <source>I compared the new fingerprint on the device itself: &amp;replace the key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1050,7 +1050,7 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The key of %1 has changed. Either a new key was made there, or another device pretends to be %1.</source>
+        <source>The key of %1 has changed. Either a new key was generated there, or another device is impersonating %1.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1140,7 +1140,7 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 not allowed, %2 asked too often, %3 with a system id that it may not use</source>
+        <source>%1 not permitted, %2 over the rate limit, %3 with a system id that it may not use</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1167,11 +1167,11 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Commands are ignored: how late they arrive is unknown, and the limit is %1</source>
+        <source>Commands are ignored: their delay is unknown, and the limit is %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How late commands arrive is unknown</source>
+        <source>The delay of commands is unknown</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1203,11 +1203,11 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The agent ignores commands that are older than %1, or that newer messages overtook by %2</source>
+        <source>The agent ignores commands that are older than %1, or that were overtaken by newer messages by %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The agent ignores commands that newer messages overtook by %1</source>
+        <source>The agent ignores commands that were overtaken by newer messages by %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1234,7 +1234,7 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A vehicle is there: the demo would end its link</source>
+        <source>A vehicle is connected: the demo would end its link</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1309,7 +1309,7 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Clear MAVLink in the name of a sealed peer, refused</source>
+        <source>Plain MAVLink that claims to come from a sealed peer, refused</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1387,7 +1387,7 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Suite over suite</source>
+        <source>Suites overlaid</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1415,11 +1415,11 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Picture as PNG or SVG …</source>
+        <source>&amp;Picture as PNG or SVG…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Samples shown, as &amp;CSV …</source>
+        <source>Samples shown, as &amp;CSV…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1427,7 +1427,7 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Over time; all suites on one axis, by their time in use; means as numbers; or the results of a planned sweep</source>
+        <source>Over time; all suites on one axis, by time in use; means as numbers; or the results of a sweep</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1450,7 +1450,7 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Add a link …</source>
+        <source>Add a link…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1498,7 +1498,7 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keys and peers …</source>
+        <source>Keys and peers…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1510,7 +1510,7 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It sends plain MAVLink from %1 and may be an impostor of %2, which is a known peer but has not been heard yet. Its telemetry is not shown and nothing is sent to it until you allow plain MAVLink.
+        <source>It sends plain MAVLink from %1 and may be impersonating %2, which is a known peer but has not been heard yet. Its telemetry is not shown and nothing is sent to it until you allow plain MAVLink.
 
 If it is the vehicle of %2, start the agent beside it instead, so that its link is sealed.</source>
         <translation type="unfinished"></translation>
@@ -1518,10 +1518,10 @@ If it is the vehicle of %2, start the agent beside it instead, so that its link 
     <message>
         <source>It is reachable at %1, but it does not answer the handshake. Does it know this station&apos;s key?
 
-Its list of peers needs the key with the fingerprint
+Its list of peers must contain the key with the fingerprint
 %2
 
-It does not answer either if it permits none of the suites that this station offers.</source>
+It also does not answer if it permits none of the suites that this station offers.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1545,7 +1545,7 @@ If the agent is yours, pair the two: choose Pair in Keys and peers here and, whi
     <message>
         <source>%1
 
-No link is sealed until this is solved. Plain MAVLink is shown, but not sealed.</source>
+No link is sealed until this is resolved. Plain MAVLink is shown, but not sealed.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1583,7 +1583,7 @@ No link is sealed until this is solved. Plain MAVLink is shown, but not sealed.<
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Where other stations are served</source>
+        <source>Address for other stations</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1599,23 +1599,23 @@ No link is sealed until this is solved. Plain MAVLink is shown, but not sealed.<
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What other stations may do</source>
+        <source>Rights of other stations</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>They read</source>
+        <source>Read only</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Telemetry, parameters, missions and files are read; what commands or changes is refused</source>
+        <source>Telemetry, parameters, missions and files can be read; commands and changes are refused</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>They read and write</source>
+        <source>Read and write</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>They command vehicles like this station; their heartbeat keeps a vehicle from its failsafe</source>
+        <source>They can command vehicles like this station; while they are connected, their heartbeat keeps a vehicle from its failsafe</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1623,7 +1623,7 @@ No link is sealed until this is solved. Plain MAVLink is shown, but not sealed.<
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Stations that are served</source>
+        <source>Connected stations</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1753,7 +1753,7 @@ No link is sealed until this is solved. Plain MAVLink is shown, but not sealed.<
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Add …</source>
+        <source>&amp;Add…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1761,7 +1761,7 @@ No link is sealed until this is solved. Plain MAVLink is shown, but not sealed.<
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Pair …</source>
+        <source>&amp;Pair…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1769,19 +1769,19 @@ No link is sealed until this is solved. Plain MAVLink is shown, but not sealed.<
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Edit …</source>
+        <source>&amp;Edit…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Edit the chosen peer</source>
+        <source>Edit the selected peer</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Revoke …</source>
+        <source>&amp;Revoke…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Revoke the chosen peer</source>
+        <source>Revoke the selected peer</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1795,11 +1795,11 @@ Pair with the agent beside your vehicle, or add its public key: there, skyseal-c
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Its session ends at once, and it cannot connect any more.</source>
+        <source>Its session ends at once, and it can no longer connect.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It cannot connect any more.</source>
+        <source>It can no longer connect.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1848,7 +1848,7 @@ Add the public key of the agent beside your vehicle; skyseal-cli keys show print
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Jitter: more delay, up to this</source>
+        <source>Jitter: additional delay, up to this value</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1907,7 +1907,7 @@ Add the public key of the agent beside your vehicle; skyseal-cli keys show print
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Browse …</source>
+        <source>Browse…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2051,7 +2051,7 @@ INSECURE: anyone can read, change and forge this stream. Nothing is sent.</sourc
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 was not heard for too long; the session ended %2 ago.</source>
+        <source>%1 was silent for too long; the session ended %2 ago.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2105,7 +2105,7 @@ INSECURE: anyone can read, change and forge this stream. Nothing is sent.</sourc
 <context>
     <name>skyseal::ui::LinksPanel</name>
     <message>
-        <source>Add …</source>
+        <source>Add…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2117,7 +2117,7 @@ INSECURE: anyone can read, change and forge this stream. Nothing is sent.</sourc
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Remove the chosen link</source>
+        <source>Remove the selected link</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2129,15 +2129,15 @@ INSECURE: anyone can read, change and forge this stream. Nothing is sent.</sourc
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Vehicle %1 at this link is armed. Remove the link?</source>
+        <source>Vehicle %1 on this link is armed. Remove the link?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The vehicles %1 at this link are armed. Remove the link?</source>
+        <source>The vehicles %1 on this link are armed. Remove the link?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Without it, nobody can command them from here, and their failsafe may act.</source>
+        <source>Without this link, no vehicle on it can be commanded from here, and failsafes may trigger.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2226,7 +2226,7 @@ Fingerprint %5</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Vehicle %1 at %2 may be an impostor of %3, which has not been heard yet. Its telemetry is not shown and nothing is sent to it until you allow plain MAVLink for it.</source>
+        <source>Vehicle %1 at %2 may be impersonating %3, which has not been heard yet. Its telemetry is not shown and nothing is sent to it until you allow plain MAVLink for it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2251,22 +2251,22 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Under attack: %1 forged or replayed in the last minute. All of them were refused.</source>
+        <source>Under attack: %1 forged or replayed records in the last minute. All of them were refused.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Under attack: %1 frames of impostors of this vehicle in the last minute. All of them were refused.</source>
+        <source>Under attack: %1 spoofed frames of this vehicle in the last minute. All of them were refused.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>skyseal::ui::LogsPanel</name>
     <message>
-        <source>Record what is received and sent</source>
+        <source>Record received and sent frames</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Replay a log …</source>
+        <source>Replay a log…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2341,7 +2341,7 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Without this station, nobody can command it from here, and its failsafe may act.</source>
+        <source>Without this station, no vehicle can be commanded from here, and failsafes may trigger.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2495,11 +2495,11 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Send a file …</source>
+        <source>Send a file…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Save as …</source>
+        <source>Save as…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2515,7 +2515,7 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Reading …</source>
+        <source>Reading…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2531,7 +2531,7 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Sending %1 items …</source>
+        <source>Sending %1 items…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2547,7 +2547,7 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Sending one item …</source>
+        <source>Sending one item…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2613,7 +2613,7 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>E&amp;xport …</source>
+        <source>E&amp;xport…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2633,7 +2633,7 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The other end needs this public key. It is no secret, but compare its fingerprint there with this one:</source>
+        <source>The other end needs this public key. It is not secret, but compare its fingerprint there with this one:</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2641,11 +2641,11 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Change the pa&amp;ssphrase …</source>
+        <source>Change the pa&amp;ssphrase…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Set a pa&amp;ssphrase …</source>
+        <source>Set a pa&amp;ssphrase…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2716,7 +2716,7 @@ Fingerprint %3</source>
 
     skyseal-air --pair --identity FILE
 
-Waiting for the agent …</source>
+Waiting for the agent…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2733,7 +2733,7 @@ Then there is no code to compare. It is valid for this pairing only.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The complete fingerprints of both keys. They need not be compared: the code stands for them.</source>
+        <source>The complete fingerprints of both keys. They need not be compared: the code covers them.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2757,11 +2757,11 @@ Then there is no code to compare. It is valid for this pairing only.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>An agent that knows the passphrase answers. Is it the right one?</source>
+        <source>An agent that knows the passphrase has answered. Is it the right one?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>An agent answers. Does it show this code?</source>
+        <source>An agent has answered. Does it show this code?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2823,7 +2823,7 @@ Then there is no code to compare. It is valid for this pairing only.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>writing %1 …</source>
+        <source>writing %1…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2847,7 +2847,7 @@ Then there is no code to compare. It is valid for this pairing only.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>not written: %1 is not within %2 and %3</source>
+        <source>not written: %1 is not between %2 and %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2948,7 +2948,7 @@ Then there is no code to compare. It is valid for this pairing only.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>From a &amp;file …</source>
+        <source>From a &amp;file…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3047,7 +3047,7 @@ with a pre-shared key</source>
 <context>
     <name>skyseal::ui::ProblemBanner</name>
     <message>
-        <source>Solve the problem</source>
+        <source>Resolve the problem</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3356,7 +3356,7 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keys and peers …</source>
+        <source>Keys and peers…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3400,7 +3400,7 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Vehicle %1 sends plain MAVLink and may be an impostor of %2. Commands are disabled until you allow it: Security → Allow plain MAVLink.</source>
+        <source>Vehicle %1 sends plain MAVLink and may be impersonating %2. Commands are disabled until you allow it: Security → Allow plain MAVLink.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3444,7 +3444,7 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The vehicle&apos;s computer cannot store the counters of handshakes: its disk may be full, read-only or broken. The link goes on. If that computer restarts now, it will answer handshakes that were recorded before; no session comes of them.</source>
+        <source>The vehicle&apos;s computer cannot store handshake counters: its disk may be full, read-only or broken. The link stays up. If that computer restarts now, it will answer handshakes that were recorded before; no session results from them.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3452,11 +3452,11 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The counters of handshakes cannot be stored: %1. The link goes on. If this program restarts now, agents refuse its first handshake and return the right number.</source>
+        <source>Handshake counters cannot be stored: %1. The link stays up. If this program restarts now, agents refuse its first handshake and return the correct counter.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 of impostors in a minute</source>
+        <source>%1 spoofed frames in a minute</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3523,7 +3523,7 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Record what is received and sent (.tlog)</source>
+        <source>&amp;Record received and sent frames (.tlog)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3539,7 +3539,7 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Browse …</source>
+        <source>Browse…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3615,14 +3615,14 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Research suites (%1) are broken: anyone who records the link may be able to read it. They are here to be measured against the others, are never chosen automatically, and work only when the vehicle&apos;s agent allows them as well. While one is in use, the link is not confidential.</source>
+        <source>Research suites (%1) are broken: anyone who records the link may be able to read it. They are provided for comparison, are never chosen automatically, and work only when the vehicle&apos;s agent allows them as well. While one is in use, the link is not confidential.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>skyseal::ui::SourceBar</name>
     <message>
-        <source>DEMO: a simulated vehicle, nothing is real</source>
+        <source>DEMO: simulated vehicle, simulated data</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3642,7 +3642,7 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>REPLAY: %1 · at its end</source>
+        <source>REPLAY: %1 · finished</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3890,7 +3890,7 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>research is off</source>
+        <source>research suites are off</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4126,7 +4126,7 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Run a sweep …</source>
+        <source>Run a sweep…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4142,7 +4142,7 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Save …</source>
+        <source>Save…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4182,7 +4182,7 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Writing the files …</source>
+        <source>Writing the files…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4210,7 +4210,7 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Starting …</source>
+        <source>Starting…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4226,7 +4226,7 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Stopping: restoring the suite of the link …</source>
+        <source>Stopping: restoring the suite of the link…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4263,7 +4263,7 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Hold the button for half a second. The propellers turn faster and the vehicle climbs.</source>
+        <source>Hold the button for half a second. The propellers speed up and the vehicle climbs.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4455,7 +4455,7 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: requested …</source>
+        <source>%1: requested…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4535,11 +4535,11 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Settings …</source>
+        <source>&amp;Settings…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Replay a log …</source>
+        <source>&amp;Replay a log…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4551,7 +4551,7 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Connect …</source>
+        <source>&amp;Connect…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4567,7 +4567,7 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Arm …</source>
+        <source>&amp;Arm…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4575,7 +4575,7 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Disarm …</source>
+        <source>&amp;Disarm…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4583,11 +4583,11 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Take off …</source>
+        <source>&amp;Take off…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Land …</source>
+        <source>&amp;Land…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4595,7 +4595,7 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Return to launch (RTL) …</source>
+        <source>&amp;Return to launch (RTL)…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4603,7 +4603,7 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Start the mission …</source>
+        <source>&amp;Start the mission…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4623,7 +4623,7 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Vehicle %1 at %2 …</source>
+        <source>Vehicle %1 at %2…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4639,7 +4639,7 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Keys and peers …</source>
+        <source>&amp;Keys and peers…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4675,7 +4675,7 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Run a s&amp;weep …</source>
+        <source>Run a s&amp;weep…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

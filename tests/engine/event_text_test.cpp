@@ -101,7 +101,7 @@ void EventTextTest::unknownAgeOfCommandsIsNamed()
     late.report.limitMilliseconds = 5000;
     late.report.ageMicroseconds = channel::FreshnessReport::kUnknownAge;
     QCOMPARE(eventText(late, names).sentence,
-             QStringLiteral("air-1 does not know how late commands arrive, and obeys none that may be older than 5.0 s: it "
+             QStringLiteral("air-1 cannot determine the delay of commands and ignores any that may be older than 5.0 s: it "
                             "ignored 4 messages"));
     late.report.limitMilliseconds = 0; // no limit: others overtook them
     QVERIFY(eventText(late, names).sentence.contains(QStringLiteral("overtook")));

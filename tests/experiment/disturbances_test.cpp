@@ -135,7 +135,7 @@ void DisturbancesTest::thresholdsWarn_data()
     row(Metric::Preemptions, 300, "the station's I/O thread had to give up its core 300 times a second");
     row(Metric::AgentPreemptions, 300, "the agent had to give up its core 300 times a second");
     row(Metric::FrequencyChange, 12, "the frequency of the cores differed by 12 % between begin and end");
-    row(Metric::LoadBegin, 7, "the load average at the begin was 7 per core");
+    row(Metric::LoadBegin, 7, "the load average at the start was 7 per core");
     row(Metric::LoadEnd, 7, "the load average at the end was 7 per core");
     row(Metric::MeterCpu, 48, "the measurement itself took 48 % of the CPU time of the station's I/O thread");
     row(Metric::SimulatorCpu, 99, "the simulator (which makes the load) used 99 % of a core");

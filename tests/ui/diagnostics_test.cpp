@@ -237,7 +237,7 @@ private Q_SLOTS:
         const auto again = samplesOf(all.size(), 40, 50, SuiteId::ChaCha20Poly1305, 2);
         all.insert(all.end(), again.begin(), again.end());
         m_panel->onSnapshot(viewWith(all));
-        choose("chartView", QStringLiteral("Suite over suite"));
+        choose("chartView", QStringLiteral("Suites overlaid"));
         const ChartContent rate = m_panel->chart(0)->plotted();
         QVERIFY(rate.time == ChartTime::InUse);
         QVERIFY(rate.marks.empty());

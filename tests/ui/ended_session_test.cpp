@@ -43,7 +43,7 @@ private Q_SLOTS:
             QTest::newRow(name) << static_cast<int>(reason) << QString::fromUtf8(title) << QString::fromUtf8(words);
         };
         row("revoked", channel::DownReason::Revoked, "Revoked · air-1", "no longer a known peer");
-        row("silent", channel::DownReason::TimedOut, "Session lost · air-1", "air-1 was not heard for too long");
+        row("silent", channel::DownReason::TimedOut, "Session lost · air-1", "air-1 was silent for too long");
         row("goodbye", channel::DownReason::PeerClosed, "Session ended · air-1", "closed by the other end");
         row("restart", channel::DownReason::PeerRestarted, "Session ended · air-1", "the other end restarted");
         row("keys", channel::DownReason::Exhausted, "Session ended · air-1", "its keys were used up");

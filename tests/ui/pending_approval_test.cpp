@@ -30,7 +30,7 @@ private Q_SLOTS:
         QVERIFY(!find<QWidget>("allowPlainButton")->isVisible());
         m_station->show(pendingApprovalSnapshot());
         QVERIFY(find<QLabel>("emptyTitle")->text().contains(QStringLiteral("Vehicle 1 is not sealed")));
-        QVERIFY(find<QLabel>("emptyText")->text().contains(QStringLiteral("impostor of air-1")));
+        QVERIFY(find<QLabel>("emptyText")->text().contains(QStringLiteral("impersonating air-1")));
         QVERIFY(find<StripItem>("stripLock")->text().contains(QStringLiteral("Not sealed")));
         QVERIFY(find<StripItem>("stripLock")->toolTip().contains(QStringLiteral("air-1")));
         QCOMPARE(find<QLabel>("secureTitle")->text(), QStringLiteral("Not sealed, needs approval"));
@@ -78,7 +78,7 @@ private Q_SLOTS:
         QVERIFY(find<HoldButton>("armButton")->isEnabled());
         m_station->notify(engine::PlaintextRefused{1, "192.0.2.66:40000", 1, "air-1"});
         QVERIFY(find<QWidget>("problemBanner")->isVisible());
-        QVERIFY(find<QLabel>("problemText")->text().contains(QStringLiteral("impostor of air-1")));
+        QVERIFY(find<QLabel>("problemText")->text().contains(QStringLiteral("impersonating air-1")));
         EVENTUALLY(!m_window->findChild<QMessageBox *>(QStringLiteral("confirmPlain"))); // the question before
         QTest::mouseClick(find<QPushButton>("problemRemedy"), Qt::LeftButton);
         QTest::mouseClick(find<QMessageBox>("confirmPlain")->button(QMessageBox::Yes), Qt::LeftButton);
@@ -94,7 +94,7 @@ private Q_SLOTS:
         QVERIFY(find<QLabel>("emptyTitle")->text().contains(QStringLiteral("Waiting for the autopilot behind air-1")));
         m_station->notify(engine::PlaintextRefused{1, "192.0.2.66:40000", 1, "air-1"});
         QVERIFY(find<QWidget>("problemBanner")->isVisible());
-        QVERIFY(find<QLabel>("problemText")->text().contains(QStringLiteral("impostor of air-1")));
+        QVERIFY(find<QLabel>("problemText")->text().contains(QStringLiteral("impersonating air-1")));
     }
 
     void lockPanelAndMiddleSayTheSame()
@@ -115,7 +115,7 @@ private Q_SLOTS:
         askAllowPlain(*m_station, {1, "192.0.2.66:40000", "air-1, air-2"}, m_window.get());
         auto *box = find<QMessageBox>("confirmPlain");
         const QString words = box->informativeText();
-        QVERIFY2(words.contains(QStringLiteral("claims in clear to be vehicle 1, from any address")), qPrintable(words));
+        QVERIFY2(words.contains(QStringLiteral("claims to be vehicle 1, from any address")), qPrintable(words));
         QVERIFY2(words.contains(QStringLiteral("the vehicle of air-1 or air-2")), qPrintable(words));
         for (const auto answer : {QMessageBox::Yes, QMessageBox::Cancel})
             QVERIFY(box->button(answer)->icon().isNull()); // none of them is recommended by a picture

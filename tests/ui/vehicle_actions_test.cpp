@@ -80,7 +80,7 @@ private Q_SLOTS:
             if (action->isChecked())
                 checked << action->text();
         }
-        QCOMPARE(checked, QStringList{QStringLiteral("GUIDED …")});
+        QCOMPARE(checked, QStringList{QStringLiteral("GUIDED…")});
         closeVehicleMenu();
     }
 

@@ -288,10 +288,10 @@ private Q_SLOTS:
             return std::pair(find<QLabel>("secureTitle")->text(), find<QLabel>("secureAdvice")->text());
         };
         QCOMPARE(unknown().first, QStringLiteral("Sealed, commands are ignored"));
-        QVERIFY2(unknown().second.contains(QStringLiteral("how late they arrive is unknown")), qPrintable(unknown().second));
+        QVERIFY2(unknown().second.contains(QStringLiteral("their delay is unknown")), qPrintable(unknown().second));
         report.limitMilliseconds = 0;
         QCOMPARE(shown(6020).first, QStringLiteral("Sealed, commands are late"));
-        QVERIFY2(unknown().second.startsWith(QStringLiteral("How late commands arrive is unknown.")),
+        QVERIFY2(unknown().second.startsWith(QStringLiteral("The delay of commands is unknown.")),
                  qPrintable(unknown().second));
     }
     void failingDisksAreShown()
@@ -309,7 +309,7 @@ private Q_SLOTS:
         snapshot.sessions.front().stats.peerCannotStore = true; // more important
         const auto agents = shown();
         QCOMPARE(agents.first, QStringLiteral("Sealed, the disk of the agent fails"));
-        QVERIFY2(agents.second.contains(QStringLiteral("The link goes on")), qPrintable(agents.second));
+        QVERIFY2(agents.second.contains(QStringLiteral("The link stays up")), qPrintable(agents.second));
         snapshot.sessions.front().stats.peerCannotStore = false;
         snapshot.storageProblem.clear();
         QCOMPARE(shown().first, QStringLiteral("Sealed"));
@@ -336,7 +336,7 @@ private Q_SLOTS:
         const QString said = find<StripItem>("stripLock")->text();
         QVERIFY2(said.contains(QStringLiteral("87 refused")), qPrintable(said));
         QVERIFY(find<StripItem>("stripLock")->toolTip().contains(QStringLiteral("Under attack: 87")));
-        QVERIFY(find<QLabel>("secureAdvice")->text().contains(QStringLiteral("87 of impostors")));
+        QVERIFY(find<QLabel>("secureAdvice")->text().contains(QStringLiteral("87 spoofed frames")));
         // Plain MAVLink of the vehicle itself, until its session is up again.
         m_station->notify(channel::SessionUp{});
         m_station->notify(engine::PlaintextRefused{1, "10.0.0.9:14550", 3, {}});

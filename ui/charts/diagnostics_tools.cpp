@@ -28,9 +28,9 @@ DiagnosticsTools::DiagnosticsTools(QWidget *parent) : QWidget(parent), m_groups(
 {
     m_legend = new SuiteLegend(this);
     m_view = addChoice("chartView", tr("View of the measurements"));
-    m_view->addItems({tr("Over time"), tr("Suite over suite"), tr("Table"), tr("Sweep")});
-    m_view->setToolTip(tr("Over time; all suites on one axis, by their time in use; means as numbers; or the results of a "
-                          "planned sweep"));
+    m_view->addItems({tr("Over time"), tr("Suites overlaid"), tr("Table"), tr("Sweep")});
+    m_view->setToolTip(tr("Over time; all suites on one axis, by time in use; means as numbers; or the results of "
+                          "a sweep"));
     m_group = addChoice("chartGroup", tr("Quantities shown"));
     for (const QuantityGroup &group : m_groups)
         m_group->addItem(group.title);
@@ -49,9 +49,9 @@ DiagnosticsTools::DiagnosticsTools(QWidget *parent) : QWidget(parent), m_groups(
     m_save->setPopupMode(QToolButton::InstantPopup);
     m_save->setFocusPolicy(Qt::StrongFocus);
     auto *menu = new QMenu(m_save);
-    menu->addAction(tr("Samples shown, as &CSV …"), this, &DiagnosticsTools::csvRequested)
+    menu->addAction(tr("Samples shown, as &CSV…"), this, &DiagnosticsTools::csvRequested)
         ->setObjectName(QStringLiteral("chartCsv"));
-    menu->addAction(tr("&Picture as PNG or SVG …"), this, &DiagnosticsTools::pictureRequested)
+    menu->addAction(tr("&Picture as PNG or SVG…"), this, &DiagnosticsTools::pictureRequested)
         ->setObjectName(QStringLiteral("chartPicture"));
     m_save->setMenu(menu);
 

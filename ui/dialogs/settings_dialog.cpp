@@ -92,11 +92,11 @@ QWidget *SettingsDialog::makeStation()
     m_componentId->setRange(1, 255);
     m_componentId->setValue(m_start.componentId);
     m_link = named(new QLineEdit(m_start.defaultLink, box), "settingLink", tr("Link to open at start"));
-    m_record = named(new QCheckBox(tr("&Record what is received and sent (.tlog)"), box), "settingRecord", tr("Record"));
+    m_record = named(new QCheckBox(tr("&Record received and sent frames (.tlog)"), box), "settingRecord", tr("Record"));
     m_record->setChecked(m_start.record);
     m_folder = named(new QLineEdit(m_start.recordFolder, box), "settingFolder", tr("Folder of the recordings"));
     m_folder->setPlaceholderText(tr("the application's own folder"));
-    auto *browse = new QPushButton(tr("Browse …"), box);
+    auto *browse = new QPushButton(tr("Browse…"), box);
     browse->setAccessibleName(tr("Browse for the folder of the recordings"));
     connect(browse, &QPushButton::clicked, this, [this] {
         const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder of the recordings"), m_folder->text());
@@ -162,8 +162,8 @@ QWidget *SettingsDialog::makeSecurity()
     column->addLayout(weakest);
     column->addWidget(m_research);
     auto *broken = smallPrint(
-        tr("Research suites (%1) are broken: anyone who records the link may be able to read it. They are here to be measured "
-           "against the others, are never chosen automatically, and work only when the vehicle's agent allows them as well. "
+        tr("Research suites (%1) are broken: anyone who records the link may be able to read it. They are provided "
+           "for comparison, are never chosen automatically, and work only when the vehicle's agent allows them as well. "
            "While one is in use, the link is not confidential.")
             .arg(researchSuites()),
         box);

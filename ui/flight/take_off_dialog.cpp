@@ -21,7 +21,7 @@ TakeOffDialog::TakeOffDialog(VehicleCommands &commands, UnitSystem units, QWidge
     altitude->setObjectName(QStringLiteral("takeOffDialogAltitude"));
     altitude->setUnits(units);
     altitude->setMetres(commands.takeOffAltitude());
-    auto *hint = new QLabel(tr("Hold the button for half a second. The propellers turn faster and the vehicle climbs."), this);
+    auto *hint = new QLabel(tr("Hold the button for half a second. The propellers speed up and the vehicle climbs."), this);
     hint->setWordWrap(true);
     hint->setForegroundRole(QPalette::PlaceholderText);
     auto *go = new HoldButton(tr("Take off"), this);

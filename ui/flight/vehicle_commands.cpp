@@ -40,7 +40,7 @@ void VehicleCommands::send(std::uint8_t systemId, const vehicle::VehicleCommand 
     }
     const vehicle::RequestId id = m_station.perform(systemId, command);
     m_asked.insert(static_cast<quint32>(id), text);
-    Q_EMIT resultReported(tr("%1: requested …").arg(text), true);
+    Q_EMIT resultReported(tr("%1: requested…").arg(text), true);
 }
 
 void VehicleCommands::setTakeOffAltitude(double metres)

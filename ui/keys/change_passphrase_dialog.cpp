@@ -107,7 +107,7 @@ void ChangePassphraseDialog::accept()
     const bool remember = m_remember->isEnabled() && m_remember->isChecked();
     m_working = true;
     check();
-    notify(tr("Working …"), false);
+    notify(tr("Working…"), false);
     m_keyring.changePassphrase(m_present->isHidden() ? std::nullopt : m_present->passphrase(), std::move(next), remember);
 }
 

@@ -26,7 +26,7 @@ ChangedKeyWarning::ChangedKeyWarning(QWidget *parent) : QFrame(parent)
     m_text->setWordWrap(true);
     m_known = fixedWidthLabel({}, "knownFingerprint", tr("Fingerprint known until now"), this);
     m_offered = fixedWidthLabel({}, "offeredFingerprint", tr("Fingerprint of the new key"), this);
-    m_accept = new QCheckBox(tr("I compared the new fingerprint at the device itself: &replace the key"), this);
+    m_accept = new QCheckBox(tr("I compared the new fingerprint on the device itself: &replace the key"), this);
     m_accept->setObjectName(QStringLiteral("replaceKey"));
     auto *grid = new QGridLayout(this);
     grid->setContentsMargins(2 * kGrid, kGrid, 2 * kGrid, kGrid);
@@ -46,9 +46,9 @@ ChangedKeyWarning::ChangedKeyWarning(QWidget *parent) : QFrame(parent)
 
 void ChangedKeyWarning::showKeys(const QString &name, const channel::PublicKey &known, const channel::PublicKey &offered)
 {
-    m_text->setText(tr("The key of %1 has changed. Either a new key was made there, or another device pretends to be "
-                       "%1.")
-                        .arg(name));
+    m_text->setText(
+        tr("The key of %1 has changed. Either a new key was generated there, or another device is impersonating %1.")
+            .arg(name));
     m_known->setText(fingerprintLines(known));
     m_offered->setText(fingerprintLines(offered));
     show();

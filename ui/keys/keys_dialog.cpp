@@ -74,10 +74,10 @@ KeysDialog::KeysDialog(KeyringInterface &keyring, QWidget *parent) : QDialog(par
         out->setAutoDefault(false);
         return out;
     };
-    m_add = button(tr("&Add …"), "peerAdd", tr("Add a peer"));
-    m_pair = button(tr("&Pair …"), "peerPair", tr("Pair with an agent"));
-    m_change = button(tr("&Edit …"), "peerEdit", tr("Edit the chosen peer"));
-    m_revoke = button(tr("&Revoke …"), "peerRevoke", tr("Revoke the chosen peer"));
+    m_add = button(tr("&Add…"), "peerAdd", tr("Add a peer"));
+    m_pair = button(tr("&Pair…"), "peerPair", tr("Pair with an agent"));
+    m_change = button(tr("&Edit…"), "peerEdit", tr("Edit the selected peer"));
+    m_revoke = button(tr("&Revoke…"), "peerRevoke", tr("Revoke the selected peer"));
     m_pair->hide();
     auto *tools = new QHBoxLayout;
     tools->setSpacing(kGrid);
@@ -183,8 +183,8 @@ void KeysDialog::revokePeer()
     if (!peer || !m_revoke->isEnabled())
         return;
     const QString name = peer->name;
-    const QString end = peer->connected ? tr("Its session ends at once, and it cannot connect any more.")
-                                        : tr("It cannot connect any more.");
+    const QString end = peer->connected ? tr("Its session ends at once, and it can no longer connect.")
+                                        : tr("It can no longer connect.");
     askToConfirm({.objectName = QStringLiteral("confirmRevoke"),
                   .title = tr("Revoke %1?").arg(name),
                   .text = tr("Revoke %1?").arg(name),

@@ -38,7 +38,7 @@ OwnKeyBox::OwnKeyBox(KeyringInterface &keyring, QWidget *parent) : QGroupBox(tr(
     m_code->setAccessibleName(tr("The public key as a QR code"));
     m_copy = new QPushButton(tr("&Copy the public key"), this);
     m_copy->setObjectName(QStringLiteral("ownCopy"));
-    m_export = new QPushButton(tr("E&xport …"), this);
+    m_export = new QPushButton(tr("E&xport…"), this);
     m_export->setObjectName(QStringLiteral("ownExport"));
     m_export->setAccessibleName(tr("Export the public key to a file"));
 
@@ -93,12 +93,12 @@ void OwnKeyBox::refresh()
     }
     const QString text = fromStd(keys::publicKeyText(*own.publicKey));
     m_intro->setText(
-        tr("The other end needs this public key. It is no secret, but compare its fingerprint there with this one:"));
+        tr("The other end needs this public key. It is not secret, but compare its fingerprint there with this one:"));
     m_fingerprint->setText(fingerprintLines(*own.publicKey));
     m_key->setText(text);
     m_file->setText(own.sealed ? tr("%1, sealed with a passphrase").arg(own.file)
                                : tr("%1, not sealed: anyone who copies the file has the key").arg(own.file));
-    m_passphrase->setText(own.sealed ? tr("Change the pa&ssphrase …") : tr("Set a pa&ssphrase …"));
+    m_passphrase->setText(own.sealed ? tr("Change the pa&ssphrase…") : tr("Set a pa&ssphrase…"));
     m_passphrase->setAccessibleName(m_passphrase->text().remove(QLatin1Char('&')));
     if (text == m_text)
         return;

@@ -64,8 +64,7 @@ PairingDialog::PairingDialog(PairingInterface &pairing, const KeyringInterface &
     m_fingerprints = buttons->addButton(tr("&Fingerprints"), QDialogButtonBox::ResetRole);
     m_fingerprints->setObjectName(QStringLiteral("pairingFingerprints"));
     m_fingerprints->setCheckable(true);
-    m_fingerprints->setToolTip(
-        tr("The complete fingerprints of both keys. They need not be compared: the code stands for them."));
+    m_fingerprints->setToolTip(tr("The complete fingerprints of both keys. They need not be compared: the code covers them."));
     m_agree = buttons->addButton(QString(), QDialogButtonBox::ActionRole);
     m_agree->setObjectName(QStringLiteral("pairingAgree"));
     m_differ = buttons->addButton(QString(), QDialogButtonBox::ActionRole);
@@ -141,7 +140,7 @@ void PairingDialog::begin()
     m_tick.start();
     showStep(Step::Waiting,
              tr("Start pairing at the agent, while the vehicle is disarmed:\n\n    skyseal-air --pair "
-                "--identity FILE\n\nWaiting for the agent …"));
+                "--identity FILE\n\nWaiting for the agent…"));
     const auto passphrase = m_passphrase->passphrase();
     m_hasPassphrase = passphrase.has_value();
     m_pairing.open(passphrase);
@@ -201,8 +200,8 @@ void PairingDialog::showQuestion(const PairingQuestion &question)
     m_agree->setText(m_hasPassphrase ? tr("&Confirm") : tr("The codes are the &same"));
     m_differ->setText(m_hasPassphrase ? tr("&Refuse") : tr("They &differ"));
     showStep(Step::Comparing,
-             m_hasPassphrase ? tr("An agent that knows the passphrase answers. Is it the right one?")
-                             : tr("An agent answers. Does it show this code?"));
+             m_hasPassphrase ? tr("An agent that knows the passphrase has answered. Is it the right one?")
+                             : tr("An agent has answered. Does it show this code?"));
     m_differ->setFocus();
 }
 

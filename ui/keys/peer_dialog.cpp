@@ -45,7 +45,7 @@ PeerDialog::PeerDialog(KeyringInterface &keyring, const KnownPeer *peer, QWidget
     m_key->setObjectName(QStringLiteral("peerKey"));
     m_key->setAccessibleName(tr("Public key"));
     m_key->setPlaceholderText(QStringLiteral("skyseal:…"));
-    auto *browse = new QPushButton(tr("From a &file …"), this);
+    auto *browse = new QPushButton(tr("From a &file…"), this);
     browse->setObjectName(QStringLiteral("peerKeyFile"));
     browse->setAutoDefault(false);
     m_fingerprint = fixedWidthLabel({}, "peerFingerprint", tr("Fingerprint"), this);

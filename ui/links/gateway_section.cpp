@@ -37,7 +37,7 @@ GatewaySection::GatewaySection(StationInterface &station, QWidget *parent) : QWi
         tr("QGroundControl, Mission Planner, MAVProxy or a MAVSDK program uses the sealed link through this window"));
     m_url = new QComboBox(this);
     m_url->setObjectName(QStringLiteral("serveUrl"));
-    m_url->setAccessibleName(tr("Where other stations are served"));
+    m_url->setAccessibleName(tr("Address for other stations"));
     m_url->setEditable(true);
     m_url->setInsertPolicy(QComboBox::NoInsert);
     const auto offer = [this](const QString &url, const QString &use) {
@@ -50,13 +50,16 @@ GatewaySection::GatewaySection(StationInterface &station, QWidget *parent) : QWi
     m_url->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("udpout:255.255.255.255:14550")) + 5 * kGrid);
     m_rights = new QComboBox(this);
     m_rights->setObjectName(QStringLiteral("serveRights"));
-    m_rights->setAccessibleName(tr("What other stations may do"));
-    m_rights->addItem(tr("They read"));
-    m_rights->setItemData(0, tr("Telemetry, parameters, missions and files are read; what commands or changes is refused"),
+    m_rights->setAccessibleName(tr("Rights of other stations"));
+    m_rights->addItem(tr("Read only"));
+    m_rights->setItemData(0, tr("Telemetry, parameters, missions and files can be read; commands and changes are refused"),
                           Qt::ToolTipRole);
-    m_rights->addItem(tr("They read and write"));
-    m_rights->setItemData(1, tr("They command vehicles like this station; their heartbeat keeps a vehicle from its failsafe"),
-                          Qt::ToolTipRole);
+    m_rights->addItem(tr("Read and write"));
+    m_rights->setItemData(
+        1,
+        tr("They can command vehicles like this station; while they are connected, their heartbeat keeps a vehicle "
+           "from its failsafe"),
+        Qt::ToolTipRole);
     m_state = new QLabel(this);
     m_state->setObjectName(QStringLiteral("serveState"));
     m_state->setAccessibleName(tr("State of the gateway"));
@@ -65,7 +68,7 @@ GatewaySection::GatewaySection(StationInterface &station, QWidget *parent) : QWi
     m_state->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_view = new QTreeView(this);
     m_view->setObjectName(QStringLiteral("serveClients"));
-    m_view->setAccessibleName(tr("Stations that are served"));
+    m_view->setAccessibleName(tr("Connected stations"));
     m_view->setModel(&m_clients);
     m_view->setRootIsDecorated(false);
     m_view->setUniformRowHeights(true);

@@ -49,7 +49,7 @@ LinkDialog::LinkDialog(const QString &url, QWidget *parent) : QDialog(parent)
     m_port->setRange(1, 65535);
     m_path = new QLineEdit(this);
     m_path->setObjectName(QStringLiteral("linkPath"));
-    m_browse = new QPushButton(tr("Browse …"), this);
+    m_browse = new QPushButton(tr("Browse…"), this);
     m_browse->setAccessibleName(tr("Browse for the log file"));
     m_baud = new QComboBox(this);
     m_baud->setObjectName(QStringLiteral("linkBaud"));
@@ -72,7 +72,7 @@ LinkDialog::LinkDialog(const QString &url, QWidget *parent) : QDialog(parent)
     m_counter = new QLineEdit(this);
     m_counter->setObjectName(QStringLiteral("linkCounter"));
     m_counter->setPlaceholderText(tr("the published counter, %1").arg(MavsecCipher::kPublishedCounter));
-    m_browseKey = new QPushButton(tr("Browse …"), this);
+    m_browseKey = new QPushButton(tr("Browse…"), this);
     m_browseKey->setAccessibleName(tr("Browse for the key file"));
     m_result = new QLabel(this);
     m_result->setObjectName(QStringLiteral("linkResult"));

@@ -15,12 +15,12 @@ namespace skyseal::ui {
 
 LinksPanel::LinksPanel(StationInterface &station, QWidget *parent) : DockPanel(parent), m_station(station)
 {
-    auto *add = new QPushButton(tr("Add …"), this);
+    auto *add = new QPushButton(tr("Add…"), this);
     add->setObjectName(QStringLiteral("linkAdd"));
     add->setAccessibleName(tr("Add a link"));
     m_remove = new QPushButton(tr("Remove"), this);
     m_remove->setObjectName(QStringLiteral("linkRemove"));
-    m_remove->setAccessibleName(tr("Remove the chosen link"));
+    m_remove->setAccessibleName(tr("Remove the selected link"));
     m_view = new QTreeView(this);
     m_view->setObjectName(QStringLiteral("linkView"));
     m_view->setAccessibleName(tr("Links"));
@@ -30,7 +30,7 @@ LinksPanel::LinksPanel(StationInterface &station, QWidget *parent) : DockPanel(p
     m_view->setFrameShape(QFrame::NoFrame);
     const auto room = [this](const char *sample) { return fontMetrics().horizontalAdvance(QLatin1String(sample)) + 3 * kGrid; };
     m_view->header()->resizeSection(LinkModel::Url, room("udpin:255.255.255.255:14550"));
-    m_view->header()->resizeSection(LinkModel::State, room("waiting to try again"));
+    m_view->header()->resizeSection(LinkModel::State, room("waiting to retry"));
     m_view->header()->resizeSection(LinkModel::Local, room("255.255.255.255:65535"));
     m_view->header()->resizeSection(LinkModel::Remote, room("255.255.255.255:65535"));
     m_view->header()->resizeSection(LinkModel::Received, room("888 kB/s · 888 MB"));
@@ -72,9 +72,9 @@ void LinksPanel::removeChosen()
     askToConfirm({.objectName = QStringLiteral("confirmRemoveLink"),
                   .title = tr("Remove the link"),
                   .text = armed.size() == 1
-                      ? tr("Vehicle %1 at this link is armed. Remove the link?").arg(armed.first())
-                      : tr("The vehicles %1 at this link are armed. Remove the link?").arg(armed.join(QStringLiteral(", "))),
-                  .details = tr("Without it, nobody can command them from here, and their failsafe may act."),
+                      ? tr("Vehicle %1 on this link is armed. Remove the link?").arg(armed.first())
+                      : tr("The vehicles %1 on this link are armed. Remove the link?").arg(armed.join(QStringLiteral(", "))),
+                  .details = tr("Without this link, no vehicle on it can be commanded from here, and failsafes may trigger."),
                   .yes = tr("Remove"),
                   .icon = QMessageBox::Warning},
                  this, this, [this, id = link->id] { m_station.removeLink(id); });

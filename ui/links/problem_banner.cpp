@@ -26,7 +26,7 @@ ProblemBanner::ProblemBanner(QWidget *parent) : QFrame(parent)
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_act = new QPushButton(this);
     m_act->setObjectName(QStringLiteral("problemRemedy"));
-    m_act->setAccessibleName(tr("Solve the problem"));
+    m_act->setAccessibleName(tr("Resolve the problem"));
     m_close = new QPushButton(tr("Dismiss"), this);
     m_close->setAccessibleName(tr("Dismiss the problem"));
     m_close->setFlat(true);

@@ -19,10 +19,10 @@ namespace skyseal::ui {
 LogsPanel::LogsPanel(StationInterface &station, const QString &folder, QWidget *parent)
     : DockPanel(parent), m_station(station), m_folder(folder)
 {
-    m_record = new QCheckBox(tr("Record what is received and sent"), this);
+    m_record = new QCheckBox(tr("Record received and sent frames"), this);
     m_record->setObjectName(QStringLiteral("logRecord"));
     m_record->setAccessibleName(m_record->text());
-    auto *replay = new QPushButton(tr("Replay a log …"), this);
+    auto *replay = new QPushButton(tr("Replay a log…"), this);
     replay->setObjectName(QStringLiteral("logReplay"));
     replay->setAccessibleName(tr("Replay a log"));
     auto *open = new QPushButton(tr("Open the folder"), this);

@@ -46,14 +46,14 @@ EmptyState::EmptyState(QWidget *parent) : QFrame(parent)
     m_demo->setObjectName(QStringLiteral("demoButton"));
     m_demo->setAccessibleName(m_demo->text());
     m_demo->hide();
-    m_connect = new QPushButton(tr("Add a link …"), this);
+    m_connect = new QPushButton(tr("Add a link…"), this);
     m_connect->setObjectName(QStringLiteral("connectButton"));
     m_connect->setAccessibleName(m_connect->text());
     m_plain = new QPushButton(this);
     m_plain->setObjectName(QStringLiteral("allowPlainButton"));
     m_plain->setAccessibleName(tr("Allow plain MAVLink"));
     m_plain->hide();
-    m_keys = new QPushButton(tr("Keys and peers …"), this);
+    m_keys = new QPushButton(tr("Keys and peers…"), this);
     m_keys->setObjectName(QStringLiteral("emptyKeys"));
     m_keys->setAccessibleName(tr("Open keys and peers"));
     m_keys->hide();
@@ -108,14 +108,15 @@ void EmptyState::showViewState(const ViewState &view)
     const engine::UnknownAgent *unknown = unknownAgentOf(view);
     if (!view.keyProblem.isEmpty()) {
         title = tr("This station cannot use its key");
-        text = tr("%1\n\nNo link is sealed until this is solved. Plain MAVLink is shown, but not sealed.").arg(view.keyProblem);
+        text =
+            tr("%1\n\nNo link is sealed until this is resolved. Plain MAVLink is shown, but not sealed.").arg(view.keyProblem);
     } else if (view.session) {
         title = tr("Waiting for the autopilot behind %1").arg(fromStd(view.session->info.peerName));
         text = tr("The link to the agent is sealed; nothing has been received from the vehicle beside it yet.");
     } else if (view.pendingApproval) {
         m_held = *view.pendingApproval;
         title = tr("Vehicle %1 is not sealed").arg(m_held.systemId);
-        text = tr("It sends plain MAVLink from %1 and may be an impostor of %2, which is a known peer but has not "
+        text = tr("It sends plain MAVLink from %1 and may be impersonating %2, which is a known peer but has not "
                   "been heard yet. Its telemetry is not shown and nothing is sent to it until you allow plain "
                   "MAVLink.\n\nIf it is the vehicle of %2, start the agent beside it instead, so that its link is "
                   "sealed.")
@@ -124,8 +125,8 @@ void EmptyState::showViewState(const ViewState &view)
         const engine::UnansweringAgent &agent = view.snapshot->unanswering.front();
         title = tr("The agent %1 does not answer").arg(fromStd(agent.peerName));
         text = tr("It is reachable at %1, but it does not answer the handshake. Does it know this station's "
-                  "key?\n\nIts list of peers needs the key with the fingerprint\n%2\n\nIt does not answer either "
-                  "if it permits none of the suites that this station offers.")
+                  "key?\n\nIts list of peers must contain the key with the fingerprint\n%2\n\nIt also does "
+                  "not answer if it permits none of the suites that this station offers.")
                    .arg(fromStd(agent.remoteAddress), fromStd(agent.ownFingerprint));
     } else if (unknown) {
         title = tr("An unknown agent");

@@ -29,8 +29,8 @@ MissionPanel::MissionPanel(StationInterface &station, QWidget *parent) : DockPan
         return made;
     };
     m_read = button(tr("Read from the vehicle"), "missionRead");
-    m_send = button(tr("Send a file …"), "missionSend");
-    m_save = button(tr("Save as …"), "missionSave");
+    m_send = button(tr("Send a file…"), "missionSend");
+    m_save = button(tr("Save as…"), "missionSave");
     m_result = new ResultLabel(this);
     m_result->setObjectName(QStringLiteral("missionResult"));
     m_result->setAccessibleName(tr("Result of the last transfer"));
@@ -65,7 +65,7 @@ MissionPanel::MissionPanel(StationInterface &station, QWidget *parent) : DockPan
     column->addWidget(m_pages, 1);
 
     connect(m_read, &QPushButton::clicked, this, [this] {
-        say(tr("Reading …"));
+        say(tr("Reading…"));
         m_station.perform(m_systemId, vehicle::ReadMission{});
     });
     connect(m_send, &QPushButton::clicked, this, &MissionPanel::askAndSend);
@@ -119,7 +119,7 @@ void MissionPanel::sendFile(const QString &file, std::uint8_t systemId)
         say(fromStd(items.error().text()));
         return;
     }
-    say(items->size() == 1 ? tr("Sending one item …") : tr("Sending %1 items …").arg(items->size()));
+    say(items->size() == 1 ? tr("Sending one item…") : tr("Sending %1 items…").arg(items->size()));
     m_station.perform(systemId, vehicle::WriteMission{*items});
 }
 

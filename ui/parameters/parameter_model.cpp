@@ -48,7 +48,7 @@ QString ParameterModel::outOfRange(const vehicle::Parameter &parameter, double v
     if (!range)
         return {};
     if (value < range->least || value > range->greatest)
-        return tr("not written: %1 is not within %2 and %3").arg(value).arg(range->least).arg(range->greatest);
+        return tr("not written: %1 is not between %2 and %3").arg(value).arg(range->least).arg(range->greatest);
     if (range->whole && value != std::trunc(value))
         return tr("not written: %1 is not a whole number").arg(value);
     return {};
@@ -148,7 +148,7 @@ bool ParameterModel::setData(const QModelIndex &index, const QVariant &value, in
         touch(name);
         return false;
     }
-    m_states.insert(name, tr("writing %1 …").arg(wanted));
+    m_states.insert(name, tr("writing %1…").arg(wanted));
     touch(name);
     Q_EMIT writeRequested(name, wanted);
     return true;

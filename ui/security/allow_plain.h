@@ -14,7 +14,7 @@ namespace skyseal::ui {
 
 class StationInterface;
 
-/// The text "Allow plain MAVLink for vehicle 1 …" for buttons and the menu.
+/// The text "Allow plain MAVLink for vehicle 1…" for buttons and the menu.
 QString allowPlainText(const engine::PendingVehicle &held);
 void askAllowPlain(StationInterface &station, const engine::PendingVehicle &held, QWidget *parent);
 

@@ -25,7 +25,8 @@ CountersTable::CountersTable(QWidget *parent) : QWidget(parent)
         {tr("replayed"), tr("Received before, refused"), &ReceiveCounters::replayed, true},
         {tr("forged"), tr("Authentication tag invalid, refused"), &ReceiveCounters::forged, true},
         {tr("malformed"), tr("Not a valid record, refused"), &ReceiveCounters::malformed, true},
-        {tr("plain"), tr("Clear MAVLink in the name of a sealed peer, refused"), &ReceiveCounters::plaintextDropped, true},
+        {tr("plain"), tr("Plain MAVLink that claims to come from a sealed peer, refused"), &ReceiveCounters::plaintextDropped,
+         true},
         {tr("stale"), tr("Valid, but too late to command or to be shown"), &ReceiveCounters::stale, true},
         {tr("refused"), {}, nullptr, true},
     };

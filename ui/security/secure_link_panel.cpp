@@ -86,7 +86,7 @@ SecureLinkPanel::SecureLinkPanel(SuiteActions &suites, QWidget *parent) : DockPa
     m_help->setAccessibleName(m_help->text());
     connect(m_help, &QPushButton::clicked, this, [this] { Q_EMIT helpRequested(QStringLiteral("sealing")); });
     column->addWidget(m_help, 0, Qt::AlignLeft);
-    m_keys = new QPushButton(tr("Keys and peers …"), this);
+    m_keys = new QPushButton(tr("Keys and peers…"), this);
     m_keys->setObjectName(QStringLiteral("secureKeys"));
     m_keys->setAccessibleName(tr("Open keys and peers"));
     m_keys->hide();
@@ -206,7 +206,7 @@ void SecureLinkPanel::showHead(const ViewState &view)
                     "Start skyseal-air beside it.");
         if (view.pendingApproval) {
             title = tr("Not sealed, needs approval");
-            advice = tr("Vehicle %1 sends plain MAVLink and may be an impostor of %2. Commands are disabled until you "
+            advice = tr("Vehicle %1 sends plain MAVLink and may be impersonating %2. Commands are disabled until you "
                         "allow it: Security → Allow plain MAVLink.")
                          .arg(view.pendingApproval->systemId)
                          .arg(engine::anyOfNames(view.pendingApproval->mayBe));
@@ -238,17 +238,15 @@ void SecureLinkPanel::showHead(const ViewState &view)
             color = colors.warning;
         } else if (view.session && view.session->stats.peerCannotStore) {
             title = tr("Sealed, the disk of the agent fails");
-            advice = tr(
-                "The vehicle's computer cannot store the counters of handshakes: its disk may be full, read-only or broken. "
-                "The link goes on. If that computer restarts now, it will answer handshakes that were recorded before; no "
-                "session comes of them.");
+            advice = tr("The vehicle's computer cannot store handshake counters: its disk may be full, read-only "
+                        "or broken. The link stays up. If that computer restarts now, it will answer handshakes "
+                        "that were recorded before; no session results from them.");
             color = colors.warning;
         } else if (!view.snapshot->storageProblem.empty()) {
             title = tr("Sealed, the disk of this computer fails");
-            advice =
-                tr("The counters of handshakes cannot be stored: %1. The link goes on. If this program restarts now, agents "
-                   "refuse its first handshake and return the right number.")
-                    .arg(fromStd(view.snapshot->storageProblem));
+            advice = tr("Handshake counters cannot be stored: %1. The link stays up. If this program restarts "
+                        "now, agents refuse its first handshake and return the correct counter.")
+                         .arg(fromStd(view.snapshot->storageProblem));
             color = colors.warning;
         }
         break;
@@ -263,7 +261,7 @@ void SecureLinkPanel::showHead(const ViewState &view)
             advice = tr("%1 forged, %2 replayed in a minute")
                          .arg(grouped(view.session->forgedLastMinute), grouped(view.session->replayedLastMinute));
         if (view.refusedLastMinute > 0)
-            advice += QLatin1Char('\n') + tr("%1 of impostors in a minute").arg(grouped(view.refusedLastMinute));
+            advice += QLatin1Char('\n') + tr("%1 spoofed frames in a minute").arg(grouped(view.refusedLastMinute));
         color = colors.alarm;
         break;
     }

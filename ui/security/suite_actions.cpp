@@ -60,7 +60,7 @@ QString SuiteActions::disabledReason(SuiteId suite) const
     if (crypto::suiteInfo(suite).strength < crypto::suiteInfo(m_weakest).strength)
         return tr("weaker than allowed");
     if (crypto::suiteInfo(suite).research && !m_researchAllowed)
-        return tr("research is off");
+        return tr("research suites are off");
     if (std::ranges::find(m_info->peerOffered, suite) == m_info->peerOffered.end())
         return tr("not offered by the agent");
     return tr("not allowed here");

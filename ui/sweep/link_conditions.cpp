@@ -72,7 +72,7 @@ void LinkConditions::addFields(QHBoxLayout &row)
         return box;
     };
     m_delay = number("sweepDelay", tr("Delay"), 60'000, tr(" ms"));
-    m_jitter = number("sweepJitter", tr("Jitter: more delay, up to this"), 60'000, tr(" ms"));
+    m_jitter = number("sweepJitter", tr("Jitter: additional delay, up to this value"), 60'000, tr(" ms"));
     m_rate = number("sweepRate", tr("Line rate"), 10'000'000, tr(" baud"));
     m_rate->setSingleStep(9'600);
     m_rate->setGroupSeparatorShown(true);

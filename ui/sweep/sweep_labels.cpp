@@ -62,7 +62,7 @@ QString linkText(const experiment::Condition &link)
         parts << Text::tr("%1 ms delay").arg(ms(is.delay));
     if (is.jitter > Duration::zero())
         parts << Text::tr("up to %1 ms jitter").arg(ms(is.jitter));
-    return parts.isEmpty() ? Text::tr("nothing impaired") : parts.join(QStringLiteral(", "));
+    return parts.isEmpty() ? Text::tr("no impairment") : parts.join(QStringLiteral(", "));
 }
 
 QString placeText(const experiment::Plan &plan, std::size_t condition, std::size_t load)

@@ -28,9 +28,9 @@ namespace skyseal::ui {
 SweepPage::SweepPage(QWidget *parent)
     : QWidget(parent), m_status(named(new QLabel(this), "sweepStatus", tr("The sweep"))),
       m_bar(named(new QProgressBar(this), "sweepProgress", tr("Runs completed"))),
-      m_start(named(new QPushButton(tr("Run a sweep …"), this), "sweepStart", tr("Run a sweep"))),
+      m_start(named(new QPushButton(tr("Run a sweep…"), this), "sweepStart", tr("Run a sweep"))),
       m_cancel(named(new QPushButton(tr("Cancel"), this), "sweepCancel", tr("Cancel the sweep"))),
-      m_save(named(new QPushButton(tr("Save …"), this), "sweepSave", tr("Save the sweep's files"))),
+      m_save(named(new QPushButton(tr("Save…"), this), "sweepSave", tr("Save the sweep's files"))),
       m_place(named(new QComboBox(this), "sweepPlace", tr("Load and link"))),
       m_metric(named(new QComboBox(this), "sweepMetric", tr("Measurement in the bars"))), m_table(new QTableView(this)),
       m_model(new SweepTableModel(this)), m_bars(new SweepBars(this)), m_clock(new QTimer(this))
@@ -186,7 +186,7 @@ void SweepPage::finish(std::shared_ptr<const experiment::Results> results, const
 void SweepPage::showSaving()
 {
     m_save->setEnabled(false);
-    setStatus(tr("Writing the files …"));
+    setStatus(tr("Writing the files…"));
 }
 
 void SweepPage::showSaved(const QString &folder, bool written, const QString &problem)
@@ -244,9 +244,9 @@ void SweepPage::showStatus()
     m_bar->setMaximum(static_cast<int>(m_progress.runs));
     m_bar->setValue(static_cast<int>(m_progress.done));
     if (m_stopping)
-        return setStatus(tr("Stopping: restoring the suite of the link …"));
+        return setStatus(tr("Stopping: restoring the suite of the link…"));
     if (!m_run)
-        return setStatus(tr("Starting …"));
+        return setStatus(tr("Starting…"));
     const experiment::Plan &plan = m_results->plan;
     setStatus(tr("Run %1 of %2, %3 left: %4, %5")
                   .arg(std::min(m_progress.done + 1, m_progress.runs))

@@ -34,8 +34,8 @@ std::optional<CommandAge> commandAgeOf(const ViewState &view)
     out.ignored = limit > 0 && age > limit;
     if (!report.isAgeKnown())
         out.sentence = out.ignored
-            ? Text::tr("Commands are ignored: how late they arrive is unknown, and the limit is %1").arg(limitText)
-            : Text::tr("How late commands arrive is unknown");
+            ? Text::tr("Commands are ignored: their delay is unknown, and the limit is %1").arg(limitText)
+            : Text::tr("The delay of commands is unknown");
     else if (out.ignored)
         out.sentence = Text::tr("Commands are ignored: they arrive up to %1 late, and the limit is %2").arg(ageText, limitText);
     else if (out.late)
@@ -49,9 +49,9 @@ std::optional<CommandAge> commandAgeOf(const ViewState &view)
                                 : Text::tr("Commands %1 late").arg(ageText);
     const QString overtaken = Text::tr("%1 s").arg(number(static_cast<double>(report.overtakenMilliseconds) / 1e3, 1));
     out.limits = limit > 0
-        ? Text::tr("The agent ignores commands that are older than %1, or that newer messages overtook by %2")
+        ? Text::tr("The agent ignores commands that are older than %1, or that were overtaken by newer messages by %2")
               .arg(limitText, overtaken)
-        : Text::tr("The agent ignores commands that newer messages overtook by %1").arg(overtaken);
+        : Text::tr("The agent ignores commands that were overtaken by newer messages by %1").arg(overtaken);
     return out;
 }
 

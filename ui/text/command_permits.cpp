@@ -44,7 +44,7 @@ QString demoDisabledReason(const ViewState &view)
     if (!station)
         return {};
     if (!station->vehicles.empty() || !station->pendingApproval.empty())
-        return Text::tr("A vehicle is there: the demo would end its link");
+        return Text::tr("A vehicle is connected: the demo would end its link");
     if (!station->sessions.empty())
         return Text::tr("A link is sealed: the demo would end it");
     return {};

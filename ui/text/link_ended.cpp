@@ -44,7 +44,7 @@ std::optional<LinkEnded> linkEndedOf(const ViewState &view)
                          true};
     case DownReason::TimedOut:
         return LinkEnded{Text::tr("Session lost · %1").arg(name),
-                         Text::tr("%1 was not heard for too long; the session ended %2 ago.").arg(name, ago) + waiting};
+                         Text::tr("%1 was silent for too long; the session ended %2 ago.").arg(name, ago) + waiting};
     case DownReason::PeerRestarted:
     case DownReason::PeerClosed:
     case DownReason::Exhausted:

@@ -47,13 +47,12 @@ LockFace unsealedFace(const QStringList &variants, const QString &toolTip)
 
 LockFace pendingApprovalFace(const engine::PendingVehicle &held)
 {
-    return unsealedFace(
-        {Text::tr("Not sealed · vehicle %1 needs approval").arg(held.systemId), Text::tr("Not sealed · needs approval"),
-         Text::tr("Not sealed")},
-        Text::tr("Vehicle %1 at %2 may be an impostor of %3, which has not been heard yet. Its telemetry is not "
-                 "shown and nothing is sent to it until you allow plain MAVLink for it.")
-            .arg(held.systemId)
-            .arg(fromStd(held.remoteAddress), engine::anyOfNames(held.mayBe)));
+    return unsealedFace({Text::tr("Not sealed · vehicle %1 needs approval").arg(held.systemId),
+                         Text::tr("Not sealed · needs approval"), Text::tr("Not sealed")},
+                        Text::tr("Vehicle %1 at %2 may be impersonating %3, which has not been heard yet. Its telemetry is not "
+                                 "shown and nothing is sent to it until you allow plain MAVLink for it.")
+                            .arg(held.systemId)
+                            .arg(fromStd(held.remoteAddress), engine::anyOfNames(held.mayBe)));
 }
 
 LockFace plainFace(const ViewState &view)
@@ -153,11 +152,11 @@ LockFace lockFaceOf(const ViewState &view)
         face.variants = {suite + dot + peer + dot + Text::tr("under attack, %1").arg(brief), suite + dot + brief};
         if (records > 0)
             face.toolTip += QLatin1Char('\n')
-                + Text::tr("Under attack: %1 forged or replayed in the last minute. All of them were refused.")
+                + Text::tr("Under attack: %1 forged or replayed records in the last minute. All of them were refused.")
                       .arg(grouped(records));
         if (view.refusedLastMinute > 0)
             face.toolTip += QLatin1Char('\n')
-                + Text::tr("Under attack: %1 frames of impostors of this vehicle in the last minute. All of them were refused.")
+                + Text::tr("Under attack: %1 spoofed frames of this vehicle in the last minute. All of them were refused.")
                       .arg(grouped(view.refusedLastMinute));
         break;
     }

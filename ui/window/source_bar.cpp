@@ -57,7 +57,7 @@ void SourceBar::showSource(Source source, const QString &name)
     m_name = name;
     setState({}, false);
     const bool demo = source == Source::Demo;
-    m_title->setText(demo ? tr("DEMO: a simulated vehicle, nothing is real") : tr("REPLAY: %1").arg(name));
+    m_title->setText(demo ? tr("DEMO: simulated vehicle, simulated data") : tr("REPLAY: %1").arg(name));
     m_title->setToolTip(m_title->text());
     m_end->setText(demo ? tr("End the demo") : tr("Back to live"));
     m_end->setAccessibleName(m_end->text());
@@ -73,7 +73,7 @@ void SourceBar::showReplay(const ViewState &replay)
     });
     const auto failed = std::ranges::find(links, engine::LinkPhase::Failed, &engine::LinkSnapshot::phase);
     const QString title = failed != links.end() ? tr("REPLAY: %1 · %2").arg(m_name, fromStd(failed->problem))
-        : over                                  ? tr("REPLAY: %1 · at its end").arg(m_name)
+        : over                                  ? tr("REPLAY: %1 · finished").arg(m_name)
                                                 : tr("REPLAY: %1").arg(m_name);
     if (m_title->text() == title)
         return;

@@ -43,11 +43,11 @@ Menu fileMenu(const MenuTargets &on)
     return {QStringLiteral("menuFile"),
             Text::tr("&File"),
             {{.id = QStringLiteral("actionSettings"),
-              .text = Text::tr("&Settings …"),
+              .text = Text::tr("&Settings…"),
               .trigger = [on] { on.dialogs.openSettings(); },
               .shortcut = QKeySequence::Preferences},
              {.id = QStringLiteral("actionReplay"),
-              .text = Text::tr("&Replay a log …"),
+              .text = Text::tr("&Replay a log…"),
               .trigger = [on] { on.dialogs.openReplay(); },
               .shortcut = QKeySequence::Open},
              {},
@@ -62,7 +62,7 @@ Menu linkMenu(const MenuTargets &on)
     return {QStringLiteral("menuLink"),
             Text::tr("&Link"),
             {{.id = QStringLiteral("actionConnect"),
-              .text = Text::tr("&Connect …"),
+              .text = Text::tr("&Connect…"),
               .trigger = [on] { on.dialogs.openLink(); },
               .shortcut = Qt::Key_F12}}};
 }
@@ -72,7 +72,7 @@ MenuItems modeItems(const MenuTargets &on)
     MenuItems items;
     if (const auto *vehicle = on.selection.view().vehicle) {
         for (const std::string &mode : vehicle->state.modes)
-            items.push_back({.text = fromStd(mode) + QStringLiteral(" …"),
+            items.push_back({.text = fromStd(mode) + QStringLiteral("…"),
                              .trigger =
                                  [on, mode] {
                                      confirmAndSend(on, Text::tr("Change the mode to %1?").arg(fromStd(mode)),
@@ -108,7 +108,7 @@ Menu vehicleMenu(const MenuTargets &on)
                         .trigger = [on, question, order] { confirmAndSend(on, question, order); },
                         .disabledReason = commandDisabledReason};
     };
-    MenuItem arm = command(Text::tr("&Arm …"), QStringLiteral("actionArm"),
+    MenuItem arm = command(Text::tr("&Arm…"), QStringLiteral("actionArm"),
                            Text::tr("Arm the motors? The propellers will turn."), vehicle::Arm{});
     arm.disabledReason = [on, commandDisabledReason] {
         const auto *vehicle = on.selection.view().vehicle;
@@ -118,16 +118,16 @@ Menu vehicleMenu(const MenuTargets &on)
     return {QStringLiteral("menuVehicle"),
             Text::tr("&Vehicle"),
             {arm,
-             command(Text::tr("&Disarm …"), QStringLiteral("actionDisarm"), Text::tr("Disarm the motors?"), vehicle::Disarm{}),
+             command(Text::tr("&Disarm…"), QStringLiteral("actionDisarm"), Text::tr("Disarm the motors?"), vehicle::Disarm{}),
              {},
              {.id = QStringLiteral("actionTakeOff"),
-              .text = Text::tr("&Take off …"),
+              .text = Text::tr("&Take off…"),
               .trigger = [on] { on.dialogs.openTakeOff(); },
               .disabledReason = commandDisabledReason},
-             command(Text::tr("&Land …"), QStringLiteral("actionLand"), Text::tr("Land here?"), vehicle::Land{}),
-             command(Text::tr("&Return to launch (RTL) …"), QStringLiteral("actionReturn"),
+             command(Text::tr("&Land…"), QStringLiteral("actionLand"), Text::tr("Land here?"), vehicle::Land{}),
+             command(Text::tr("&Return to launch (RTL)…"), QStringLiteral("actionReturn"),
                      Text::tr("Return to launch and land there?"), vehicle::ReturnToLaunch{}),
-             command(Text::tr("&Start the mission …"), QStringLiteral("actionStartMission"), Text::tr("Fly the mission?"),
+             command(Text::tr("&Start the mission…"), QStringLiteral("actionStartMission"), Text::tr("Fly the mission?"),
                      vehicle::StartMission{}),
              {},
              {.id = QStringLiteral("menuMode"),
@@ -146,7 +146,7 @@ MenuItems plainItems(const MenuTargets &on)
     MenuItems items;
     if (const auto &snapshot = on.selection.view().snapshot) {
         for (const engine::PendingVehicle &pending : snapshot->pendingApproval)
-            items.push_back({.text = Text::tr("Vehicle %1 at %2 …").arg(pending.systemId).arg(fromStd(pending.remoteAddress)),
+            items.push_back({.text = Text::tr("Vehicle %1 at %2…").arg(pending.systemId).arg(fromStd(pending.remoteAddress)),
                              .trigger = [on, pending] { askAllowPlain(on.station, pending, &on.window); }});
     }
     return items;
@@ -169,7 +169,7 @@ Menu securityMenu(const MenuTargets &on)
                          },
                      .submenu = [on] { return plainItems(on); }});
     items.push_back({.id = QStringLiteral("actionKeys"),
-                     .text = Text::tr("&Keys and peers …"),
+                     .text = Text::tr("&Keys and peers…"),
                      .trigger = [on] { on.dialogs.openKeys(); },
                      .shortcut = Qt::CTRL | Qt::Key_K});
     return {QStringLiteral("menuSecurity"), Text::tr("&Security"), std::move(items)};
@@ -211,7 +211,7 @@ Menu viewMenu(const MenuTargets &on)
 Menu toolsMenu(const MenuTargets &on)
 {
     MenuItems items{{.id = QStringLiteral("actionSweep"),
-                     .text = Text::tr("Run a s&weep …"),
+                     .text = Text::tr("Run a s&weep…"),
                      .trigger = on.openSweep,
                      .shortcut = Qt::CTRL | Qt::Key_R}};
     if (on.startDemo) {

@@ -1,4 +1,4 @@
-// skyseal-cli status, switch and revoke: act on a gateway that runs, through its control socket.
+// skyseal-cli status, switch and revoke: act on a running gateway, through its control socket.
 #include "app/cli/commands.h"
 #include "app/cli/control/control_url.h"
 #include "app/common/exit_status.h"
@@ -74,7 +74,7 @@ template<typename Print> int request(const QString &name, Options &options, cons
 int runStatus(const QStringList &arguments)
 {
     const QString name = QStringLiteral("skyseal-cli status");
-    Options options(name, QStringLiteral("Shows the state of a gateway that runs."));
+    Options options(name, QStringLiteral("Shows the state of a running gateway."));
     declare(options);
     if (const auto status = options.parse(arguments))
         return *status;
@@ -88,7 +88,7 @@ int runStatus(const QStringList &arguments)
 int runSwitch(const QStringList &arguments)
 {
     const QString name = QStringLiteral("skyseal-cli switch");
-    Options options(name, QStringLiteral("Switches all sessions of a gateway that runs to another suite."));
+    Options options(name, QStringLiteral("Switches all sessions of a running gateway to another suite."));
     options.addArgument("SUITE", "Name of the suite.");
     declare(options);
     if (const auto status = options.parse(arguments))
@@ -104,7 +104,7 @@ int runSwitch(const QStringList &arguments)
 int runRevoke(const QStringList &arguments)
 {
     const QString name = QStringLiteral("skyseal-cli revoke");
-    Options options(name, QStringLiteral("Removes a peer from the list of a gateway that runs; its sessions end at once."));
+    Options options(name, QStringLiteral("Removes a peer from the list of a running gateway; its sessions end at once."));
     options.addArgument("PEER", "Name of the peer.");
     declare(options);
     if (const auto status = options.parse(arguments))

@@ -229,7 +229,7 @@ int runGet(const QString &name, const QStringList &arguments)
 
 int runSet(const QString &name, const QStringList &arguments)
 {
-    Options options(name, QStringLiteral("Writes parameters, and reads back what the vehicle made of them."));
+    Options options(name, QStringLiteral("Writes parameters, and reads back the values of the vehicle."));
     options.addArgument("NAME=VALUE...", "Parameters and their values.");
     declareTransfer(options);
     if (const auto status = options.parse(arguments))

@@ -31,38 +31,37 @@ public:
         if (e.command != 0)
             message += QStringLiteral(" %1").arg(e.command);
         const QString count = e.reason == FramesRefused::Reason::TooOften
-            ? counted(e.frames, tr("one question"), tr("%1 questions"))
+            ? counted(e.frames, tr("one request"), tr("%1 requests"))
             : counted(e.frames, tr("one frame"), tr("%1 frames"));
         const QString which = e.frames == 1 ? message : tr("the last one %1").arg(message);
         return {sentenceFor(e.reason).arg(count, qt(e.peer), which), std::uint8_t(mavlink::MAV_SEVERITY_WARNING)};
     }
     EventText operator()(const GroundIdClaimed &e) const
     {
-        const QString sentence = tr("A device on the vehicle's side claims to be a vehicle with the system id %1 of a ground "
-                                    "station: not accepted; an autopilot needs another id");
+        const QString sentence = tr("A device on the vehicle side uses the system id %1 of a ground station and is ignored; "
+                                    "an autopilot needs another id");
         return {sentence.arg(e.systemId), std::uint8_t(mavlink::MAV_SEVERITY_ALERT)};
     }
     EventText operator()(const CounterStorage &e) const
     {
         if (e.problem.empty())
-            return {tr("The counters of handshakes are stored again"), std::uint8_t(mavlink::MAV_SEVERITY_NOTICE)};
-        return {
-            tr("The counters of handshakes cannot be stored: %1. The links go on. If this agent restarts now, it will answer "
-               "handshakes that were recorded before; no session comes of them")
-                .arg(qt(e.problem)),
-            std::uint8_t(mavlink::MAV_SEVERITY_ERROR)};
+            return {tr("Handshake counters are stored again"), std::uint8_t(mavlink::MAV_SEVERITY_NOTICE)};
+        return {tr("Handshake counters cannot be stored: %1. The links stay up. If this agent restarts now, "
+                   "it will answer handshakes that were recorded before; no session results from them")
+                    .arg(qt(e.problem)),
+                std::uint8_t(mavlink::MAV_SEVERITY_ERROR)};
     }
 
 private:
     static QString sentenceFor(FramesRefused::Reason reason)
     {
         switch (reason) {
-        case FramesRefused::Reason::Observer: return tr("Refused %1 of %2, which is an observer: %3");
-        case FramesRefused::Reason::System: return tr("Refused %1 of %2, which may not send as that system: %3");
-        case FramesRefused::Reason::TooOften: return tr("Refused %1 of %2, which asks too often: %3");
+        case FramesRefused::Reason::Observer: return tr("Refused %1 from %2, which is an observer: %3");
+        case FramesRefused::Reason::System: return tr("Refused %1 from %2, which may not send as that system: %3");
+        case FramesRefused::Reason::TooOften: return tr("Refused %1 from %2, which sends requests too often: %3");
         case FramesRefused::Reason::Late: break;
         }
-        return tr("Refused %1 of %2, too late to be obeyed: %3");
+        return tr("Refused %1 from %2, received too late: %3");
     }
 
     const PeerNames &m_names;

@@ -82,19 +82,19 @@ public:
     {
         const double age = double(e.report.ageMicroseconds) / 1e6, limit = double(e.report.limitMilliseconds) / 1e3;
         if (limit > 0 && !e.report.isAgeKnown())
-            return {tr("%1 does not know how late commands arrive, and obeys none that may be older than %2 s: it ignored %3")
+            return {tr("%1 cannot determine the delay of commands and ignores any that may be older than %2 s: it ignored %3")
                         .arg(peer(e.session))
                         .arg(limit, 0, 'f', 1)
                         .arg(counted(e.records, tr("one message"), tr("%1 messages"))),
                     kError};
         if (limit > 0 && age > limit)
-            return {tr("Commands arrive up to %1 s late at %2, which obeys none that are older than %3 s: it ignored %4")
+            return {tr("Commands reach %2 up to %1 s late, and it ignores any that are older than %3 s: it ignored %4")
                         .arg(age, 0, 'f', 1)
                         .arg(peer(e.session))
                         .arg(limit, 0, 'f', 1)
                         .arg(counted(e.records, tr("one message"), tr("%1 messages"))),
                     kError};
-        return {tr("Messages to %1 were withheld or delayed on their way, and others overtook them: it ignored %2")
+        return {tr("Messages to %1 were withheld or delayed in transit and overtaken by others: it ignored %2")
                     .arg(peer(e.session))
                     .arg(e.records),
                 kError};
@@ -107,7 +107,7 @@ public:
             return {tr("Link %1: %2").arg(url, qt(link.problem)), kError};
         switch (link.phase) {
         case LinkPhase::Listening: return {tr("Link %1: listening on %2").arg(url, qt(link.localAddress)), kInfo};
-        case LinkPhase::Finished: return {tr("Link %1: replayed to its end").arg(url), kInfo};
+        case LinkPhase::Finished: return {tr("Link %1: replay finished").arg(url), kInfo};
         case LinkPhase::Opening:
         case LinkPhase::Closed: return routineText(tr("Link %1: %2").arg(url, linkPhaseText(link.phase)));
         default: return {tr("Link %1: %2").arg(url, linkPhaseText(link.phase)), kInfo};
@@ -121,14 +121,13 @@ public:
     EventText operator()(const channel::PeerStorageChanged &e) const
     {
         if (!e.failed)
-            return {tr("The computer of %1 stores the counters of handshakes again").arg(peer(e.session)),
+            return {tr("The computer of %1 stores handshake counters again").arg(peer(e.session)),
                     mavlink::MAV_SEVERITY_NOTICE};
-        return {
-            tr("The computer of %1 cannot store the counters of handshakes; its disk may be full, read-only or broken. The "
-               "link goes on. If that computer restarts now, it will answer handshakes that were recorded before; no session "
-               "comes of them")
-                .arg(peer(e.session)),
-            kError};
+        return {tr("The computer of %1 cannot store handshake counters; its disk may be full, read-only or "
+                   "broken. The link stays up. If that computer restarts now, it will answer handshakes "
+                   "that were recorded before; no session results from them")
+                    .arg(peer(e.session)),
+                kError};
     }
 
 private:

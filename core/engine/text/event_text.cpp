@@ -31,7 +31,7 @@ public:
                         : EventText{tr("Found a %1, not sealed").arg(type), kWarning, e.systemId};
     }
     EventText operator()(const VehicleLost &e) const { return {tr("Link to the vehicle lost"), kError, e.systemId}; }
-    EventText operator()(const VehicleBack &e) const { return {tr("Vehicle is back"), kNotice, e.systemId}; }
+    EventText operator()(const VehicleBack &e) const { return {tr("Link to the vehicle recovered"), kNotice, e.systemId}; }
     EventText operator()(const vehicle::TextReceived &e) const { return {qt(e.text.text), e.text.severity, e.systemId}; }
     EventText operator()(const PlaintextRefused &e) const
     {
@@ -41,7 +41,7 @@ public:
                         .arg(counted(e.frames, tr("one plain frame"), tr("%1 plain frames")), address),
                     kError, e.systemId};
         return {
-            tr("This vehicle, at %1, waits for approval: it is not sealed and may be an impostor of %2, which was never heard")
+            tr("This vehicle, at %1, awaits approval: it is not sealed and may be impersonating %2, which has not been heard")
                 .arg(address, anyOfNames(e.mayBe)),
             kWarning, e.systemId, false, EventText::Remedy::AllowPlaintext};
     }
@@ -50,12 +50,13 @@ public:
         const QString peer = qt(e.peer), owner = qt(e.owner);
         const QString frames = counted(e.frames, tr("one frame"), tr("%1 frames"));
         if (e.owner.empty())
-            return {tr("Refused %1 of %2, which may not send as this vehicle. If %2 is its agent, bind the system to %2 in the "
-                       "list of peers")
-                        .arg(frames, peer),
-                    kError, e.systemId};
+            return {
+                tr("Refused %1 from %2, which may not send as this vehicle. If %2 is its agent, bind the system to %2 in the "
+                   "list of peers")
+                    .arg(frames, peer),
+                kError, e.systemId};
         return {
-            tr("Refused %1 of %2, which sends as this vehicle although that belongs to %3. If %2 is a new agent of the same "
+            tr("Refused %1 from %2, which sends as this vehicle although that belongs to %3. If %2 is a new agent of the same "
                "vehicle, remove %3 from the list of peers or bind the system to %2")
                 .arg(frames, peer, owner),
             kError, e.systemId};
@@ -64,7 +65,7 @@ public:
     {
         const QString name = qt(e.agent.peerName), address = qt(e.agent.remoteAddress);
         if (e.over)
-            return routineText(tr("The agent %1 at %2 answered, or is gone").arg(name, address));
+            return routineText(tr("The agent %1 at %2 has answered or is no longer heard").arg(name, address));
         return {tr("The agent %1 at %2 announces itself but does not answer: does it know this station's key? %3")
                     .arg(name, address, qt(e.agent.ownFingerprint)),
                 kWarning};
@@ -81,12 +82,11 @@ public:
     EventText operator()(const CounterStorage &e) const
     {
         if (e.problem.empty())
-            return {tr("The counters of handshakes are stored again"), kNotice};
-        return {
-            tr("The counters of handshakes cannot be stored: %1. The links go on. If this station restarts now, agents refuse "
-               "its first handshake and return the right number")
-                .arg(qt(e.problem)),
-            kError};
+            return {tr("Handshake counters are stored again"), kNotice};
+        return {tr("Handshake counters cannot be stored: %1. The links stay up. If this station restarts "
+                   "now, agents refuse its first handshake and return the correct counter")
+                    .arg(qt(e.problem)),
+                kError};
     }
     EventText operator()(const ServedLinkChanged &e) const { return linkText(e.link); }
     EventText operator()(const ClientConnected &e) const
@@ -98,17 +98,17 @@ public:
     }
     EventText operator()(const ClientGone &e) const
     {
-        return {tr("Client %1 at %2 is gone").arg(qt(e.name), qt(e.address)), kNotice};
+        return {tr("Client %1 at %2 disconnected").arg(qt(e.name), qt(e.address)), kNotice};
     }
     EventText operator()(const ClientDenied &e) const
     {
-        return {tr("Denied %1 of client %2 at %3, the newest one %4")
+        return {tr("Denied %1 from client %2 at %3, most recently %4")
                     .arg(counted(e.frames, tr("one frame"), tr("%1 frames")), qt(e.name), qt(e.address), qt(e.message)),
                 kWarning};
     }
     EventText operator()(const ClientsUnreported &e) const
     {
-        return {tr("Not reported one by one: %1 came and went, %2 denied")
+        return {tr("Further events: %1 connected and disconnected, %2 denied")
                     .arg(counted(e.clients, tr("one client"), tr("%1 clients")),
                          counted(e.frames, tr("one frame"), tr("%1 frames"))),
                 kWarning};

@@ -26,7 +26,7 @@ QString pairingEndText(channel::PairingEnd reason)
     case PairingEnd::RefusedThere: return Text::tr("the other end refused");
     case PairingEnd::Interrupted: return Text::tr("the pairing was interrupted; start again at both ends");
     case PairingEnd::Guessed:
-        return Text::tr("three wrong passphrases: they differ, or an attacker guesses; start again at both ends");
+        return Text::tr("three wrong passphrases: they differ, or an attacker is guessing; start again at both ends");
     }
     return {};
 }

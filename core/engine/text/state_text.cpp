@@ -59,7 +59,7 @@ QString linkPhaseText(LinkPhase phase)
     case LinkPhase::Opening: return StateText::tr("opening");
     case LinkPhase::Listening: return StateText::tr("listening");
     case LinkPhase::Connected: return StateText::tr("connected");
-    case LinkPhase::Waiting: return StateText::tr("waiting to try again");
+    case LinkPhase::Waiting: return StateText::tr("waiting to retry");
     case LinkPhase::Finished: return StateText::tr("finished");
     case LinkPhase::Failed: return StateText::tr("failed");
     }
@@ -73,10 +73,10 @@ QString downReasonText(channel::DownReason reason)
     case channel::DownReason::PeerClosed: return StateText::tr("closed by the other end");
     case channel::DownReason::TimedOut: return StateText::tr("silent for too long");
     case channel::DownReason::Exhausted: return StateText::tr("its keys were used up");
-    case channel::DownReason::Revoked: return StateText::tr("its key is not among the known peers any more");
+    case channel::DownReason::Revoked: return StateText::tr("its key is no longer among the known peers");
     case channel::DownReason::Closed: return StateText::tr("closed here");
     case channel::DownReason::Cloned:
-        return StateText::tr("its keys are in use twice, as if the machine of one end had been copied");
+        return StateText::tr("its keys are in use twice, as if the machine at one end had been copied");
     }
     return {};
 }
@@ -99,12 +99,12 @@ QString refusalText(channel::RefusalReason reason)
     switch (reason) {
     case channel::RefusalReason::UnknownPeer: return StateText::tr("its key is not among the known peers");
     case channel::RefusalReason::WrongKey:
-        return StateText::tr("it was made for another key than this one: a wrong destination, or an impostor");
+        return StateText::tr("it was made for a different key: a wrong destination, or an impersonation");
     case channel::RefusalReason::ReplayedHandshake:
         return StateText::tr("its counter was used before: a replay, or the station lost its file of counters");
     case channel::RefusalReason::NoCommonSuite: return StateText::tr("there is no cipher suite that both ends allow");
-    case channel::RefusalReason::OfferTampered: return StateText::tr("its offer of suites was changed on the way");
-    case channel::RefusalReason::Version: return StateText::tr("it has another version of the protocol");
+    case channel::RefusalReason::OfferTampered: return StateText::tr("its offer of suites was modified in transit");
+    case channel::RefusalReason::Version: return StateText::tr("it uses another version of the protocol");
     case channel::RefusalReason::CounterBehind:
         return StateText::tr(
             "this end's file of counters was lost or restored; it continues from the number that the other end "
