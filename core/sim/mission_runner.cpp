@@ -1,56 +1,22 @@
 #include "core/sim/mission_runner.h"
 
 #include "core/mavlink/enums.h"
+#include "core/sim/parameter_number.h"
 
 namespace skyseal::sim {
 
 using namespace mavlink;
 
-namespace {
-
-/// Seconds out of a parameter that a ground station sent: never negative, never not-a-number.
-double duration(float seconds)
-{
-    return seconds > 0 ? static_cast<double>(seconds) : 0;
-}
-
-/// A whole number out of a parameter, within limits.
-int whole(float value, int low, int high)
-{
-    if (!(value >= static_cast<float>(low)))
-        return low;
-    return value >= static_cast<float>(high) ? high : static_cast<int>(value);
-}
-
-} // namespace
-
-void MissionRunner::load(Mission mission)
-{
-    m_mission = std::move(mission);
-    m_current = 0;
-    m_entered = m_finished = false;
-    m_jumpsLeft.clear();
-}
-
-bool MissionRunner::setCurrent(std::uint16_t sequence)
-{
-    if (sequence >= m_mission.size())
-        return false;
-    m_current = sequence;
-    m_entered = m_finished = false;
-    m_jumpsLeft.clear();
-    return true;
-}
-
 const char *MissionRunner::refusal(bool landed) const
 {
-    if (m_mission.size() <= first())
+    const Mission &mission = m_cursor.mission();
+    if (mission.size() <= first())
         return "no mission";
     if (!landed || !m_type.hovers())
         return nullptr;
-    for (std::size_t i = std::max<std::size_t>(m_current, first()); i < m_mission.size(); ++i) {
-        if (isNavigation(m_mission[i]))
-            return m_mission[i].command == MAV_CMD_NAV_TAKEOFF ? nullptr : "Missing Takeoff Cmd";
+    for (std::size_t i = std::max(m_cursor.current(), first()); i < mission.size(); ++i) {
+        if (isNavigation(mission[i]))
+            return mission[i].command == MAV_CMD_NAV_TAKEOFF ? nullptr : "Missing Takeoff Cmd";
     }
     return "Missing Takeoff Cmd";
 }
@@ -58,12 +24,7 @@ const char *MissionRunner::refusal(bool landed) const
 void MissionRunner::begin(const Situation &s)
 {
     m_started = !s.landed || !s.settings.hovers; // the others begin as soon as they are armed
-    m_entered = false;
-    if (m_finished) {
-        m_finished = false;
-        m_current = 0;
-        m_jumpsLeft.clear();
-    }
+    m_cursor.resume();
     m_speed.reset();
     m_climb.reset();
     m_descent.reset();
@@ -78,14 +39,16 @@ FlightDemand MissionRunner::update(double dt, const Situation &s)
             return hold(s);
         m_started = true;
     }
-    if (!m_finished && !m_entered)
+    if (!m_cursor.isFinished() && !m_cursor.isEntered())
         startItem(s);
-    if (!m_finished && itemDone(dt, s))
-        advance(s);
-    if (m_finished)
+    if (!m_cursor.isFinished() && itemDone(dt, s)) {
+        m_cursor.complete();
+        startItem(s);
+    }
+    if (m_cursor.isFinished())
         return hold(s);
 
-    const StoredItem &item = m_mission[m_current];
+    const StoredItem &item = m_cursor.item();
     if (item.command == MAV_CMD_NAV_TAKEOFF)
         return m_takeOff.update(dt, s);
     if (item.command == MAV_CMD_NAV_RETURN_TO_LAUNCH)
@@ -99,53 +62,36 @@ FlightDemand MissionRunner::update(double dt, const Situation &s)
 void MissionRunner::startItem(const Situation &s)
 {
     for (int steps = 0; steps < 200; ++steps) {
-        m_current = std::max(m_current, first());
-        if (m_current >= m_mission.size()) {
-            m_finished = true;
-            m_current = static_cast<std::uint16_t>(m_mission.empty() ? 0 : m_mission.size() - 1);
+        if (!m_cursor.moveToItem(first()))
             return;
-        }
-        const StoredItem item = m_mission[m_current];
-        if (execute(item, s)) {
-            m_entered = true;
-            return;
-        }
+        if (execute(m_cursor.item(), s))
+            return m_cursor.enter();
     }
-    m_finished = true; // jumps that lead nowhere
+    m_cursor.finish(); // jumps that lead nowhere
 }
 
-/// True when the item takes time; otherwise it is done and `m_current` is the next.
+/// True when the item, the current one, takes time; otherwise it is done and the next one is current.
 bool MissionRunner::execute(const StoredItem &item, const Situation &s)
 {
     m_arrived = false;
     m_timeAtPlace = 0;
     switch (item.command) {
-    case MAV_CMD_DO_JUMP: {
-        const auto [left, first] = m_jumpsLeft.try_emplace(m_current, whole(item.parameters[1], -1, 32767));
-        const int target = whole(item.parameters[0], 0, static_cast<int>(m_mission.size()));
-        if (left->second == 0 || target == 0 || target >= static_cast<int>(m_mission.size())) {
-            ++m_current;
-        } else {
-            left->second -= left->second > 0 ? 1 : 0;
-            m_current = static_cast<std::uint16_t>(target);
-        }
-        return false;
-    }
+    case MAV_CMD_DO_JUMP: m_cursor.jump(); return false;
     case MAV_CMD_DO_CHANGE_SPEED:
         if (item.parameters[1] > 0) {
             const auto speed = static_cast<double>(std::min(item.parameters[1], 30.0f));
-            switch (whole(item.parameters[0], SPEED_TYPE_AIRSPEED, SPEED_TYPE_DESCENT_SPEED)) {
+            switch (wholeNumber(item.parameters[0], SPEED_TYPE_AIRSPEED, SPEED_TYPE_DESCENT_SPEED)) {
             case SPEED_TYPE_CLIMB_SPEED: m_climb = speed; break;
             case SPEED_TYPE_DESCENT_SPEED: m_descent = speed; break;
             default: m_speed = speed;
             }
         }
-        ++m_current;
+        m_cursor.skip();
         return false;
     case MAV_CMD_CONDITION_YAW:
         m_yaw.fix(radians(static_cast<double>(item.parameters[0]))
                   + (item.parameters[3] == 1 ? s.estimate.attitude.euler().yaw : 0));
-        ++m_current;
+        m_cursor.skip();
         return false;
     case MAV_CMD_NAV_TAKEOFF:
         m_place = {s.estimate.position.x, s.estimate.position.y, placeOf(item, m_world, s.home, s.estimate.position).z};
@@ -172,14 +118,14 @@ bool MissionRunner::nearPlace(const Situation &s) const
 double MissionRunner::timeToStay(const StoredItem &item, const Situation &s) const
 {
     if (item.command == MAV_CMD_NAV_LOITER_TURNS)
-        return duration(item.parameters[0]) * 2 * kPi * s.settings.loiterRadius / std::max(s.settings.speed, 1.0);
+        return durationOf(item.parameters[0]) * 2 * kPi * s.settings.loiterRadius / std::max(s.settings.speed, 1.0);
     const bool passesBy = item.command == MAV_CMD_NAV_WAYPOINT && m_type.kind == CraftKind::Plane;
-    return passesBy ? 0 : duration(item.parameters[0]);
+    return passesBy ? 0 : durationOf(item.parameters[0]);
 }
 
 bool MissionRunner::itemDone(double dt, const Situation &s)
 {
-    const StoredItem &item = m_mission[m_current];
+    const StoredItem &item = m_cursor.item();
     switch (item.command) {
     case MAV_CMD_NAV_TAKEOFF: return m_takeOff.done(s);
     case MAV_CMD_NAV_RETURN_TO_LAUNCH: return m_return.phase() == ReturnFlight::Phase::Land && s.landed;
@@ -190,21 +136,13 @@ bool MissionRunner::itemDone(double dt, const Situation &s)
         }
         return m_arrived && s.landed;
     case MAV_CMD_NAV_LOITER_UNLIM: return false;
-    case MAV_CMD_NAV_DELAY: return (m_timeAtPlace += dt) >= duration(item.parameters[0]);
+    case MAV_CMD_NAV_DELAY: return (m_timeAtPlace += dt) >= durationOf(item.parameters[0]);
     default:
         m_arrived = m_arrived || nearPlace(s);
         if (m_arrived)
             m_timeAtPlace += dt;
         return m_arrived && m_timeAtPlace >= timeToStay(item, s);
     }
-}
-
-void MissionRunner::advance(const Situation &s)
-{
-    m_reached = m_current;
-    ++m_current;
-    m_entered = false;
-    startItem(s);
 }
 
 FlightDemand MissionRunner::hold(const Situation &s)

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "core/sim/auto_yaw.h"
-#include "core/sim/mission.h"
+#include "core/sim/mission_cursor.h"
 #include "core/sim/return_flight.h"
 #include "core/sim/take_off_climb.h"
 
-#include <map>
+#include <optional>
 #include <utility>
 
 namespace skyseal::sim {
@@ -19,12 +19,12 @@ public:
     /// Number of the first item that is flown: ArduPilot keeps home in item 0.
     std::uint16_t first() const { return m_type.isPx4() ? 0 : 1; }
 
-    const Mission &mission() const { return m_mission; }
-    void load(Mission mission);
+    const Mission &mission() const { return m_cursor.mission(); }
+    void load(Mission mission) { m_cursor.load(std::move(mission)); }
     /// The item that is flown, or that a start begins with; 0 when there is none.
-    std::uint16_t current() const { return m_current; }
+    std::uint16_t current() const { return m_cursor.current(); }
     /// False when there is no such item.
-    bool setCurrent(std::uint16_t sequence);
+    bool setCurrent(std::uint16_t sequence) { return m_cursor.setCurrent(sequence); }
 
     /// Whether AUTO can be entered: there is something besides home, and it starts with a take-off if on the ground.
     const char *refusal(bool landed) const;
@@ -35,9 +35,9 @@ public:
     bool started() const { return m_started; }
     FlightDemand update(double dt, const Situation &s);
 
-    bool finished() const { return m_finished; }
+    bool finished() const { return m_cursor.isFinished(); }
     /// The item that was reached since the last call.
-    std::optional<std::uint16_t> takeReached() { return std::exchange(m_reached, std::nullopt); }
+    std::optional<std::uint16_t> takeReached() { return m_cursor.takeReached(); }
     /// Where it is heading for now, NED.
     const Vector3 &place() const { return m_place; }
 
@@ -48,7 +48,6 @@ public:
 
 private:
     void startItem(const Situation &s);
-    void advance(const Situation &s);
     bool execute(const StoredItem &item, const Situation &s);
     bool itemDone(double dt, const Situation &s);
     bool nearPlace(const Situation &s) const;
@@ -57,14 +56,8 @@ private:
 
     const GeoFrame m_world;
     const VehicleType m_type;
-    Mission m_mission;
-    std::uint16_t m_current = 0;
+    MissionCursor m_cursor;
     bool m_started = false;
-    bool m_entered = false; ///< the current item was begun
-    bool m_finished = false;
-    std::optional<std::uint16_t> m_reached;
-    std::map<std::uint16_t, int> m_jumpsLeft;
-
     Vector3 m_place;
     double m_timeAtPlace = 0; ///< s
     bool m_arrived = false;
