@@ -15,7 +15,6 @@ namespace skyseal::vehicle {
 namespace {
 
 constexpr std::string_view kHash = "_HASH_CHECK"; // of all values: PX4 begins a list with it; it is no parameter
-constexpr std::uint16_t kNoIndex = 65535;         // of a PARAM_VALUE that answers a write
 
 /// Integers of 8, 16 and 32 bits.
 constexpr bool isInteger(std::uint8_t type)
@@ -54,8 +53,8 @@ bool ParameterClient::handleFrame(TimePoint now, const mavlink::Frame &frame)
 
 void ParameterClient::handleDeadline(TimePoint now)
 {
-    if (now >= m_publishDue)
-        publish(now);
+    if (now >= m_store.publishDue())
+        m_store.publish(now);
     if (m_file || now >= m_openDue)
         handleFile(now);
     if (now >= m_giveUp)
@@ -73,19 +72,7 @@ TimePoint ParameterClient::nextDeadline() const
     if (m_file)
         return TimePoint::min();
     const TimePoint gaps = isReadingList() ? m_window.nextDeadline() : kNever;
-    return std::min({m_openDue, m_publishDue, m_listDeadline, m_giveUp, gaps, m_repetition.due()});
-}
-
-std::shared_ptr<const std::vector<Parameter>> ParameterClient::parameters() const
-{
-    if (!m_shared && !m_values.empty()) {
-        auto list = std::make_shared<std::vector<Parameter>>();
-        list->reserve(m_values.size());
-        for (const auto &entry : m_values)
-            list->push_back(entry.second);
-        m_shared = std::move(list);
-    }
-    return m_shared;
+    return std::min({m_openDue, m_store.publishDue(), m_listDeadline, m_giveUp, gaps, m_repetition.due()});
 }
 
 bool ParameterClient::isBytewise() const
@@ -160,15 +147,15 @@ bool ParameterClient::take(TimePoint now, const FileResult &file)
     if (!file.ok || !file.content)
         return false;
     const auto packed = mavlink::parsePackedParameters(*file.content);
-    if (!packed || packed->parameters.size() != packed->total || packed->total > kMostNames)
+    if (!packed || packed->parameters.size() != packed->total || packed->total > ParameterStore::kMostNames)
         return false;
-    m_expected = packed->total;
+    m_store.expect(packed->total);
     for (std::uint16_t index = 0; index < packed->total; ++index) {
         const mavlink::PackedParameter &parameter = packed->parameters[index];
         if (isPrintable(parameter.name))
-            store({parameter.name, parameter.value, parameter.type, index});
+            m_store.store({parameter.name, parameter.value, parameter.type, index});
     }
-    publish(now);
+    m_store.publish(now);
     return true;
 }
 
@@ -206,13 +193,11 @@ void ParameterClient::handleValue(TimePoint now, const mavlink::ParamValue &valu
     if (value.param_count > 0 && value.param_index < value.param_count)
         noteIndex(now, value.param_index, value.param_count);
     const Parameter parameter{name, decode(value.param_value, value.param_type), value.param_type, value.param_index};
-    const bool changed = store(parameter);
+    const bool changed = m_store.store(parameter);
     const bool answersWrite = checkExchange(now, parameter);
     const bool readIsComplete = wasReading && !isReadingList();
-    if (readIsComplete || (changed && (answersWrite || m_published == TimePoint::min() || now >= m_published + kCollectFor)))
-        publish(now);
-    else if (changed)
-        m_publishDue = m_published + kCollectFor;
+    if (readIsComplete || changed)
+        m_store.publishChange(now, readIsComplete || answersWrite);
     if (readIsComplete)
         reportList();
 }
@@ -220,14 +205,14 @@ void ParameterClient::handleValue(TimePoint now, const mavlink::ParamValue &valu
 void ParameterClient::reportList()
 {
     report(ParameterResult{
-        .id = m_read, .systemId = addressing().system, .ok = true, .action = ParameterAction::ReadList, .all = parameters()});
+        .id = m_read, .systemId = addressing().system, .ok = true, .action = ParameterAction::ReadList, .all = m_store.list()});
 }
 
 void ParameterClient::noteIndex(TimePoint now, std::uint16_t index, std::uint16_t count)
 {
-    if (m_expected != count || m_window.count() != count) {
+    if (m_store.expected() != count || m_window.count() != count) {
         // The number changes when a write makes further parameters visible; those received before still count.
-        m_expected = count;
+        m_store.expect(count);
         m_window.setCount(count);
     }
     const bool isNew = m_window.arrived(now, index);
@@ -264,39 +249,6 @@ void ParameterClient::noteInterval(TimePoint now)
     }
 }
 
-/// Returns true if something changed.
-bool ParameterClient::store(Parameter parameter)
-{
-    const auto known = m_values.find(parameter.name);
-    if (known == m_values.end()) {
-        if (!mayAdd())
-            return false;
-        m_values.emplace(parameter.name, parameter);
-        return true;
-    }
-    if (parameter.index == kNoIndex)
-        parameter.index = known->second.index;
-    if (known->second.value == parameter.value && known->second.type == parameter.type
-        && known->second.index == parameter.index)
-        return false;
-    known->second = std::move(parameter);
-    return true;
-}
-
-/// A vehicle can invent names without end.
-bool ParameterClient::mayAdd() const
-{
-    return m_values.size() < std::min(kMostNames, m_expected + kNamesBeyondCount);
-}
-
-/// parameters() shows all changes from now on.
-void ParameterClient::publish(TimePoint now)
-{
-    m_shared.reset();
-    m_published = now;
-    m_publishDue = kNever;
-}
-
 void ParameterClient::requestList(TimePoint now)
 {
     send(mavlink::ParamRequestList{});
@@ -327,7 +279,7 @@ void ParameterClient::giveUp()
     m_giveUp = m_listDeadline = kNever;
     std::string reason = m_window.received() == 0
         ? "the vehicle does not send its parameters"
-        : "only " + std::to_string(m_window.received()) + " of " + std::to_string(m_expected) + " parameters came";
+        : "only " + std::to_string(m_window.received()) + " of " + std::to_string(m_store.expected()) + " parameters came";
     report(ParameterResult{
         .id = m_read, .systemId = addressing().system, .reason = std::move(reason), .action = ParameterAction::ReadList});
 }
@@ -370,12 +322,12 @@ void ParameterClient::beginExchange(TimePoint now)
 void ParameterClient::sendExchange(TimePoint now)
 {
     Exchange &front = m_exchanges.front();
-    const auto known = m_values.find(front.name);
+    const Parameter *known = m_store.find(front.name);
     // The bytes of a float, written to an integer of PX4, would be a huge number: its type must be known first.
-    if (front.value && (known != m_values.end() || !isBytewise())) {
+    if (front.value && (known || !isBytewise())) {
         front.written = true;
         mavlink::ParamSet message;
-        message.param_type = known == m_values.end() ? std::uint8_t(mavlink::MAV_PARAM_TYPE_REAL32) : known->second.type;
+        message.param_type = known ? known->type : std::uint8_t(mavlink::MAV_PARAM_TYPE_REAL32);
         message.param_value = encode(*front.value, message.param_type);
         mavlink::setText(message.param_id, front.name);
         send(message);

@@ -9,17 +9,14 @@
 
 #include "core/vehicle/ftp_client.h"
 #include "core/vehicle/micro_protocol.h"
+#include "core/vehicle/parameter_store.h"
 #include "core/vehicle/repetition.h"
 #include "core/vehicle/request_window.h"
 
 #include <cstdint>
 #include <deque>
-#include <map>
-#include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <vector>
 
 namespace skyseal::vehicle {
 
@@ -39,11 +36,6 @@ public:
     /// The vehicle keeps its own value when it has reported it so often. The first report may be from before the write.
     static constexpr int kReports = 3;
     static constexpr Duration kSlowestPace = std::chrono::seconds(1); ///< of its messages
-    /// Names kept in all, and beyond the number that the vehicle announces: a write can make further parameters visible.
-    static constexpr std::size_t kMostNames = 8192;
-    static constexpr std::size_t kNamesBeyondCount = 64;
-    /// Changes that answer no write are collected for so long before parameters() shows them.
-    static constexpr Duration kCollectFor = std::chrono::milliseconds(500);
 
     /// The file of all parameters, and how long the vehicle may take to open it before the list is requested instead.
     static constexpr const char *kFile = "@PARAM/param.pck";
@@ -58,10 +50,7 @@ public:
     void handleDeadline(TimePoint now) override;
     TimePoint nextDeadline() const override;
 
-    /// Sorted by name; null before the first parameter. A new object after a change, at most one in kCollectFor, besides the
-    /// results of writes and complete reads.
-    std::shared_ptr<const std::vector<Parameter>> parameters() const;
-    std::uint32_t expected() const { return m_expected; }
+    const ParameterStore &store() const { return m_store; }
     std::optional<TransferProgress> progress() const override;
 
 private:
@@ -89,9 +78,6 @@ private:
     void exchange(TimePoint now, RequestId id, const std::string &name, std::optional<double> value);
     void handleValue(TimePoint now, const mavlink::ParamValue &value);
     void noteIndex(TimePoint now, std::uint16_t index, std::uint16_t count);
-    bool store(Parameter parameter);
-    bool mayAdd() const;
-    void publish(TimePoint now);
     void beginList(TimePoint now);
     void requestList(TimePoint now);
     void reportList();
@@ -110,10 +96,9 @@ private:
     TimePoint m_openDue = kNever;       ///< the file is not open
     bool m_isFileOpen = false;
     bool m_hasNoFile = false; ///< as the vehicle has shown
-    std::map<std::string, Parameter, std::less<>> m_values;
+    ParameterStore m_store;
     RequestId m_read{};
-    RequestWindow m_window; ///< of the read in progress, or the latest one
-    std::uint32_t m_expected = 0;
+    RequestWindow m_window;    ///< of the read in progress, or the latest one
     std::size_t m_reached = 0; ///< the list has come this far
     TimePoint m_latest{};      ///< arrival of the latest value
     Duration m_interval{};     ///< between values of the list: the mean and its variation, as of round trips
@@ -123,9 +108,6 @@ private:
     std::deque<Exchange> m_exchanges;      ///< the first one is in progress
     Repetition m_repetition{kSlowestPace}; ///< of its message
     TimePoint m_exchangeGiveUp = kNever;
-    mutable std::shared_ptr<const std::vector<Parameter>> m_shared; ///< built on demand
-    TimePoint m_published = TimePoint::min();                       ///< time of the latest change of the shared list
-    TimePoint m_publishDue = kNever;                                ///< there are collected changes
 };
 
 } // namespace skyseal::vehicle

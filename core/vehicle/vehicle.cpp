@@ -99,12 +99,12 @@ std::optional<Event> Vehicle::pollEvent()
 
 std::shared_ptr<const std::vector<Parameter>> Vehicle::parameters() const
 {
-    return m_parts->parameters.parameters();
+    return m_parts->parameters.store().list();
 }
 
 std::uint32_t Vehicle::parametersExpected() const
 {
-    return m_parts->parameters.expected();
+    return m_parts->parameters.store().expected();
 }
 
 std::shared_ptr<const std::vector<MissionItem>> Vehicle::mission() const

@@ -2,6 +2,7 @@
 #include "parameter_peer.h"
 #include "core/vehicle/parameter_client.h"
 #include "tests/support/test_runner.h"
+#include "transfer_measure.h"
 
 #include <set>
 
@@ -159,17 +160,7 @@ void ParameterTest::lossCostsSingleParametersLittleTime()
         return link.run(std::chrono::seconds(600), done) ? seconds(h.now - begin) : 600.;
     };
     const double clean = timeToWrite(0, 1);
-    const std::pair<double, double> limits[] = {{0.1, 2}, {0.25, 3}};
-    for (const auto &[loss, factor] : limits) {
-        double sum = 0;
-        constexpr unsigned kSeeds = 50;
-        for (unsigned seed = 1; seed <= kSeeds; ++seed)
-            sum += timeToWrite(loss, seed);
-        const std::string said = "loss " + std::to_string(loss) + ": mean " + std::to_string(sum / kSeeds) + " s, clean "
-            + std::to_string(clean) + " s";
-        qInfo("%s", said.c_str());
-        QVERIFY2(sum / kSeeds <= factor * clean, said.c_str());
-    }
+    verifyCostOfLoss(timeToWrite, clean);
 }
 
 void ParameterTest::vehicleMayKeepItsOwnValue()
@@ -246,7 +237,7 @@ void ParameterTest::unchangedListIsShared()
     const auto first = h.vehicle.parameters();
     h.feed(value("A", 1, 0, 1));
     QCOMPARE(h.vehicle.parameters().get(), first.get());
-    h.runUntil(h.now + ParameterClient::kCollectFor);
+    h.runUntil(h.now + ParameterStore::kCollectFor);
     h.feed(value("A", 2, 65535, 1));
     QVERIFY(h.vehicle.parameters().get() != first.get());
     QCOMPARE(first->front().value, 1.); // who holds it may go on reading
@@ -258,9 +249,9 @@ void ParameterTest::namesWithoutEndAreNotKept_data()
     QTest::addColumn<int>("index");
     QTest::addColumn<int>("count");
     QTest::addColumn<int>("most");
-    QTest::newRow("of a vehicle with ten") << 3 << 10 << 10 + static_cast<int>(ParameterClient::kNamesBeyondCount);
-    QTest::newRow("of a vehicle that announces none") << 65535 << 0 << static_cast<int>(ParameterClient::kNamesBeyondCount);
-    QTest::newRow("of a vehicle that announces all") << 3 << 65535 << static_cast<int>(ParameterClient::kMostNames);
+    QTest::newRow("of a vehicle with ten") << 3 << 10 << 10 + static_cast<int>(ParameterStore::kNamesBeyondCount);
+    QTest::newRow("of a vehicle that announces none") << 65535 << 0 << static_cast<int>(ParameterStore::kNamesBeyondCount);
+    QTest::newRow("of a vehicle that announces all") << 3 << 65535 << static_cast<int>(ParameterStore::kMostNames);
 }
 
 void ParameterTest::namesWithoutEndAreNotKept()
@@ -271,7 +262,7 @@ void ParameterTest::namesWithoutEndAreNotKept()
     Harness h = Harness::copter();
     for (std::size_t i = 0; i < 20'000; ++i)
         h.feed(value(nameOf(i), 1, static_cast<std::uint16_t>(index), static_cast<std::uint16_t>(count)));
-    h.runUntil(h.now + ParameterClient::kCollectFor);
+    h.runUntil(h.now + ParameterStore::kCollectFor);
     QCOMPARE(h.vehicle.parameters()->size(), static_cast<std::size_t>(most));
 }
 
@@ -289,7 +280,7 @@ void ParameterTest::unsolicitedValuesAreCollected()
         h.runUntil(start + std::chrono::milliseconds(10) * (i + 1));
     }
     QVERIFY2(lists.size() <= 21, std::to_string(lists.size()).c_str());
-    h.runUntil(h.now + ParameterClient::kCollectFor);
+    h.runUntil(h.now + ParameterStore::kCollectFor);
     QCOMPARE(h.vehicle.parameters()->front().value, 999.); // the last one is shown as well
     // The answer to a write is shown at once.
     h.vehicle.perform(h.now, RequestId{1}, WriteParameter{"A", 5});
@@ -424,20 +415,7 @@ void ParameterTest::lossCostsLittleTime()
 {
     const double clean = timeToRead(0, 1);
     QVERIFY2(clean < 0.6, std::to_string(clean).c_str());
-    const std::pair<double, double> limits[] = {{0.1, 2}, {0.25, 3}};
-    for (const auto &[loss, factor] : limits) {
-        double sum = 0, most = 0;
-        constexpr unsigned kSeeds = 50;
-        for (unsigned seed = 1; seed <= kSeeds; ++seed) {
-            const double time = timeToRead(loss, seed);
-            sum += time;
-            most = std::max(most, time);
-        }
-        const std::string said = "loss " + std::to_string(loss) + ": mean " + std::to_string(sum / kSeeds) + " s, most "
-            + std::to_string(most) + " s, clean " + std::to_string(clean) + " s";
-        qInfo("%s", said.c_str());
-        QVERIFY2(sum / kSeeds <= factor * clean, said.c_str());
-    }
+    verifyCostOfLoss(timeToRead, clean);
 }
 
 SKYSEAL_TEST_APPLESS(ParameterTest)
