@@ -4,39 +4,11 @@
 #include "core/crypto/init_crypto.h"
 #include "first_message_flood.h"
 #include "inline_pair.h"
+#include "tests/support/allocation_count.h"
 #include "tests/support/test_runner.h"
-
-#include <atomic>
-#include <cstdlib>
-#include <new>
 
 using namespace skyseal;
 using namespace skyseal::test;
-
-namespace {
-
-std::atomic<std::size_t> allocations = 0, released = 0; // QtTest has a thread of its own
-
-} // namespace
-
-void *operator new(std::size_t size)
-{
-    ++allocations;
-    if (void *memory = std::malloc(size))
-        return memory;
-    throw std::bad_alloc();
-}
-
-void operator delete(void *memory) noexcept
-{
-    released += memory != nullptr;
-    std::free(memory);
-}
-
-void operator delete(void *memory, std::size_t) noexcept
-{
-    operator delete(memory);
-}
 
 class AllocationTest : public QObject
 {

@@ -1,34 +1,13 @@
 // The path of a packet through the engines allocates nothing: receive, open, parse, vehicle in the station, and both ways
 // through the agent. Counted against operator new in this program, over real sockets.
 #include "tests/engine/engine_rigs.h"
+#include "tests/support/allocation_count.h"
 #include "tests/support/test_runner.h"
 
 #include "core/crypto/init_crypto.h"
 #include "core/engine/station/snapshot.h"
 
 #include <QtTest/QTest>
-
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
-static std::atomic<std::uint64_t> s_allocations = 0;
-
-void *operator new(std::size_t size)
-{
-    ++s_allocations;
-    if (void *out = std::malloc(size ? size : 1))
-        return out;
-    throw std::bad_alloc();
-}
-void operator delete(void *pointer) noexcept
-{
-    std::free(pointer);
-}
-void operator delete(void *pointer, std::size_t) noexcept
-{
-    std::free(pointer);
-}
 
 using namespace skyseal;
 using namespace skyseal::test;
@@ -43,10 +22,10 @@ constexpr std::uint64_t kAllowed = kRounds * kFrames / 100;
 template<typename Round> std::uint64_t allocationsOf(Round &&round)
 {
     round(); // one-time allocations
-    const std::uint64_t before = s_allocations;
+    const std::uint64_t before = allocations;
     for (int i = 0; i < kRounds; ++i)
         round();
-    const std::uint64_t allocated = s_allocations - before;
+    const std::uint64_t allocated = allocations - before;
     qInfo("%llu allocations for %zu frames", static_cast<unsigned long long>(allocated), kRounds * kFrames);
     return allocated;
 }

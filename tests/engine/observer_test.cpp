@@ -10,6 +10,7 @@
 #include "core/mavlink/messages.h"
 #include "tests/engine/bare_end.h"
 #include "tests/engine/flight_rig.h"
+#include "tests/support/command_long.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 
@@ -50,18 +51,9 @@ bool maySend(const Bytes &bytes, bool pilotThere = false)
     return engine::observerMaySend(*item->frame, pilotThere);
 }
 
-Bytes commandLong(std::uint16_t command, std::array<float, 7> p = {})
+Bytes commandBytes(std::uint16_t command, std::array<float, 7> p = {})
 {
-    return frameOf(mavlink::CommandLong{.target_system = 1,
-                                        .target_component = 1,
-                                        .command = command,
-                                        .param1 = p[0],
-                                        .param2 = p[1],
-                                        .param3 = p[2],
-                                        .param4 = p[3],
-                                        .param5 = p[4],
-                                        .param6 = p[5],
-                                        .param7 = p[6]});
+    return frameOf(test::commandLong(command, p));
 }
 
 Bytes commandInt(std::uint16_t command, float first = 0, float second = 0)
@@ -77,13 +69,13 @@ Frames acts()
     ParamSet failsafe{.target_system = 1, .target_component = 1};
     setText(failsafe.param_id, "FS_GCS_ENABLE");
     return {
-        commandLong(MAV_CMD_COMPONENT_ARM_DISARM, {1, 2989}),
+        commandBytes(MAV_CMD_COMPONENT_ARM_DISARM, {1, 2989}),
         commandInt(MAV_CMD_COMPONENT_ARM_DISARM, 1, 2989),
-        commandLong(MAV_CMD_DO_SET_MODE, {1, 9}),
-        commandLong(MAV_CMD_NAV_TAKEOFF, {0, 0, 0, 0, 0, 0, 10}),
-        commandLong(MAV_CMD_SET_MESSAGE_INTERVAL, {30, -1}),
-        commandLong(MAV_CMD_DO_MOTOR_TEST, {1, 0, 50, 5}),
-        commandLong(MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, {1}),
+        commandBytes(MAV_CMD_DO_SET_MODE, {1, 9}),
+        commandBytes(MAV_CMD_NAV_TAKEOFF, {0, 0, 0, 0, 0, 0, 10}),
+        commandBytes(MAV_CMD_SET_MESSAGE_INTERVAL, {30, -1}),
+        commandBytes(MAV_CMD_DO_MOTOR_TEST, {1, 0, 50, 5}),
+        commandBytes(MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, {1}),
         frameOf(SetMode{.target_system = 1, .base_mode = 1, .custom_mode = 9}),
         frameOf(RcChannelsOverride{.target_system = 1, .target_component = 1, .chan1_raw = 1900, .chan3_raw = 1900}),
         frameOf(ManualControl{.target = 1, .x = 1000, .z = 1000}),
@@ -113,7 +105,7 @@ Frames questions()
         frameOf(MissionRequestList{.target_system = 1, .target_component = 1}),
         frameOf(MissionRequestInt{.target_system = 1, .target_component = 1, .seq = 0}),
         frameOf(MissionAck{.target_system = 1, .target_component = 1, .type = MAV_MISSION_ACCEPTED}),
-        commandLong(MAV_CMD_REQUEST_MESSAGE, {148}),
+        commandBytes(MAV_CMD_REQUEST_MESSAGE, {148}),
         commandInt(MAV_CMD_GET_HOME_POSITION),
         frameOf(RequestDataStream{.target_system = 1, .target_component = 1, .req_message_rate = 4, .start_stop = 1}),
     };
@@ -199,18 +191,18 @@ void ObserverTest::ofAllCommandsOnlyQuestions()
 {
     const std::set<int> allowed{410, 512, 519, 520};
     for (int command = 0; command < 65536; ++command) {
-        QCOMPARE(maySend(commandLong(std::uint16_t(command), {1, 1, 0, 0, 0, 0, 1})), allowed.contains(command));
+        QCOMPARE(maySend(commandBytes(std::uint16_t(command), {1, 1, 0, 0, 0, 0, 1})), allowed.contains(command));
         QCOMPARE(maySend(commandInt(std::uint16_t(command), 1, 1)), allowed.contains(command));
     }
     // Nor with more than a question needs.
     const float nothing = std::numeric_limits<float>::quiet_NaN();
-    QVERIFY(maySend(commandLong(512, {148, nothing, nothing, nothing, nothing, nothing, nothing})));
+    QVERIFY(maySend(commandBytes(512, {148, nothing, nothing, nothing, nothing, nothing, nothing})));
     for (std::size_t i = 0; i < 7; ++i) {
         std::array<float, 7> parameters{};
         parameters[i] = 0.5f;
-        QVERIFY(!maySend(commandLong(512, parameters)));
+        QVERIFY(!maySend(commandBytes(512, parameters)));
         parameters[i] = std::bit_cast<float>(0x7fc12345);
-        QVERIFY(!maySend(commandLong(512, parameters)));
+        QVERIFY(!maySend(commandBytes(512, parameters)));
     }
 }
 
@@ -289,7 +281,7 @@ void ObserverTest::actsChangeNothing()
     for (int round = 0; round < 5; ++round) {
         // Without the reboot, which would undo the others.
         for (const Bytes &frame : all) {
-            if (frame != commandLong(mavlink::MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, {1}))
+            if (frame != commandBytes(mavlink::MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, {1}))
                 rig.send({frame});
         }
         const std::uint64_t seen = rig.agent->snapshot().counters.toGround;

@@ -1,30 +1,9 @@
 // The packet path of a UDP link does not allocate: this program replaces operator new to count.
 #include "tests/link/recorder.h"
+#include "tests/support/allocation_count.h"
 #include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
-
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
-static std::atomic<std::uint64_t> s_allocations = 0;
-
-void *operator new(std::size_t size)
-{
-    ++s_allocations;
-    if (void *out = std::malloc(size ? size : 1))
-        return out;
-    throw std::bad_alloc();
-}
-void operator delete(void *pointer) noexcept
-{
-    std::free(pointer);
-}
-void operator delete(void *pointer, std::size_t) noexcept
-{
-    std::free(pointer);
-}
 
 using namespace skyseal;
 using namespace skyseal::link;
@@ -67,10 +46,10 @@ void UdpAllocationTest::sendingAndReceivingAllocateNothingPerDatagram()
             QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
     };
     round();
-    const std::uint64_t before = s_allocations;
+    const std::uint64_t before = test::allocations;
     for (int i = 0; i < 20; ++i)
         round();
-    const std::uint64_t allocated = s_allocations - before;
+    const std::uint64_t allocated = test::allocations - before;
     QCOMPARE(counter.received, std::size_t(21 * 512));
     // The event loop may allocate a little per wake-up; 20 × 1024 datagrams were sent and received.
     QVERIFY2(allocated < 200, qPrintable(QStringLiteral("%1 allocations").arg(allocated)));

@@ -4,6 +4,7 @@
 #include "core/mavlink/field_value.h"
 #include "core/mavlink/frame_scanner.h"
 #include "core/mavlink/messages.h"
+#include "tests/support/command_long.h"
 
 #include <algorithm>
 #include <array>
@@ -16,6 +17,7 @@ namespace skyseal::sim {
 namespace {
 
 using namespace mavlink;
+using test::commandLong;
 
 /// Messages that answer something, with the fields that a fact keeps.
 struct Answer
@@ -251,22 +253,6 @@ private:
             return Timesync::decode(frame.payload()).tc1 == 0;
         return frame.messageId() == ParamValue::kId
             && mavlink::textOf(ParamValue::decode(frame.payload()).param_id).starts_with("STAT_");
-    }
-
-    static CommandLong commandLong(std::uint16_t id, std::array<float, 7> p = {})
-    {
-        CommandLong out;
-        out.target_system = 1;
-        out.target_component = 1;
-        out.command = id;
-        out.param1 = p[0];
-        out.param2 = p[1];
-        out.param3 = p[2];
-        out.param4 = p[3];
-        out.param5 = p[4];
-        out.param6 = p[5];
-        out.param7 = p[6];
-        return out;
     }
 
     void askQuestions()

@@ -7,6 +7,7 @@
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"
 #include "core/sim/simulated_vehicle.h"
+#include "tests/support/command_long.h"
 
 #include <functional>
 
@@ -69,18 +70,7 @@ public:
     int command(std::uint16_t id, std::array<float, 7> p = {}, std::uint8_t target = 1)
     {
         const std::size_t before = all<mavlink::CommandAck>().size();
-        mavlink::CommandLong out;
-        out.target_system = target;
-        out.target_component = 1;
-        out.command = id;
-        out.param1 = p[0];
-        out.param2 = p[1];
-        out.param3 = p[2];
-        out.param4 = p[3];
-        out.param5 = p[4];
-        out.param6 = p[5];
-        out.param7 = p[6];
-        send(out);
+        send(test::commandLong(id, p, target));
         const auto acks = all<mavlink::CommandAck>();
         if (acks.size() != before + 1 || acks.back().command != id || acks.back().target_system != 255
             || acks.back().target_component != 190)

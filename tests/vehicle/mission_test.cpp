@@ -2,6 +2,7 @@
 #include "core/vehicle/mission_client.h"
 #include "mission_peers.h"
 #include "tests/support/test_runner.h"
+#include "transfer_measure.h"
 
 using namespace skyseal;
 using namespace skyseal::vehicle;
@@ -397,20 +398,7 @@ void MissionTest::lossCostsLittleTime()
     QFETCH(double, most);
     const double clean = transferTime(isPx4, isUpload, 0, 1);
     QVERIFY2(clean < most, std::to_string(clean).c_str());
-    const std::pair<double, double> limits[] = {{0.1, 2}, {0.25, 3}};
-    for (const auto &[loss, factor] : limits) {
-        double sum = 0, longest = 0;
-        constexpr unsigned kSeeds = 50;
-        for (unsigned seed = 1; seed <= kSeeds; ++seed) {
-            const double time = transferTime(isPx4, isUpload, loss, seed);
-            sum += time;
-            longest = std::max(longest, time);
-        }
-        const std::string said = "loss " + std::to_string(loss) + ": mean " + std::to_string(sum / kSeeds) + " s, longest "
-            + std::to_string(longest) + " s, clean " + std::to_string(clean) + " s";
-        qInfo("%s", said.c_str());
-        QVERIFY2(sum / kSeeds <= factor * clean, said.c_str());
-    }
+    verifyCostOfLoss([=](double loss, unsigned seed) { return transferTime(isPx4, isUpload, loss, seed); }, clean);
 }
 
 void MissionTest::acceptanceBeforeTheLastItemIsNone()

@@ -1,12 +1,11 @@
 // The log protocol against a small server, clean and through a radio that drops, and against hostile answers.
 #include "core/vehicle/log_client.h"
-#include "lossy_link.h"
+#include "transfer_measure.h"
 #include "tests/support/test_runner.h"
 
 #include <rapidcheck.h>
 
 #include <map>
-#include <random>
 
 using namespace skyseal;
 using namespace skyseal::vehicle;
@@ -110,24 +109,6 @@ private:
     TimePoint m_due = kNever;
 };
 
-Bytes noise(std::size_t size)
-{
-    std::mt19937 random(static_cast<unsigned>(size));
-    Bytes out(size);
-    for (std::uint8_t &byte : out)
-        byte = static_cast<std::uint8_t>(random());
-    return out;
-}
-
-LogResult resultOf(Harness &h, LossyLink &link, Request request)
-{
-    h.vehicle.perform(h.now, RequestId{1}, request);
-    std::optional<LogResult> result;
-    if (!link.run(std::chrono::seconds(600), [&] { return (result = h.poll<LogResult>()).has_value(); }))
-        return {.reason = "no result"};
-    return *result;
-}
-
 } // namespace
 
 void OnboardLogTest::logsAreListed()
@@ -135,10 +116,10 @@ void OnboardLogTest::logsAreListed()
     Harness h = Harness::copter();
     LogPeer peer;
     LossyLink link(h, peer, 0, 1);
-    QVERIFY(resultOf(h, link, ListLogs{}).entries->empty());
+    QVERIFY(resultOf<LogResult>(h, link, ListLogs{}).entries->empty());
     for (std::uint16_t id = 3; id < 30; ++id)
         peer.logs[id] = noise(id);
-    const LogResult result = resultOf(h, link, ListLogs{});
+    const LogResult result = resultOf<LogResult>(h, link, ListLogs{});
     QVERIFY2(result.ok, result.reason.c_str());
     QCOMPARE(result.entries->size(), std::size_t(27));
     QCOMPARE((*result.entries)[0], (OnboardLog{3, 3, 0}));
@@ -152,7 +133,7 @@ void OnboardLogTest::logIsReadWhateverItsSize()
         LogPeer peer;
         peer.logs[4] = noise(size);
         LossyLink link(h, peer, 0, 1);
-        const LogResult result = resultOf(h, link, ReadLog{4});
+        const LogResult result = resultOf<LogResult>(h, link, ReadLog{4});
         QVERIFY2(result.ok, result.reason.c_str());
         QCOMPARE(*result.content, peer.logs[4]);
     }
@@ -168,14 +149,15 @@ void OnboardLogTest::missingLogIsAFailure()
         peer.isPx4 = isPx4;
         peer.ends = 0;
         const TimePoint begin = h.now;
-        QCOMPARE(resultOf(h, link, ReadLog{9}).reason, std::string("the vehicle has no such log"));
+        QCOMPARE(resultOf<LogResult>(h, link, ReadLog{9}).reason, std::string("the vehicle has no such log"));
         QVERIFY(h.now < begin + std::chrono::seconds(1));
         link.run(std::chrono::milliseconds(100), [] { return false; });
         QCOMPARE(peer.ends, 1); // what else comes is not wanted
     }
     h.sent();
-    QCOMPARE(resultOf(h, link, ReadLog{0}).reason, std::string("the vehicle has no such log")); // ArduPilot counts from 1
-    peer.logs.clear(); // of a vehicle that is silent about a log that it does not have
+    QCOMPARE(resultOf<LogResult>(h, link, ReadLog{0}).reason,
+             std::string("the vehicle has no such log")); // ArduPilot counts from 1
+    peer.logs.clear();                                    // of a vehicle that is silent about a log that it does not have
     h.vehicle.perform(h.now, RequestId{1}, ReadLog{9});
     QCOMPARE(h.sentOf<mavlink::LogRequestList>().at(0).start, std::uint16_t(9));
     const auto whole = h.nextSent<mavlink::LogRequestList>(h.now + std::chrono::seconds(3));
@@ -190,7 +172,7 @@ void OnboardLogTest::logThatEndsBeforeItsListedSize()
         peer.listedMore = 5000;
         peer.logs[4] = noise(size);
         LossyLink link(h, peer, 0.1, 2);
-        const LogResult result = resultOf(h, link, ReadLog{4});
+        const LogResult result = resultOf<LogResult>(h, link, ReadLog{4});
         QVERIFY2(result.ok, result.reason.c_str());
         QCOMPARE(*result.content, peer.logs[4]);
     }
@@ -202,11 +184,11 @@ void OnboardLogTest::logsAreErased()
     LogPeer peer;
     peer.logs[1] = noise(100);
     LossyLink link(h, peer, 0, 1);
-    QVERIFY(resultOf(h, link, EraseLogs{}).ok);
+    QVERIFY(resultOf<LogResult>(h, link, EraseLogs{}).ok);
     QVERIFY(peer.logs.empty());
     peer.logs[1] = noise(100);
     peer.erases = false;
-    const LogResult result = resultOf(h, link, EraseLogs{});
+    const LogResult result = resultOf<LogResult>(h, link, EraseLogs{});
     QVERIFY(!result.ok && result.changeUnanswered);
 }
 
@@ -259,8 +241,8 @@ void OnboardLogTest::everythingArrivesThroughABadRadio()
     for (std::uint16_t id = 1; id < 10; ++id)
         peer.logs[id] = noise(id * 20'000u);
     LossyLink link(h, peer, loss, static_cast<unsigned>(seed));
-    QCOMPARE(resultOf(h, link, ListLogs{}).entries->size(), std::size_t(9));
-    const LogResult result = resultOf(h, link, ReadLog{9});
+    QCOMPARE(resultOf<LogResult>(h, link, ListLogs{}).entries->size(), std::size_t(9));
+    const LogResult result = resultOf<LogResult>(h, link, ReadLog{9});
     QVERIFY2(result.ok, result.reason.c_str());
     QCOMPARE(*result.content, peer.logs[9]);
 }
@@ -286,21 +268,11 @@ void OnboardLogTest::lossCostsLittleTime()
         peer.logs[4] = noise(500'000);
         LossyLink link(h, peer, loss, seed, std::chrono::milliseconds(25));
         const TimePoint begin = h.now;
-        const LogResult result = resultOf(h, link, ReadLog{4});
+        const LogResult result = resultOf<LogResult>(h, link, ReadLog{4});
         return result.ok && *result.content == peer.logs[4] ? seconds(h.now - begin) : 600.;
     };
     const double clean = timeToRead(0, 1);
-    const std::pair<double, double> limits[] = {{0.1, tenth}, {0.25, quarter}};
-    for (const auto &[loss, factor] : limits) {
-        double sum = 0;
-        constexpr unsigned kSeeds = 50;
-        for (unsigned seed = 1; seed <= kSeeds; ++seed)
-            sum += timeToRead(loss, seed);
-        const std::string said = "loss " + std::to_string(loss) + ": mean " + std::to_string(sum / kSeeds) + " s, clean "
-            + std::to_string(clean) + " s";
-        qInfo("%s", said.c_str());
-        QVERIFY2(sum / kSeeds <= factor * clean, said.c_str());
-    }
+    verifyCostOfLoss(timeToRead, clean, tenth, quarter);
 }
 
 void OnboardLogTest::anyDataIsBounded()

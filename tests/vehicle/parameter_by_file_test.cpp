@@ -7,6 +7,7 @@
 #include "ftp_peer.h"
 #include "parameter_peer.h"
 #include "tests/support/test_runner.h"
+#include "transfer_measure.h"
 
 #include <bit>
 
@@ -329,20 +330,7 @@ void ParameterByFileTest::lossCostsLittleTime()
     };
     const double clean = timeToRead(0, 1);
     QVERIFY2(clean < 1, std::to_string(clean).c_str()); // the list: half a second at 1,830 a second
-    const std::pair<double, double> limits[] = {{0.1, 2}, {0.25, 3}};
-    for (const auto &[loss, factor] : limits) {
-        double sum = 0, longest = 0;
-        constexpr unsigned kSeeds = 50;
-        for (unsigned seed = 1; seed <= kSeeds; ++seed) {
-            const double time = timeToRead(loss, seed);
-            sum += time;
-            longest = std::max(longest, time);
-        }
-        const std::string said = "loss " + std::to_string(loss) + ": mean " + std::to_string(sum / kSeeds) + " s, longest "
-            + std::to_string(longest) + " s, clean " + std::to_string(clean) + " s";
-        qInfo("%s", said.c_str());
-        QVERIFY2(sum / kSeeds <= factor * clean, said.c_str());
-    }
+    verifyCostOfLoss(timeToRead, clean);
 }
 
 SKYSEAL_TEST_APPLESS(ParameterByFileTest)
