@@ -9,15 +9,6 @@
 
 using namespace skyseal::test;
 
-namespace {
-
-QStringList words(const char *line)
-{
-    return QString::fromUtf8(line).split(QLatin1Char(' '), Qt::SkipEmptyParts);
-}
-
-} // namespace
-
 class CommandLineTest : public QObject
 {
     Q_OBJECT

@@ -9,12 +9,6 @@
 
 namespace skyseal::test {
 
-void SeededRandom::fill(MutableByteView out)
-{
-    for (auto &byte : out)
-        byte = static_cast<std::uint8_t>(m_random());
-}
-
 MemoryCounterStore::MemoryCounterStore() = default;
 MemoryCounterStore::MemoryCounterStore(const MemoryCounterStore &) = default;
 MemoryCounterStore::~MemoryCounterStore() = default;

@@ -5,6 +5,7 @@
 #include "core/base/weakness.h"
 #include "core/channel/endpoint.h"
 #include "simulated_link.h"
+#include "tests/crypto/seeded_random.h"
 
 #include <set>
 #include <string>
@@ -13,17 +14,6 @@
 namespace skyseal::test {
 
 using namespace skyseal::channel;
-
-/// Deterministic bytes from a seed.
-class SeededRandom final : public RandomSource
-{
-public:
-    explicit SeededRandom(std::uint64_t seed) : m_random(seed) {}
-    void fill(MutableByteView out) override;
-
-private:
-    std::mt19937_64 m_random;
-};
 
 /// Survives a restart of its endpoint, as a file would.
 class MemoryCounterStore final : public CounterStore

@@ -13,11 +13,10 @@
 
 using namespace skyseal;
 using namespace skyseal::engine;
-using Verdict = Client::Verdict;
 
 namespace {
 
-const TimePoint kStart{std::chrono::hours(1)};
+const TimePoint kConnected{std::chrono::hours(1)};
 
 /// A client that may do what `options` say, and that sends as system 255.
 struct Sender
@@ -27,14 +26,14 @@ struct Sender
     {}
 
     template<typename Message>
-    Verdict send(const Message &message, TimePoint now = kStart, bool isVehicle = false, bool pilotThere = false)
+    Client::Verdict send(const Message &message, TimePoint now = kConnected, bool isVehicle = false, bool pilotThere = false)
     {
         std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
         const ByteView frame = mavlink::FrameWriter(255, 190).write(message, buffer);
-        Verdict verdict{};
+        Client::Verdict verdict{};
         mavlink::scanFrames(frame, mavlink::Dialect::builtin(), [&](const mavlink::ScanItem &item) {
             verdict = client.judge(now, item, isVehicle, pilotThere);
-            if (verdict == Verdict::Deny)
+            if (verdict == Client::Verdict::Deny)
                 denial = client.takeDenial(now, item);
         });
         return verdict;
@@ -95,29 +94,29 @@ private Q_SLOTS:
 void GatewayClientTest::readerAsks()
 {
     Sender reader;
-    QCOMPARE(reader.send(mavlink::ParamRequestList{.target_system = 1}), Verdict::Forward);
-    QCOMPARE(reader.send(mavlink::ParamRequestRead{.target_system = 1}), Verdict::Forward);
-    QCOMPARE(reader.send(mavlink::MissionRequestList{.target_system = 1}), Verdict::Forward);
-    QCOMPARE(reader.send(mavlink::MissionRequestInt{.target_system = 1}), Verdict::Forward);
-    QCOMPARE(reader.send(mavlink::Timesync{.ts1 = 5}), Verdict::Forward);
-    QCOMPARE(reader.send(command(mavlink::MAV_CMD_REQUEST_MESSAGE, mavlink::AutopilotVersion::kId)), Verdict::Forward);
+    QCOMPARE(reader.send(mavlink::ParamRequestList{.target_system = 1}), Client::Verdict::Forward);
+    QCOMPARE(reader.send(mavlink::ParamRequestRead{.target_system = 1}), Client::Verdict::Forward);
+    QCOMPARE(reader.send(mavlink::MissionRequestList{.target_system = 1}), Client::Verdict::Forward);
+    QCOMPARE(reader.send(mavlink::MissionRequestInt{.target_system = 1}), Client::Verdict::Forward);
+    QCOMPARE(reader.send(mavlink::Timesync{.ts1 = 5}), Client::Verdict::Forward);
+    QCOMPARE(reader.send(command(mavlink::MAV_CMD_REQUEST_MESSAGE, mavlink::AutopilotVersion::kId)), Client::Verdict::Forward);
     QCOMPARE(reader.client.counters().forwarded, std::uint64_t(6));
 }
 
 void GatewayClientTest::readerCommandsNothing()
 {
     Sender reader;
-    QCOMPARE(reader.send(command(mavlink::MAV_CMD_COMPONENT_ARM_DISARM, 1)), Verdict::Deny);
-    QCOMPARE(reader.send(mavlink::CommandInt{.command = mavlink::MAV_CMD_DO_REPOSITION}), Verdict::Deny);
-    QCOMPARE(reader.send(mavlink::SetMode{.target_system = 1}), Verdict::Deny);
-    QCOMPARE(reader.send(mavlink::ParamSet{.target_system = 1}), Verdict::Deny);
-    QCOMPARE(reader.send(mavlink::MissionCount{.target_system = 1}), Verdict::Deny);
-    QCOMPARE(reader.send(mavlink::MissionClearAll{.target_system = 1}), Verdict::Deny);
-    QCOMPARE(reader.send(mavlink::RcChannelsOverride{.target_system = 1}), Verdict::Deny);
-    QCOMPARE(reader.send(mavlink::ManualControl{}), Verdict::Deny);
-    QCOMPARE(reader.send(mavlink::SetupSigning{}), Verdict::Deny);
-    QCOMPARE(reader.send(mavlink::SystemTime{}), Verdict::Deny);
-    QCOMPARE(reader.send(mavlink::Timesync{.tc1 = 9, .ts1 = 5}), Verdict::Deny);
+    QCOMPARE(reader.send(command(mavlink::MAV_CMD_COMPONENT_ARM_DISARM, 1)), Client::Verdict::Deny);
+    QCOMPARE(reader.send(mavlink::CommandInt{.command = mavlink::MAV_CMD_DO_REPOSITION}), Client::Verdict::Deny);
+    QCOMPARE(reader.send(mavlink::SetMode{.target_system = 1}), Client::Verdict::Deny);
+    QCOMPARE(reader.send(mavlink::ParamSet{.target_system = 1}), Client::Verdict::Deny);
+    QCOMPARE(reader.send(mavlink::MissionCount{.target_system = 1}), Client::Verdict::Deny);
+    QCOMPARE(reader.send(mavlink::MissionClearAll{.target_system = 1}), Client::Verdict::Deny);
+    QCOMPARE(reader.send(mavlink::RcChannelsOverride{.target_system = 1}), Client::Verdict::Deny);
+    QCOMPARE(reader.send(mavlink::ManualControl{}), Client::Verdict::Deny);
+    QCOMPARE(reader.send(mavlink::SetupSigning{}), Client::Verdict::Deny);
+    QCOMPARE(reader.send(mavlink::SystemTime{}), Client::Verdict::Deny);
+    QCOMPARE(reader.send(mavlink::Timesync{.tc1 = 9, .ts1 = 5}), Client::Verdict::Deny);
     QCOMPARE(reader.client.counters().denied, std::uint64_t(11));
     QCOMPARE(reader.client.counters().forwarded, std::uint64_t(0));
 }
@@ -125,26 +124,27 @@ void GatewayClientTest::readerCommandsNothing()
 void GatewayClientTest::readersHeartbeatIsNoPilots()
 {
     Sender reader, pilot(",write=rc");
-    QCOMPARE(reader.send(mavlink::Heartbeat{}), Verdict::Ignore);
+    QCOMPARE(reader.send(mavlink::Heartbeat{}), Client::Verdict::Ignore);
     QCOMPARE(reader.client.counters().denied, std::uint64_t(0));
-    QCOMPARE(pilot.send(mavlink::Heartbeat{}), Verdict::Forward);
+    QCOMPARE(pilot.send(mavlink::Heartbeat{}), Client::Verdict::Forward);
 }
 
 void GatewayClientTest::readerSetsModestRatesOnly()
 {
     Sender reader;
     for (const unsigned rate : {1u, 4u, 10u})
-        QCOMPARE(reader.send(stream(rate)), Verdict::Forward);
+        QCOMPARE(reader.send(stream(rate)), Client::Verdict::Forward);
     for (const unsigned rate : {0u, 11u, 65535u})
-        QCOMPARE(reader.send(stream(rate)), Verdict::Deny);
-    QCOMPARE(reader.send(command(mavlink::MAV_CMD_SET_MESSAGE_INTERVAL, mavlink::Attitude::kId, 100'000)), Verdict::Deny);
+        QCOMPARE(reader.send(stream(rate)), Client::Verdict::Deny);
+    QCOMPARE(reader.send(command(mavlink::MAV_CMD_SET_MESSAGE_INTERVAL, mavlink::Attitude::kId, 100'000)),
+             Client::Verdict::Deny);
 }
 
 void GatewayClientTest::readerLeavesThePilotsRatesAlone()
 {
     Sender reader;
-    QCOMPARE(reader.send(stream(4), kStart, false, true), Verdict::Deny);
-    QCOMPARE(reader.send(mavlink::ParamRequestList{.target_system = 1}, kStart, false, true), Verdict::Forward);
+    QCOMPARE(reader.send(stream(4), kConnected, false, true), Client::Verdict::Deny);
+    QCOMPARE(reader.send(mavlink::ParamRequestList{.target_system = 1}, kConnected, false, true), Client::Verdict::Forward);
 }
 
 void GatewayClientTest::readerHidesNothingInAQuestion()
@@ -152,9 +152,9 @@ void GatewayClientTest::readerHidesNothingInAQuestion()
     Sender reader;
     mavlink::CommandLong question = command(mavlink::MAV_CMD_REQUEST_MESSAGE, mavlink::AutopilotVersion::kId);
     question.param5 = 1;
-    QCOMPARE(reader.send(question), Verdict::Deny);
+    QCOMPARE(reader.send(question), Client::Verdict::Deny);
     // The first byte of a frame among those of a question.
-    QCOMPARE(reader.send(mavlink::MissionRequestInt{.target_system = 1, .seq = 0xFE}), Verdict::Ignore);
+    QCOMPARE(reader.send(mavlink::MissionRequestInt{.target_system = 1, .seq = 0xFE}), Client::Verdict::Ignore);
     QCOMPARE(reader.client.counters().forwarded, std::uint64_t(0));
 }
 
@@ -163,33 +163,34 @@ void GatewayClientTest::readerAsksOnlySoOften()
     Sender reader;
     int passed = 0;
     for (int i = 0; i < 1000; ++i)
-        passed += reader.send(mavlink::ParamRequestRead{.target_system = 1}) == Verdict::Forward;
+        passed += reader.send(mavlink::ParamRequestRead{.target_system = 1}) == Client::Verdict::Forward;
     QCOMPARE(passed, int(QuestionBudget::kAtOnce));
     QCOMPARE(reader.client.counters().tooOften, std::uint64_t(1000 - passed));
-    QCOMPARE(reader.send(mavlink::ParamRequestRead{.target_system = 1}, kStart + std::chrono::seconds(1)), Verdict::Forward);
+    QCOMPARE(reader.send(mavlink::ParamRequestRead{.target_system = 1}, kConnected + std::chrono::seconds(1)),
+             Client::Verdict::Forward);
     Sender pilot(",write=param");
     for (int i = 0; i < 1000; ++i)
-        QCOMPARE(pilot.send(mavlink::ParamSet{.target_system = 1}), Verdict::Forward);
+        QCOMPARE(pilot.send(mavlink::ParamSet{.target_system = 1}), Client::Verdict::Forward);
 }
 
 void GatewayClientTest::rightsOpenClassesAlone()
 {
     Sender planner(",write=mission,param");
-    QCOMPARE(planner.send(mavlink::MissionCount{.target_system = 1}), Verdict::Forward);
-    QCOMPARE(planner.send(mavlink::ParamSet{.target_system = 1}), Verdict::Forward);
-    QCOMPARE(planner.send(command(mavlink::MAV_CMD_COMPONENT_ARM_DISARM, 1)), Verdict::Deny);
-    QCOMPARE(planner.send(mavlink::RcChannelsOverride{.target_system = 1}), Verdict::Deny);
+    QCOMPARE(planner.send(mavlink::MissionCount{.target_system = 1}), Client::Verdict::Forward);
+    QCOMPARE(planner.send(mavlink::ParamSet{.target_system = 1}), Client::Verdict::Forward);
+    QCOMPARE(planner.send(command(mavlink::MAV_CMD_COMPONENT_ARM_DISARM, 1)), Client::Verdict::Deny);
+    QCOMPARE(planner.send(mavlink::RcChannelsOverride{.target_system = 1}), Client::Verdict::Deny);
     Sender all(",write=all");
-    QCOMPARE(all.send(command(mavlink::MAV_CMD_COMPONENT_ARM_DISARM, 1)), Verdict::Forward);
-    QCOMPARE(all.send(mavlink::SetupSigning{}), Verdict::Forward);
+    QCOMPARE(all.send(command(mavlink::MAV_CMD_COMPONENT_ARM_DISARM, 1)), Client::Verdict::Forward);
+    QCOMPARE(all.send(mavlink::SetupSigning{}), Client::Verdict::Forward);
 }
 
 void GatewayClientTest::clientSpeaksAsItsSystemAlone()
 {
     Sender other(",write=all,sysid=250");
-    QCOMPARE(other.send(mavlink::Heartbeat{}), Verdict::NotItsSystem);
+    QCOMPARE(other.send(mavlink::Heartbeat{}), Client::Verdict::NotItsSystem);
     Sender vehicle(",write=all");
-    QCOMPARE(vehicle.send(mavlink::Heartbeat{}, kStart, true), Verdict::NotItsSystem);
+    QCOMPARE(vehicle.send(mavlink::Heartbeat{}, kConnected, true), Client::Verdict::NotItsSystem);
     QCOMPARE(vehicle.client.counters().notItsSystem, std::uint64_t(1));
 }
 
@@ -201,10 +202,10 @@ void GatewayClientTest::denialIsToldOnceAMinute()
     QCOMPARE(reader.denial->message, std::string("PARAM_SET"));
     QCOMPARE(reader.denial->frames, std::uint64_t(1));
     for (int second = 1; second < 60; ++second) {
-        reader.send(mavlink::SetMode{.target_system = 1}, kStart + std::chrono::seconds(second));
+        reader.send(mavlink::SetMode{.target_system = 1}, kConnected + std::chrono::seconds(second));
         QVERIFY(!reader.denial);
     }
-    reader.send(mavlink::ManualControl{}, kStart + std::chrono::seconds(60));
+    reader.send(mavlink::ManualControl{}, kConnected + std::chrono::seconds(60));
     QVERIFY(reader.denial);
     QCOMPARE(reader.denial->message, std::string("MANUAL_CONTROL"));
     QCOMPARE(reader.denial->frames, std::uint64_t(60));
@@ -214,8 +215,8 @@ void GatewayClientTest::silentClientIsForgotten()
 {
     Sender reader;
     reader.send(mavlink::Heartbeat{});
-    QVERIFY(!reader.client.isSilent(kStart + std::chrono::seconds(59)));
-    QVERIFY(reader.client.isSilent(kStart + std::chrono::seconds(60)));
+    QVERIFY(!reader.client.isSilent(kConnected + std::chrono::seconds(59)));
+    QVERIFY(reader.client.isSilent(kConnected + std::chrono::seconds(60)));
 }
 
 void GatewayClientTest::oneHostTakesNoPlaceOfOthers()
@@ -223,20 +224,20 @@ void GatewayClientTest::oneHostTakesNoPlaceOfOthers()
     using namespace std::chrono_literals;
     std::vector<ClientPlace> places; // one host sends from 31 ports all the time, another one only listens
     for (std::uint16_t port = 1; port <= 31; ++port)
-        places.push_back({at("10.0.0.1", port), kStart - port * 1ms});
-    places.push_back({at("10.0.0.2", 14550), kStart - 50s});
+        places.push_back({at("10.0.0.1", port), kConnected - port * 1ms});
+    places.push_back({at("10.0.0.2", 14550), kConnected - 50s});
 
-    const auto freedFor = [&](const char *host) { return placeToFree(places, at(host, 40000).remote, kStart); };
+    const auto freedFor = [&](const char *host) { return placeToFree(places, at(host, 40000).remote, kConnected); };
     QCOMPARE(freedFor("10.0.0.3"), std::optional(at("10.0.0.1", 31))); // at once, the most silent of the greedy host
     QCOMPARE(freedFor("10.0.0.1"), std::nullopt);                      // not the listener's, and its own are in use
-    places[4].heardAt = kStart - kReplaceAfter;
+    places[4].heardAt = kConnected - kReplaceAfter;
     QCOMPARE(freedFor("10.0.0.1"), std::optional(at("10.0.0.1", 5)));
 
     // A host with IPv6 chooses the lower half of its address.
     places.clear();
     for (std::uint16_t i = 1; i <= 31; ++i)
-        places.push_back({at(("2001:db8::" + std::to_string(i)).c_str(), 14550), kStart});
-    places.push_back({at("2001:db8:0:1::1", 14550), kStart - 50s});
+        places.push_back({at(("2001:db8::" + std::to_string(i)).c_str(), 14550), kConnected});
+    places.push_back({at("2001:db8:0:1::1", 14550), kConnected - 50s});
     QCOMPARE(freedFor("2001:db8::99"), std::nullopt);
     QCOMPARE(freedFor("2001:db8:0:2::1"), std::optional(at("2001:db8::1", 14550)));
 }
@@ -246,12 +247,12 @@ void GatewayClientTest::silentPlacesAreFreed()
     using namespace std::chrono_literals;
     std::vector<ClientPlace> places;
     for (int host = 1; host <= 32; ++host)
-        places.push_back({at(("10.0.0." + std::to_string(host)).c_str(), 14550), kStart - 4s});
+        places.push_back({at(("10.0.0." + std::to_string(host)).c_str(), 14550), kConnected - 4s});
     const Address newcomer = at("10.0.1.1", 14550).remote;
-    QCOMPARE(placeToFree(places, newcomer, kStart), std::nullopt);
-    places[7].heardAt = kStart - 6s;
-    places[9].heardAt = kStart - 7s;
-    QCOMPARE(placeToFree(places, newcomer, kStart), std::optional(places[9].path));
+    QCOMPARE(placeToFree(places, newcomer, kConnected), std::nullopt);
+    places[7].heardAt = kConnected - 6s;
+    places[9].heardAt = kConnected - 7s;
+    QCOMPARE(placeToFree(places, newcomer, kConnected), std::optional(places[9].path));
 }
 
 SKYSEAL_TEST_APPLESS(GatewayClientTest)

@@ -17,7 +17,7 @@ namespace {
 
 constexpr TimePoint kNow{std::chrono::seconds(100)};
 constexpr LinkId kLink{1};
-const Path kElsewhere{kLink, {{9}, 9}};
+const Path kOtherPlace{kLink, {{9}, 9}};
 
 struct Parts : private link::LinkListener
 {
@@ -91,8 +91,8 @@ void StationSnapshotTest::refusalsAreShown()
 {
     Parts parts;
     parts.datagrams.garbage = 5;
-    parts.gate.refuseClear(kElsewhere, 1);
-    parts.gate.refuseClear(kElsewhere, 1);
+    parts.gate.refuseClear(kOtherPlace, 1);
+    parts.gate.refuseClear(kOtherPlace, 1);
     const auto snapshot = buildSnapshot(parts.sources(), kNow, false);
     QCOMPARE(snapshot->plaintextRefused, std::uint64_t(2));
     QCOMPARE(snapshot->channel.rx.plaintextDropped, std::uint64_t(2));

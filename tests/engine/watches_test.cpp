@@ -10,7 +10,7 @@ using namespace skyseal::engine;
 
 namespace {
 
-constexpr channel::SessionId kOld{1}, kNew{2}, kOther{3};
+constexpr channel::SessionId kOld{1}, kNew{2}, kThird{3};
 constexpr TimePoint kStart{std::chrono::seconds(100)};
 
 channel::SessionUp up(channel::SessionId session, std::uint8_t key)
@@ -91,7 +91,7 @@ void WatchesTest::vehicleMovesToTheSuccessor()
 {
     Watches watches;
     watches.begin(up(kOld, 1));
-    watches.begin(up(kOther, 2));
+    watches.begin(up(kThird, 2));
     watches.vehicles.heard(5, LinkId{1}, kOld);
     watches.begin(up(kNew, 1));
     watches.end(kOld);
@@ -104,7 +104,7 @@ void WatchesTest::returningAgentTakesItsVehicleBack()
     watches.begin(up(kOld, 1));
     watches.vehicles.heard(5, LinkId{1}, kOld);
     watches.end(kOld);
-    watches.begin(up(kOther, 2));
+    watches.begin(up(kThird, 2));
     QVERIFY(watches.vehicles.isEnded(5)); // another agent
     watches.begin(up(kNew, 1));
     QVERIFY(!watches.vehicles.isEnded(5));

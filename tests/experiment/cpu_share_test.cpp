@@ -40,11 +40,6 @@ Attribution attributed(const QByteArray &script)
     return out;
 }
 
-QStringList words(const char *text)
-{
-    return QString::fromLatin1(text).split(QLatin1Char(' '), Qt::SkipEmptyParts);
-}
-
 /// The measurement of the only run of a sweep.
 QJsonObject runIn(const QByteArray &out)
 {

@@ -18,12 +18,7 @@ constexpr double kMost = 0.02;
 constexpr int kRunSeconds = 60;
 /// The run ends some time before the thread does, and began a minute earlier.
 constexpr double kAfterRun = 5, kWithinRun = 50;
-constexpr int kLeastSamples = 300;
-
-QStringList words(const char *text)
-{
-    return QString::fromLatin1(text).split(QLatin1Char(' '), Qt::SkipEmptyParts);
-}
+constexpr int kLeastOfMeter = 300;
 
 } // namespace
 
@@ -85,7 +80,7 @@ void MeterShareTest::meterIsNoPartOfTheMeasurement()
     qInfo("perf finds %.2f %% of the I/O thread's CPU time in the meter (%d of %d samples), %d samples of it before and after, "
           "%d of these in probes; meter_cpu is %.2f %%",
           100.0 * meter / all, meter, all, outside, probes, own);
-    QVERIFY2(all >= kLeastSamples, qPrintable(QStringLiteral("only %1 samples").arg(all)));
+    QVERIFY2(all >= kLeastOfMeter, qPrintable(QStringLiteral("only %1 samples").arg(all)));
     QVERIFY2(outside > 0, "the functions of the meter are not found by their names");
     QVERIFY(meter < kMost * all);
     QVERIFY(own < 100 * kMost);

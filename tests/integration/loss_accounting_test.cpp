@@ -4,6 +4,7 @@
 #include "tests/support/flight.h"
 #include "tests/support/record_counters.h"
 #include "tests/support/relay_ledger.h"
+#include "tests/support/run_program.h"
 #include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
@@ -17,11 +18,6 @@ namespace {
 QString q(const char *text)
 {
     return QString::fromUtf8(text);
-}
-
-QStringList words(const char *text)
-{
-    return q(text).split(QLatin1Char(' '), Qt::SkipEmptyParts);
 }
 
 qint64 number(const QJsonValue &object, const char *key)

@@ -10,6 +10,7 @@
 #include "tests/support/test_runner.h"
 
 #include "tests/crypto/seeded_random.h"
+#include "tests/keys/error_text.h"
 #include "tests/keys/temporary_folder.h"
 #include "tests/support/holds.h"
 
@@ -23,22 +24,13 @@
 
 using namespace skyseal;
 using namespace skyseal::keys;
+using test::contains;
+using test::errorOf;
 using test::readText;
 
 namespace {
 
 constexpr uid_t kSomebodyElse = 65534;
-
-/// The error of a result as text, "" if there is none.
-template<typename T> std::string errorOf(const Result<T, InputError> &result)
-{
-    return result ? std::string() : result.error().text();
-}
-
-bool contains(const std::string &text, const std::string &part)
-{
-    return text.find(part) != std::string::npos;
-}
 
 } // namespace
 

@@ -10,6 +10,7 @@
 #include "tests/support/test_runner.h"
 
 #include "tests/crypto/seeded_random.h"
+#include "tests/keys/error_text.h"
 #include "tests/keys/temporary_folder.h"
 
 #include <QtTest/QTest>
@@ -20,6 +21,8 @@ using crypto::Passphrase;
 using crypto::PassphraseCost;
 using crypto::PassphraseError;
 using crypto::X25519KeyPair;
+using test::contains;
+using test::errorOf;
 using test::readText;
 
 namespace {
@@ -41,16 +44,6 @@ AskPassphrase answering(std::vector<std::string> answers, int *asked = nullptr)
             return tl::unexpected(InputError{"nobody knows the passphrase", file});
         return words(answers[static_cast<std::size_t>(attempt)]);
     };
-}
-
-template<typename T> std::string errorOf(const Result<T, InputError> &result)
-{
-    return result ? std::string() : result.error().text();
-}
-
-bool contains(const std::string &text, const std::string &part)
-{
-    return text.find(part) != std::string::npos;
 }
 
 } // namespace

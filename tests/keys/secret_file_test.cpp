@@ -7,6 +7,7 @@
 #include "tests/support/test_runner.h"
 
 #include "tests/crypto/seeded_random.h"
+#include "tests/keys/error_text.h"
 #include "tests/keys/temporary_folder.h"
 
 #include <QtTest/QTest>
@@ -15,18 +16,9 @@
 
 using namespace skyseal;
 using namespace skyseal::keys;
+using test::contains;
+using test::errorOf;
 using test::readText;
-
-/// The error of a result as text, "" if there is none.
-template<typename T> static std::string errorOf(const Result<T, InputError> &result)
-{
-    return result ? std::string() : result.error().text();
-}
-
-static bool contains(const std::string &text, const std::string &part)
-{
-    return text.find(part) != std::string::npos;
-}
 
 class SecretFileTest : public QObject
 {

@@ -8,6 +8,12 @@
 
 namespace skyseal::test {
 
+/// The arguments of a command line that needs no quotes.
+inline QStringList words(const char *line)
+{
+    return QString::fromUtf8(line).split(QLatin1Char(' '), Qt::SkipEmptyParts);
+}
+
 struct RunResult
 {
     int status = -1; ///< -1: did not start, crashed, or still ran at the deadline

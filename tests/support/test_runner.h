@@ -1,6 +1,7 @@
 // The entry points of QtTest classes. All test classes of a folder are linked into one program, which runs one class per
 // process: `channel_tests session_test [options and functions of QtTest]`. Use these macros instead of QTEST_MAIN and its
-// variants, once at the end of the source file.
+// variants, once at the end of the source file. The files of a folder may be compiled as one (skyseal_unite() in
+// cmake/SkysealTargets.cmake), so that their helpers need names of their own, or a header.
 #pragma once
 
 #include <QtTest/QTest>
@@ -18,7 +19,7 @@ struct TestEntry
 } // namespace skyseal::test
 
 #define SKYSEAL_TEST_ENTRY(Class, ...)                                                                                         \
-    static const ::skyseal::test::TestEntry kTestEntry(__FILE__, [](int argc, char **argv) {                                   \
+    static const ::skyseal::test::TestEntry kTestEntryOf##Class(__FILE__, [](int argc, char **argv) {                          \
         __VA_ARGS__                                                                                                            \
         Class test;                                                                                                            \
         return QTest::qExec(&test, argc, argv);                                                                                \

@@ -31,10 +31,10 @@ constexpr int kSeconds = 8;
 constexpr double kHistory = 580;
 
 /// Four samples a second in snapshots that come thirty times a second, as the station's do.
-class Flight
+class WatchedFlight
 {
 public:
-    explicit Flight(DiagnosticsPanel &panel) : m_panel(panel)
+    explicit WatchedFlight(DiagnosticsPanel &panel) : m_panel(panel)
     {
         // The paper's four ciphers and two more, each for a while.
         const SuiteId suites[] = {SuiteId::ChaCha20Poly1305, SuiteId::Aes256Gcm, SuiteId::Aes256Ctr,
@@ -143,7 +143,7 @@ void DiagnosticsCostTest::seenAndHidden()
     QVERIFY(QTest::qWaitForWindowExposed(&panel, test::kDeadlineMs));
     panel.findChild<QComboBox *>(QStringLiteral("chartGroup"))->setCurrentText(group);
     panel.findChild<DiagnosticsTools *>()->setView(static_cast<DiagnosticsView>(view));
-    Flight flight(panel);
+    WatchedFlight flight(panel);
     const double seen = flight.load(kSeconds);
     panel.hide();
     const double hidden = flight.load(kSeconds);

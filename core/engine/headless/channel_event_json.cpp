@@ -9,11 +9,6 @@ namespace skyseal::engine {
 
 namespace {
 
-std::string_view suiteName(crypto::SuiteId suite)
-{
-    return crypto::suiteInfo(suite).name;
-}
-
 /// Calls the overload for the alternative that an event holds.
 class WriteEvent
 {
@@ -23,7 +18,7 @@ public:
     std::string operator()(const channel::SessionUp &up) const
     {
         JsonWriter json = beginEvent("session");
-        json.field("state", "up").field("suite", suiteName(up.suite)).field("framing", keyword(up.framing));
+        json.field("state", "up").field("suite", crypto::suiteInfo(up.suite).name).field("framing", keyword(up.framing));
         json.field("epoch", 0u).field("peer", up.peerName).field("address", link::toText(up.path.remote));
         json.field("carrier", keyword(up.path.carrier));
         return endEvent(json);
@@ -47,7 +42,7 @@ public:
     std::string operator()(const channel::SwitchDone &done) const
     {
         JsonWriter json = beginEvent(done.rekey ? "rekey" : "switch");
-        json.field("from", suiteName(done.from)).field("to", suiteName(done.to));
+        json.field("from", crypto::suiteInfo(done.from).name).field("to", crypto::suiteInfo(done.to).name);
         json.field("epoch", static_cast<std::uint32_t>(done.epoch));
         json.field("result", done.failure == channel::SwitchFailure::None ? "committed" : "rolled-back");
         if (done.failure != channel::SwitchFailure::None)

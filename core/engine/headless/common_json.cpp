@@ -19,11 +19,6 @@ std::string endEvent(JsonWriter &json)
 
 namespace {
 
-std::string_view suiteName(crypto::SuiteId suite)
-{
-    return crypto::suiteInfo(suite).name;
-}
-
 void writeReceived(JsonWriter &json, const channel::ReceiveCounters &counters)
 {
     json.field("good", counters.good)
@@ -73,7 +68,7 @@ void writeMavlink(JsonWriter &json, const MavlinkTotals &totals)
 void writeChannel(JsonWriter &json, const ChannelTotals &totals)
 {
     json.key("channel").beginObject();
-    json.field("up", totals.up).field("suite", suiteName(totals.suite)).field("epoch", totals.epoch);
+    json.field("up", totals.up).field("suite", crypto::suiteInfo(totals.suite).name).field("epoch", totals.epoch);
     json.field("framing", keyword(totals.framing));
     json.key("rx").beginObject();
     writeReceived(json, totals.rx);
