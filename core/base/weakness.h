@@ -31,6 +31,7 @@ enum class Weakness : std::uint8_t {
     NoOvertakenLimit, ///< a record commands, however long ago a newer one arrived
     NoFrameOrder,     ///< frames that arrive late set present values of the display
     NoAgeLimit,       ///< a record commands, however old it may be
+    OldReports,       ///< a report counts although a newer one came before it
     CommandsAfterClose, ///< a record commands although the peer has closed the session
     // switch
     NoSwitchExchange, ///< the keys of the next epoch follow from those of the present one
@@ -50,6 +51,8 @@ enum class Weakness : std::uint8_t {
     TellEverything,     ///< every refused handshake is an event
     TrustAnnouncements, ///< an announcement starts a handshake even while a session lives
     NoCookie,           ///< an agent under load computes without asking for a cookie
+    HurryCalls,         ///< each change of the addresses of agents that listen begins a new turn of calls
+    CallRouters,        ///< agents are called where MAVLink comes from as well
     RetryUnproven,      ///< a first message is repeated by timer to the unproven address of an announcement
     // pairing
     PairOnOneYes, ///< the other user's confirmation is enough
@@ -59,7 +62,9 @@ enum class Weakness : std::uint8_t {
     GuessAgain,   ///< the agent's window stays open, however often the passphrase was wrong
     ShowNewest,   ///< a new device replaces the one being compared
     // carriers
-    LoosePart, ///< parts of TUNNEL messages are joined across messages and senders
+    LoosePart,       ///< parts of TUNNEL messages are joined across messages and senders
+    NoScanLimit,     ///< bytes that are no frames may cost any work
+    NoTunnelPadding, ///< messages in TUNNEL are taken although MAVLink left out the zeros that make them long
     // files
     NoFileCheck,      ///< owner and permissions of a file are not checked
     NoFileChecksum,   ///< a damaged key is accepted

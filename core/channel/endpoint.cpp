@@ -177,6 +177,11 @@ std::vector<Unanswered> Endpoint::unanswered() const
     return m_state->stationHandshakes ? m_state->stationHandshakes->unanswered() : std::vector<Unanswered>();
 }
 
+std::optional<TimePoint> Endpoint::lastCall(const Path &place) const
+{
+    return m_state->stationHandshakes ? m_state->stationHandshakes->lastCall(place) : std::nullopt;
+}
+
 bool Endpoint::namesSerialSession(ByteView message) const
 {
     const auto header = RecordHeader::read(message);

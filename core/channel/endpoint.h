@@ -42,6 +42,8 @@ public:
     std::optional<SessionStats> stats(SessionId) const;
     /// A station's handshakes with announced agents that have not answered yet.
     std::vector<Unanswered> unanswered() const;
+    /// When a station last called agents at this address (setCallAt()); nullopt if it never did, or long ago.
+    std::optional<TimePoint> lastCall(const Path &place) const;
     /// Datagrams that belong to no session. malformed: not a message of this version, or of an unknown connection; forged: a
     /// handshake message for another key; replayed: an old first message, or a reply to a first message whose session is up.
     const ReceiveCounters &unmatched() const;
@@ -100,7 +102,7 @@ public:
     /// at once.
     void setPeers(TimePoint now, std::vector<Peer> peers);
     void setPolicy(TimePoint now, Policy policy);
-    /// Replaces the addresses at which a station calls agents that listen.
+    /// Replaces the addresses at which a station calls agents that listen. New ones are called when the current turn is over.
     void setCallAt(TimePoint now, std::vector<Path> paths);
     /// Replaces an agent's announcement targets.
     void setAnnounceTo(TimePoint now, std::vector<Path> paths);

@@ -3,6 +3,7 @@
 #include "core/base/weakness.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace skyseal::channel {
 
@@ -309,7 +310,7 @@ bool StationHandshakes::mayReplace(const Session &session, Carrier carrier)
 
 void StationHandshakes::callAgents(TimePoint now)
 {
-    if (m_core.config.callAt.empty() || now < m_calls.nextTurn())
+    if (m_core.config.callAt.empty() || (now < m_calls.nextTurn() && !std::exchange(m_hurries, false)))
         return;
     std::vector<PublicKey> agents;
     for (const Peer &peer : m_core.config.peers) {
@@ -318,9 +319,22 @@ void StationHandshakes::callAgents(TimePoint now)
     }
     std::vector<Path> places = m_core.config.callAt;
     std::erase_if(places, [this, now](const Path &path) { return isTaken(now, path); });
-    m_calls.take(now, agents, places, [&](const PublicKey &agent, const Path &place) {
-        want(now + AgentCalls::kTurn, agent, place.carrier, now).placeAt(place).proven = true; // by the operator, who named it
-    });
+    const AgentCalls::Turn turn = m_calls.take(now, agents, places);
+    for (Attempt &attempt : m_attempts) { // The last turn ends here.
+        std::vector<Path> ended = m_core.config.callAt;
+        if (std::ranges::find(turn.agents, attempt.peer) != turn.agents.end())
+            std::erase_if(ended, [&](const Path &path) { return std::ranges::find(turn.places, path) != turn.places.end(); });
+        attempt.stopCallingAt(ended);
+    }
+    for (const PublicKey &agent : turn.agents) {
+        for (const Path &path : turn.places) {
+            Attempt &attempt = want(now + AgentCalls::kTurn, agent, path.carrier, now);
+            Place &place = attempt.placeAt(path);
+            if (place.lastSent == TimePoint::min())
+                attempt.due = now;
+            place.proven = true; // The operator named it.
+        }
+    }
 }
 
 /// True if the agent that listens there has a session that is heard.
@@ -335,10 +349,12 @@ bool StationHandshakes::isTaken(TimePoint now, const Path &place)
 
 void StationHandshakes::setCallAt(std::vector<Path> paths)
 {
+    std::vector<Path> removed = std::exchange(m_core.config.callAt, std::move(paths));
+    std::erase_if(
+        removed, [&](const Path &path) { return std::ranges::find(m_core.config.callAt, path) != m_core.config.callAt.end(); });
     for (Attempt &attempt : m_attempts)
-        attempt.stopCallingAt(m_core.config.callAt);
-    m_core.config.callAt = std::move(paths);
-    m_calls.hurry();
+        attempt.stopCallingAt(removed);
+    m_hurries = weakened(Weakness::HurryCalls);
 }
 
 void StationHandshakes::handleDeadline(TimePoint now)

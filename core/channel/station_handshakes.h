@@ -19,6 +19,7 @@ public:
     bool idle() const { return m_attempts.empty(); }
     std::vector<Unanswered> unanswered() const;
     TimePoint deadline(TimePoint now);
+    std::optional<TimePoint> lastCall(const Path &place) const { return m_calls.lastCall(place); }
 
     // input
     void peersChanged();
@@ -34,7 +35,8 @@ public:
     /// An authentic record came in this session, so its peer needs no new one.
     void sessionLives(const Session &session);
     void handleDeadline(TimePoint now);
-    /// Replaces the addresses of agents that listen; calls at the former ones end.
+    /// Replaces the addresses of agents that listen. Calls at those that are not among them end at once; those that are new
+    /// are called from the next turn on.
     void setCallAt(std::vector<Path> paths);
 
 private:
@@ -65,7 +67,8 @@ private:
     KnownAgents m_known;
     std::vector<Attempt> m_attempts;
     AgentCalls m_calls;
-    TokenBucket m_answers; ///< answers that may be computed on
+    bool m_hurries = false; ///< the next turn begins at once: only without the defence
+    TokenBucket m_answers;  ///< answers that may be computed on
 };
 
 } // namespace skyseal::channel

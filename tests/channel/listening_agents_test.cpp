@@ -67,8 +67,9 @@ public:
     void restart(std::size_t agent) { start(m_agents[agent]); }
 
     TimePoint now{1h};
-    std::uint64_t firsts = 0;     ///< first messages that the station sent
-    std::set<std::size_t> called; ///< agents to which they were addressed
+    std::uint64_t firsts = 0;       ///< first messages that the station sent
+    std::set<std::size_t> called;   ///< agents to which they were addressed
+    std::set<std::size_t> calledAt; ///< addresses to which they went
 
 private:
     struct Agent
@@ -130,9 +131,11 @@ private:
     void pump()
     {
         while (const auto sent = m_station->pollTransmit()) {
-            if (sent->bytes[0] == 0x59)
-                noteFirst(sent->bytes);
             const std::size_t address = static_cast<std::size_t>(sent->to.link) - 1;
+            if (sent->bytes[0] == 0x59) {
+                noteFirst(sent->bytes);
+                calledAt.insert(address);
+            }
             m_flying.emplace(now + 10ms, Datagram{false, address, Bytes(sent->bytes.begin(), sent->bytes.end())});
         }
         while (m_station->pollEvent()) {}
@@ -174,6 +177,8 @@ private Q_SLOTS:
     void isFoundAgainAfterARestart();
     void silentAddressIsCalledSparingly();
     void fourAreCalledAtATime();
+    void changesBeginNoTurn();
+    void removedAddressIsCalledNoMore();
 };
 
 void ListeningAgentsTest::nobodyIsCalledWithoutAnAddress()
@@ -243,12 +248,48 @@ void ListeningAgentsTest::fourAreCalledAtATime()
 {
     Listeners listeners(10);
     listeners.call({200});
-    for (const std::size_t agents : {4u, 4u, 2u, 4u, 4u, 2u}) {
+    std::set<std::size_t> all;
+    for (int turn = 0; turn < 3; ++turn) {
         listeners.run(5s - 1ms);
-        QCOMPARE(listeners.called.size(), agents);
-        listeners.called.clear();
+        QCOMPARE(listeners.called.size(), std::size_t(4));
+        all.merge(std::exchange(listeners.called, {}));
         listeners.run(1ms);
     }
+    QCOMPARE(all.size(), std::size_t(10));
+}
+
+/// Whoever can make addresses come and go, by forged MAVLink, must not make the station call more agents.
+void ListeningAgentsTest::changesBeginNoTurn()
+{
+    Listeners listeners(30);
+    for (int turn = 0; turn < 10; ++turn) {
+        listeners.called.clear();
+        listeners.calledAt.clear();
+        for (int change = 0; change < 7; ++change) { // within one turn
+            std::vector<std::size_t> places = upTo(100 + 12);
+            places.erase(places.begin(), places.begin() + 100); // where nobody is
+            places.erase(places.begin() + (turn + change) % 12);
+            listeners.call(change == 3 ? std::vector<std::size_t>{} : places);
+            listeners.run(700ms);
+        }
+        QVERIFY2(listeners.called.size() <= 4 + (turn > 0 ? 4 : 0), qPrintable(QString::number(listeners.called.size())));
+        QVERIFY2(listeners.calledAt.size() <= 4 + (turn > 0 ? 4 : 0), qPrintable(QString::number(listeners.calledAt.size())));
+        QVERIFY(turn > 0 || !listeners.called.empty());
+    }
+}
+
+void ListeningAgentsTest::removedAddressIsCalledNoMore()
+{
+    Listeners listeners(3);
+    listeners.call({100, 101});
+    listeners.run(100ms);
+    QCOMPARE(listeners.calledAt, (std::set<std::size_t>{100, 101}));
+    listeners.calledAt.clear();
+    listeners.call({101, 102});
+    listeners.run(4800ms);
+    QCOMPARE(listeners.calledAt, (std::set<std::size_t>{101})); // goes on; the new one waits for the next turn
+    listeners.run(200ms);
+    QCOMPARE(listeners.calledAt, (std::set<std::size_t>{101, 102}));
 }
 
 SKYSEAL_TEST(ListeningAgentsTest)

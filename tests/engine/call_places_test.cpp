@@ -28,6 +28,7 @@ private Q_SLOTS:
     void init();
     void cleanup() { m_links.remove(kLink); }
     void mavlinkFromThereMakesCallsRare();
+    void rareCallWaitsForItsTurn();
     void forgedMavlinkNeverStopsCalls_data();
     void forgedMavlinkNeverStopsCalls();
     void mavlinkFromElsewhereDoesNot();
@@ -37,15 +38,32 @@ private Q_SLOTS:
 private:
     static constexpr LinkId kLink{1};
 
-    /// How often the address is called in so many seconds from now on. `mavlink`: a frame comes from it twice a second.
+    struct Second
+    {
+        bool calls = false, requests = false; ///< the address may be called, or requested to pair
+    };
+    Second update(bool flown = false)
+    {
+        const auto places = m_places.update(
+            m_now, m_links, [flown](const Path &) { return flown; }, [this](const Path &) { return m_called; });
+        if (!places.calls.empty() && m_now >= m_nextTurn) {
+            m_called = m_now;
+            m_nextTurn = m_now + m_turns;
+        }
+        return {!places.calls.empty(), !places.requests.empty()};
+    }
+    /// The seconds from now on in which the address may be called. `mavlink`: a frame comes from it twice a second.
     int callsIn(int seconds, bool mavlink = false, bool flown = false)
     {
         int out = 0;
         for (const TimePoint end = m_now + std::chrono::seconds(seconds); m_now < end; m_now += 500ms) {
             if (mavlink)
                 m_places.noteMavlink(*m_link, path(), m_now);
-            if ((m_now - TimePoint{1h}) % 1s == Duration::zero())
-                out += !m_places.update(m_now, m_links, [flown](const Path &) { return flown; }).empty();
+            if ((m_now - TimePoint{1h}) % 1s == Duration::zero()) {
+                const Second second = update(flown);
+                out += second.calls;
+                m_requests += second.requests;
+            }
         }
         return out;
     }
@@ -57,12 +75,20 @@ private:
     link::Link *m_link = nullptr;
     CallPlaces m_places;
     TimePoint m_now{1h};
+    Duration m_turns{}; ///< time between two turns of the address; none: it is called whenever it may be
+    TimePoint m_nextTurn = TimePoint::min();
+    std::optional<TimePoint> m_called;
+    int m_requests = 0;
 };
 
 void CallPlacesTest::init()
 {
     m_places = {};
     m_now = TimePoint{1h};
+    m_turns = {};
+    m_nextTurn = TimePoint::min();
+    m_called.reset();
+    m_requests = 0;
     if (m_peer.state() != QAbstractSocket::BoundState)
         QVERIFY(m_peer.bind(QHostAddress::LocalHost, 0));
     const std::string url = "udpout:127.0.0.1:" + std::to_string(m_peer.localPort());
@@ -80,8 +106,25 @@ void CallPlacesTest::mavlinkFromThereMakesCallsRare()
     QCOMPARE(callsIn(120, true), 4); // every 30 s from the last one on
     QVERIFY(m_places.takeChanged());
     QVERIFY(!m_places.takeChanged());
-    callsIn(10); // The last MAVLink still counts.
+    QCOMPARE(m_requests, 14); // of a pairing, as often
+    callsIn(10);              // The last MAVLink still counts.
     QCOMPARE(callsIn(10), 10);
+}
+
+/// Where many addresses take turns, the one in 30 s must not pass while another one has its turn.
+void CallPlacesTest::rareCallWaitsForItsTurn()
+{
+    m_turns = 7s;
+    int turns = 0;
+    for (int minute = 0; minute < 10; ++minute) {
+        for (int second = 0; second < 60; ++second) {
+            const auto before = m_called;
+            callsIn(1, true);
+            turns += m_called != before;
+        }
+    }
+    QVERIFY2(turns >= 16, qPrintable(QString::number(turns))); // every 37 s at the latest
+    QVERIFY2(turns <= 20, qPrintable(QString::number(turns)));
 }
 
 void CallPlacesTest::forgedMavlinkNeverStopsCalls_data()
@@ -104,7 +147,7 @@ void CallPlacesTest::forgedMavlinkNeverStopsCalls()
         }
         if (m_now == second) {
             second += 1s;
-            if (m_places.update(m_now, m_links, [](const Path &) { return false; }).empty())
+            if (!update().calls)
                 continue;
             ++calls;
             QVERIFY(m_now - latest <= 31s);

@@ -4,8 +4,10 @@
 #pragma once
 
 #include "core/base/clock.h"
+#include "core/base/weakness.h"
 #include "core/engine/common/link_pool.h"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <set>
@@ -19,8 +21,14 @@ class CallPlaces
 public:
     /// An address from which no MAVLink came for this long is called again.
     static constexpr Duration kForgetAfter = std::chrono::seconds(10);
-    /// Calls at addresses from which MAVLink comes: for one update, once in this time.
+    /// Addresses from which MAVLink comes are called once in this time, until the next update.
     static constexpr Duration kCallSparingly = std::chrono::seconds(30);
+
+    struct Update
+    {
+        std::vector<Path> calls;    ///< where agents may be called
+        std::vector<Path> requests; ///< where an agent may be requested to pair
+    };
 
     /// A MAVLink frame came in clear, TUNNEL included. Costs a comparison while frames come on one link.
     void noteMavlink(const link::Link &link, const Path &from, TimePoint now)
@@ -44,10 +52,11 @@ public:
     bool takeChanged() { return std::exchange(m_changed, false); }
 
     /// To be called every second. `isFlown`: a vehicle in clear is accepted at a path; it is never called, since its parser
-    /// may lose frames after other bytes.
-    template<typename IsFlown> std::vector<Path> update(TimePoint now, LinkPool &links, IsFlown &&isFlown)
+    /// may lose frames after other bytes. `lastCall`: when agents were last called at a path, or nullopt.
+    template<typename IsFlown, typename LastCall>
+    Update update(TimePoint now, LinkPool &links, IsFlown &&isFlown, LastCall &&lastCall)
     {
-        std::vector<Path> out;
+        Update out;
         links.forEach([&](const link::Link &link) {
             const bool calls = link.traits().isDatagramClient() && !links.isListenOnly(link.id()) && link.remote() != Address{};
             const bool greeted = link.counters().txBlocks > 0; // a second ago, so that a router could answer
@@ -55,10 +64,14 @@ public:
             if (!calls || !greeted || isFlown(path))
                 return;
             Place &place = m_places[link.id()];
-            if (place.isMavlink(now) && !m_sessions.contains(link.id()) && now < place.called + kCallSparingly)
-                return;
-            place.called = now;
-            out.push_back(path);
+            place.called = std::max(place.called, lastCall(path).value_or(place.called));
+            const bool spared = place.isMavlink(now) && !m_sessions.contains(link.id()) && !weakened(Weakness::CallRouters);
+            if (!spared || now >= place.called + kCallSparingly)
+                out.calls.push_back(path); // and again, until its turn has come
+            if (!spared || now >= place.requested + kCallSparingly) {
+                place.requested = now;
+                out.requests.push_back(path);
+            }
         });
         return out;
     }
@@ -67,7 +80,8 @@ private:
     struct Place
     {
         std::optional<TimePoint> mavlink; ///< newest frame from there
-        TimePoint called = TimePoint::min() + kCallSparingly;
+        TimePoint called = TimePoint::min();
+        TimePoint requested = TimePoint::min();
         bool isMavlink(TimePoint now) const { return mavlink && now - *mavlink <= kForgetAfter; }
     };
 

@@ -296,9 +296,10 @@ void StationCore::callAgents(TimePoint now)
         && (m_settings.mode() == SecureMode::Required || m_receiver.gate().policy().knowsAnybody());
     const bool pairs = m_channel->pairing.isOpen();
     const auto isFlown = [this](const Path &path) { return m_sender.routes().hasVehicleInClear(path); };
-    const std::vector<Path> places = m_receiver.callPlaces().update(now, m_links, isFlown);
-    m_channel->endpoint().setCallAt(now, mayCall ? places : std::vector<Path>());
-    m_channel->pairing.setCallTo(places);
+    const auto lastCall = [this](const Path &path) { return m_channel->endpoint().lastCall(path); };
+    CallPlaces::Update places = m_receiver.callPlaces().update(now, m_links, isFlown, lastCall);
+    m_channel->endpoint().setCallAt(now, mayCall ? std::move(places.calls) : std::vector<Path>());
+    m_channel->pairing.setCallTo(std::move(places.requests));
     if (mayCall || pairs)
         m_sender.greetRouters();
 }
