@@ -1,5 +1,7 @@
 #include "core/channel/report_exchange.h"
 
+#include "core/base/weakness.h"
+
 #include <algorithm>
 
 namespace skyseal::channel {
@@ -28,7 +30,8 @@ void ReportExchange::addTo(SessionStats &stats) const
 
 bool ReportExchange::handle(TimePoint now, const Report &report)
 {
-    if (m_peer && static_cast<std::int32_t>(report.stamp - m_peer->stamp) <= 0)
+    const bool isOld = m_peer && static_cast<std::int32_t>(report.stamp - m_peer->stamp) <= 0;
+    if (isOld && !weakened(Weakness::OldReports))
         return false;
     m_peer = report;
     m_peerAt = now;

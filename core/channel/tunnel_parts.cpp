@@ -12,7 +12,7 @@ std::optional<MutableByteView> UnfinishedMessage::take(TimePoint now, ByteView p
     const ByteView data = payload.subspan(kPartHead);
     const std::uint8_t index = payload[0] & kIndex;
     const bool last = payload[0] & kLast;
-    // A message that fits one payload is never split, and only the last part may be short.
+    // Only the last part may be short.
     if (index >= kMaxParts || (last && index == 0) || (!last && (index + 1u == kMaxParts || data.size() != kPartData)))
         return std::nullopt;
 
@@ -37,6 +37,8 @@ std::optional<MutableByteView> UnfinishedMessage::take(TimePoint now, ByteView p
     if (m_count == 0 || m_present != (1u << m_count) - 1)
         return std::nullopt;
     m_delivered = true;
+    if (m_size <= kTunnelPayload && !weakened(Weakness::LoosePart))
+        return std::nullopt; // In parts it would be shorter on the wire than as a padded message.
     return MutableByteView(m_bytes).first(m_size);
 }
 

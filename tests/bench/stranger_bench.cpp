@@ -85,6 +85,8 @@ public:
             config.role = side == Ground ? channel::Role::Station : channel::Role::Agent;
             config.identity = end().identity;
             config.callTo = {peersPath()};
+            if (side == Air)
+                config.listensOn = {kLink}; // so that it answers requests
             m_pairing.emplace(std::move(config), m_random, m_pair.now);
             m_pairing->handleDeadline(m_pair.now);
             noteCalls();

@@ -35,6 +35,7 @@ private Q_SLOTS:
     void jammedThenLossyLink();
     void clockSteps();
     void replayedAnnouncementsEndNothing();
+    void withheldReportOfADeafAgent();
     void killedTwoHundredTimes();
     void everyControlRecordDropped();
     void clonedEnd_data();
@@ -454,6 +455,43 @@ void AttackSessionTest::replayedAnnouncementsEndNothing()
         pair.run(100ms);
     }
     HOLDS(*pair.ground().counters.next() == before + 1, "no handshake is begun while the session lives");
+    QVERIFY(aliveAndExact(pair));
+    QCOMPARE(pair.air().all<SessionUp>().size(), 1u);
+}
+
+/// While an agent reports that it receives nothing, an announcement on another carrier may begin a handshake. So the attacker
+/// cuts the way to the agent, keeps its reports, and releases them when the way is open again.
+void AttackSessionTest::withheldReportOfADeafAgent()
+{
+    Pair pair(attackOptions());
+    Tap tap(pair);
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    const auto announcements = tap.ofKind(0x58);
+    QVERIFY(!announcements.empty());
+    pair.run(2s);
+    std::vector<Flight> withheld;
+    pair.link.attacker = [](TimePoint, Flight &flight) { return flight.from == Air; };
+    pair.run(1600ms); // from now on the agent says so
+    pair.link.attacker = [&](TimePoint, Flight &flight) {
+        if (flight.from == Air && (flight.bytes[0] & 0xfc) == 0x50)
+            withheld.push_back(flight);
+        return false;
+    };
+    pair.run(2300ms); // a little longer, and the station would miss the agent
+    pair.link.attacker = nullptr;
+    QVERIFY(withheld.size() >= 2);
+    pair.run(2s);
+    QVERIFY(pair.bothUp());
+    Path thief = pair.pathOf(Air);
+    thief.link = LinkId{7};
+    thief.carrier = Carrier::Tunnel;
+    const std::uint64_t before = *pair.ground().counters.next();
+    for (const Flight &flight : withheld) {
+        offer(pair, Ground, flight.bytes);
+        offer(pair, Ground, announcements[0].bytes, thief);
+        pair.run(100ms);
+    }
+    HOLDS(*pair.ground().counters.next() == before + 1, "no old report begins a handshake on another carrier");
     QVERIFY(aliveAndExact(pair));
     QCOMPARE(pair.air().all<SessionUp>().size(), 1u);
 }

@@ -95,6 +95,7 @@ private Q_SLOTS:
     void longMessagesInAnyOrder();
     void lostPartsCostOneMessage();
     void wrongPartsAreIgnored();
+    void shortMessagesInPartsAreIgnored();
     void messageNumbersWrap();
     void sendersAreEvicted();
 };
@@ -289,6 +290,20 @@ void CarrierCodecTest::wrongPartsAreIgnored()
     QVERIFY(!reader.take(now, {}, parts[0]));
     QVERIFY(same(reader.take(now, {}, parts[1]), message));
     QVERIFY(!reader.take(now, {}, parts[1]));
+}
+
+/// In parts, the zeros of an announcement would not count on the wire.
+void CarrierCodecTest::shortMessagesInPartsAreIgnored()
+{
+    for (const std::size_t size : {kPartData + 1, kPaddedLength, kTunnelPayload, kTunnelPayload + 1}) {
+        Bytes first{0x80, 7, 0}, second{0x85, 7, 0};
+        first.resize(kPartHead + kPartData, 0x58);
+        second.resize(kPartHead + size - kPartData, 0);
+        TunnelReader reader;
+        QVERIFY(!reader.take(TimePoint{1s}, {}, first));
+        const auto got = reader.take(TimePoint{1s}, {}, second);
+        QCOMPARE(got.has_value(), size > kTunnelPayload);
+    }
 }
 
 void CarrierCodecTest::messageNumbersWrap()

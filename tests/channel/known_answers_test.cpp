@@ -9,6 +9,7 @@
 #include "core/channel/pairing_handshake.h"
 #include "core/channel/record.h"
 #include "core/channel/suite_list.h"
+#include "core/channel/pairing_messages.h"
 #include "core/channel/tunnel_parts.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/kdf.h"
@@ -306,20 +307,25 @@ void KnownAnswersTest::carriers()
         out.resize(writeCobs(message, out));
         return out;
     };
+    const auto tunnelled = [](ByteView message, Node from, Node to) {
+        mavlink::Tunnel tunnel;
+        tunnel.target_system = to.system;
+        tunnel.target_component = to.component;
+        tunnel.payload_type = kTunnelPayloadType;
+        tunnel.payload_length = static_cast<std::uint8_t>(message.size());
+        std::copy(message.begin(), message.end(), tunnel.payload.begin());
+        if (isPadded(message))
+            tunnel.payload.back() = kTunnelPadding;
+        std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
+        return bytesOf(mavlink::FrameWriter(from.system, from.component).write(tunnel, buffer));
+    };
     COMPARE_WITH("serial record", sealed(Carrier::Serial));
     COMPARE_WITH("serial frame", cobs(m_answers["serial record"]));
     COMPARE_WITH("serial announcement", cobs(m_answers["announcement"]));
 
     COMPARE_WITH("tunnel record", sealed(Carrier::Tunnel));
-    const Bytes record = m_answers["tunnel record"];
-    mavlink::Tunnel tunnel;
-    tunnel.target_system = 1;
-    tunnel.target_component = 191;
-    tunnel.payload_type = kTunnelPayloadType;
-    tunnel.payload_length = static_cast<std::uint8_t>(record.size());
-    std::copy(record.begin(), record.end(), tunnel.payload.begin());
-    std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
-    COMPARE_WITH("tunnel frame", mavlink::FrameWriter(255, 190).write(tunnel, buffer));
+    COMPARE_WITH("tunnel frame", tunnelled(m_answers["tunnel record"], {255, 190}, {1, 191}));
+    COMPARE_WITH("tunnel request", tunnelled(pairingRequest(), {255, 190}, {0, 0}));
 
     Bytes message = m_answers["first message"];
     message.insert(message.end(), m_answers["answer"].begin(), m_answers["answer"].end());
@@ -401,6 +407,8 @@ void KnownAnswersTest::controlMessages()
     late.freshness = {.stale = 4, .ageMicroseconds = 2400000, .overtakenMilliseconds = 1000, .limitMilliseconds = 5000};
     Report unstored = late;
     unstored.cannotStore = true;
+    Report deaf = late;
+    deaf.receivesNothing = true;
     const std::pair<const char *, ControlMessage> messages[] = {
         {"propose", Propose{ProposalId{1}, Epoch{1}, SuiteId::Aes256Ctr, key("proposal public")}},
         {"accept", Accept{ProposalId{1}, key("answer public")}},
@@ -411,6 +419,7 @@ void KnownAnswersTest::controlMessages()
         {"report with costs", costly},
         {"report of an agent", late},
         {"report of an agent that cannot store", unstored},
+        {"report of an agent that hears nothing", deaf},
         {"close", Close{}},
     };
     for (const auto &[name, message] : messages) {

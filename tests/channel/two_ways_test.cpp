@@ -34,6 +34,8 @@ public:
     /// What `from` sends through this modem is lost.
     void cut(std::size_t way, Side from, bool isCut) { m_cut[way][from] = isCut; }
     void setDelay(std::size_t way, Duration delay) { m_delay[way] = delay; }
+    /// The agent takes no more than so many records of a session, as if it were deaf.
+    void setRecordsTaken(std::size_t count) { m_recordsTaken = count; }
 
     /// Each end seals a frame every 50 ms, as far as it has a session.
     void run(Duration span)
@@ -155,6 +157,9 @@ private:
     void arrive(Datagram datagram)
     {
         End &end = m_ends[datagram.from == Ground ? Air : Ground];
+        const bool isRecord = (datagram.bytes[0] & 0xfc) == 0x50;
+        if (datagram.from == Ground && isRecord && ++m_records[{datagram.bytes[1], datagram.bytes[2]}] > m_recordsTaken)
+            return;
         if (end.endpoint->handleDatagram(now, pathOf(datagram.from, datagram.way), datagram.bytes)) {
             ++end.delivered;
             end.lastFrame = now;
@@ -178,6 +183,8 @@ private:
     std::array<End, 2> m_ends;
     std::array<std::array<bool, 2>, kWays> m_cut{};
     std::array<Duration, kWays> m_delay{5ms, 5ms};
+    std::size_t m_recordsTaken = SIZE_MAX;
+    std::map<std::array<std::uint8_t, 2>, std::size_t> m_records; ///< of the station, by connection id
     std::multimap<TimePoint, Datagram> m_flying;
     TimePoint m_nextFrames = now;
 };
@@ -193,6 +200,7 @@ private Q_SLOTS:
     void takesTheWayThatWorks_data();
     void takesTheWayThatWorks();
     void outagesInTurnLeaveNoLongGap();
+    void agentThatClaimsToBeDeafCostsLittle();
 };
 
 void TwoWaysTest::bothAtOnceAreOneSession()
@@ -283,6 +291,17 @@ void TwoWaysTest::outagesInTurnLeaveNoLongGap()
                 QVERIFY2(ways.now - ways.lastFrameOf(side) < 200ms, qPrintable(QStringLiteral("seed %1").arg(seed)));
         }
     }
+}
+
+/// An agent that says in all its sessions that it receives nothing makes the station begin others, on the other carrier in turn:
+/// no more often than it can be quiet for 1.5 s, and under the same limits as any handshake.
+void TwoWaysTest::agentThatClaimsToBeDeafCostsLittle()
+{
+    TwoWays ways(1, Carrier::Tunnel);
+    ways.setRecordsTaken(2);
+    ways.run(120s);
+    QVERIFY2(ways.sessions(Ground) >= 20, qPrintable(QString::number(ways.sessions(Ground))));
+    QVERIFY2(ways.sessions(Ground) <= 80, qPrintable(QString::number(ways.sessions(Ground))));
 }
 
 SKYSEAL_TEST(TwoWaysTest)

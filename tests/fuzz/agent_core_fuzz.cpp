@@ -99,11 +99,10 @@ public:
 
     void run(ByteReader &in)
     {
-        const std::size_t before = allocatedBytes();
+        const GrowthWatch growth;
         for (int steps = 0; steps < 200 && in.ok() && !in.atEnd(); ++steps)
             step(in);
-        if (allocatedBytes() > before + (16u << 20))
-            violated("nothing grows");
+        growth.judge();
     }
 
 private:

@@ -21,8 +21,6 @@ class CallWatch
 public:
     /// An agent that the station has listed.
     void addAgent(const channel::PublicKey &key) { m_macs.emplace_back(key); }
-    /// What may be called has changed, so that a turn may have ended early.
-    void changed(TimePoint now) { m_countFrom = std::max(m_countFrom, now + kNoticed); }
     /// A clear frame came from the address of the link; `now` is when the station received it.
     void mavlinkCame(TimePoint now, LinkId link)
     {
@@ -30,7 +28,6 @@ public:
         if (!there.latest || now - *there.latest > kForgotten + kTolerance)
             there = {};
         there.latest = now;
-        m_countFrom = std::max(m_countFrom, now + kForgotten + 2 * kNoticed); // the address leaves the turns, and returns
     }
     void agentAnswered(LinkId link) { m_agentsAt.insert(link); }
 
@@ -42,10 +39,10 @@ public:
         if (const auto there = m_mavlinkAt.find(link); there != m_mavlinkAt.end())
             judgeRouter(now, there->second);
         const auto called = std::ranges::find_if(m_macs, [&](const channel::Mac1 &mac) { return mac.verify(message); });
-        if (called == m_macs.end() || now < m_countFrom)
+        if (called == m_macs.end())
             return;
         m_calls.push_back({now, called - m_macs.begin(), link});
-        while (m_calls.front().time < std::max(m_countFrom, now - kNearlyATurn))
+        while (m_calls.front().time < now - kNearlyATurn)
             m_calls.pop_front();
         std::set<std::ptrdiff_t> agents;
         std::set<LinkId> links;
@@ -53,7 +50,7 @@ public:
             agents.insert(call.agent);
             links.insert(call.link);
         }
-        // One turn may end and the next one begin within this time.
+        // One turn may end and the next one begin within this time, whatever has changed.
         if (agents.size() > 2 * kAtOnce || links.size() > 2 * kAtOnce)
             violated("few are called at a time");
     }
@@ -90,7 +87,6 @@ private:
 
     std::vector<channel::Mac1> m_macs;
     std::deque<Call> m_calls;
-    TimePoint m_countFrom{};
     std::set<LinkId> m_agentsAt;
     std::map<LinkId, Router> m_mavlinkAt;
 };

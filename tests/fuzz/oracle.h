@@ -31,4 +31,19 @@ inline std::size_t allocatedBytes()
     return mallinfo2().uordblks;
 }
 
+/// Notices memory that a run keeps. Begins with the run, whose engine is there already.
+class GrowthWatch
+{
+public:
+    void judge() const
+    {
+        if (allocatedBytes() > m_before + kMost)
+            violated("nothing grows");
+    }
+
+private:
+    static constexpr std::size_t kMost = 4u << 20; ///< the corpora leave 0.3 MB at most, their own records included
+    std::size_t m_before = allocatedBytes();
+};
+
 } // namespace skyseal::test

@@ -17,7 +17,9 @@
 #include <QtTest/QTest>
 
 #include <atomic>
+#include <condition_variable>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <unistd.h>
@@ -49,7 +51,8 @@ private Q_SLOTS:
     void anotherPassphrase();
     void errorsShowNoKey();
     void strangersCauseNoWrites();
-    void fullDiskEndsNoSession();
+    void failingDiskEndsNoSession_data();
+    void failingDiskEndsNoSession();
     void namesThatSteerATerminal();
 
 private:
@@ -194,24 +197,54 @@ void AttackFilesTest::strangersCauseNoWrites()
 }
 
 /// An agent confirms no session whose counter its store does not accept.
-void AttackFilesTest::fullDiskEndsNoSession()
+void AttackFilesTest::failingDiskEndsNoSession_data()
 {
-    const auto full = std::make_shared<std::atomic<bool>>(false);
-    CounterDisk disk = counterDisk(m_folder.path("full.counters"));
-    disk.update = [full, update = disk.update](StoredCounters ours, std::uint64_t reserve,
-                                               bool create) -> Result<StoredCounters, InputError> {
-        if (*full)
-            return tl::unexpected(InputError{"No space left on device", "full.counters"});
+    QTest::addColumn<QString>("error");
+    QTest::newRow("full") << QStringLiteral("No space left on device");
+    QTest::newRow("read-only") << QStringLiteral("Read-only file system");
+    QTest::newRow("hanging") << QString();
+}
+
+void AttackFilesTest::failingDiskEndsNoSession()
+{
+    QFETCH(QString, error);
+    struct Trouble
+    {
+        std::mutex mutex;
+        std::condition_variable ended;
+        bool now = false;
+        std::atomic<int> seconds = 0; ///< each look at the clock takes one while the disk hangs
+    };
+    const auto trouble = std::make_shared<Trouble>();
+    CounterDisk disk = counterDisk(m_folder.path(QTest::currentDataTag()));
+    disk.now = [trouble] {
+        const std::lock_guard lock(trouble->mutex);
+        return TimePoint(std::chrono::seconds(trouble->seconds += trouble->now));
+    };
+    disk.update = [trouble, error, update = disk.update](StoredCounters ours, std::uint64_t reserve,
+                                                         bool create) -> Result<StoredCounters, InputError> {
+        std::unique_lock lock(trouble->mutex);
+        if (trouble->now && !error.isEmpty())
+            return tl::unexpected(InputError{error.toStdString(), "counters"});
+        trouble->ended.wait(lock, [&] { return !trouble->now; });
         return update(std::move(ours), reserve, create);
     };
     const auto store = std::move(*FileCounterStore::open(std::move(disk)));
     store->waitUntilStored();
-    *full = true;
+    const auto setTrouble = [&](bool now) {
+        const std::lock_guard lock(trouble->mutex);
+        trouble->now = now;
+        trouble->ended.notify_all();
+    };
+    setTrouble(true);
     const channel::PublicKey peer{1};
-    HOLDS(store->remember(peer, 17), "a full disk ends no session");
-    QCOMPARE(store->lastSeen(peer), std::uint64_t(17));
-    store->waitUntilStored();
-    QVERIFY(contains(store->problem(), "No space left"));
+    const bool remembered = store->remember(peer, 17);
+    const std::uint64_t seen = store->lastSeen(peer);
+    const InputError told = store->waitUntilStored();
+    setTrouble(false);
+    HOLDS(remembered, "a failing disk ends no session");
+    QCOMPARE(seen, std::uint64_t(17));
+    QVERIFY(contains(told.message, error.isEmpty() ? "does not answer" : error.toStdString().c_str()));
 }
 
 void AttackFilesTest::namesThatSteerATerminal()

@@ -113,6 +113,11 @@ inline constexpr StrangerMessage kStrangerMessages[] = {
      [](const StrangersKnowledge &, std::mt19937_64 &random) { return randomBytes(random, 127, 0x5b); }},
     {"cookie",
      [](const StrangersKnowledge &, std::mt19937_64 &random) { return zeroesFrom(49, randomBytes(random, 127, 0x5b)); }},
+    {"pairing: request",
+     [](const StrangersKnowledge &, std::mt19937_64 &) {
+         const auto request = channel::pairingRequest();
+         return Bytes(request.begin(), request.end());
+     }},
     {"pairing: call",
      [](const StrangersKnowledge &, std::mt19937_64 &random) { return zeroesFrom(17, randomBytes(random, 127, 0x5c)); }},
     {"pairing: first message",

@@ -134,6 +134,8 @@ Bytes onTheWire(Carrier carrier, ByteView message)
         mavlink::Tunnel tunnel{.payload_type = channel::kTunnelPayloadType};
         tunnel.payload_length = static_cast<std::uint8_t>(std::min(message.size(), tunnel.payload.size()));
         std::copy_n(message.begin(), tunnel.payload_length, tunnel.payload.begin());
+        if (channel::isPadded(message))
+            tunnel.payload.back() = channel::kTunnelPadding;
         mavlink::FrameWriter writer(1, mavlink::MAV_COMP_ID_ONBOARD_COMPUTER);
         std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
         const ByteView frame = writer.write(tunnel, buffer);

@@ -54,6 +54,7 @@ inline constexpr Proof kProofs[] = {
     {"CountersFromClock", "attack_session_test", "clockSteps", "a handshake needs no clock"},
     {"TrustAnnouncements", "attack_session_test", "replayedAnnouncementsEndNothing",
      "no handshake is begun while the session lives"},
+    {"OldReports", "attack_session_test", "withheldReportOfADeafAgent", "no old report begins a handshake on another carrier"},
     {"SameRandomEveryLife,CountersFromClock,AcceptLowerCounter", "attack_session_test", "killedTwoHundredTimes",
      "no pair of key and nonce comes twice"},
     {"NoHardStop", "attack_session_test", "everyControlRecordDropped", "an epoch ends at its limit"},
@@ -161,7 +162,7 @@ inline constexpr Proof kProofs[] = {
     {"NoFileChecksum", "attack_files_test", "anotherPassphrase", "no key opens under another passphrase"},
     {"Leak", "attack_files_test", "errorsShowNoKey", "no error shows a key"},
     {"CountersOneByOne", "attack_files_test", "strangersCauseNoWrites", "strangers cause no writes to the disk"},
-    {"StopWithoutDisk", "attack_files_test", "fullDiskEndsNoSession", "a full disk ends no session"},
+    {"StopWithoutDisk", "attack_files_test", "failingDiskEndsNoSession", "a failing disk ends no session"},
     {"AnyName", "attack_files_test", "namesThatSteerATerminal", "no name steers a terminal"},
     {"NotifiedOnly", "attack_revocation_test", "removedWithoutNotification", "a removed peer loses its session"},
 

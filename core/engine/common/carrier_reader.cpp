@@ -1,5 +1,6 @@
 #include "core/engine/common/carrier_reader.h"
 
+#include "core/base/weakness.h"
 #include "core/channel/handshake_messages.h"
 #include "core/channel/pairing_messages.h"
 #include "core/mavlink/enums.h"
@@ -66,8 +67,11 @@ std::optional<link::ReceivedBlock> CarrierReader::takeTunnel(TimePoint now, cons
         && (message.target_component == 0 || message.target_component == ours.component);
     if (!forUs || message.payload_length > message.payload.size())
         return std::nullopt;
+    const ByteView payload = ByteView(message.payload).first(message.payload_length);
+    if (channel::isPadded(payload) && message.payload.back() == 0 && !weakened(Weakness::NoTunnelPadding))
+        return std::nullopt; // shorter on the wire than what would answer it
     const Path path = tunnelPath(from, frame);
-    const auto bytes = m_tunnels.take(now, path, ByteView(message.payload).first(message.payload_length));
+    const auto bytes = m_tunnels.take(now, path, payload);
     if (!bytes)
         return std::nullopt;
     if (m_nodes.size() >= kMostNodes && !m_nodes.contains(path))

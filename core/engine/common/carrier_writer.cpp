@@ -22,6 +22,8 @@ ByteView CarrierWriter::tunnel(Node to, ByteView payload)
     message.payload_type = channel::kTunnelPayloadType;
     message.payload_length = static_cast<std::uint8_t>(payload.size());
     std::copy(payload.begin(), payload.end(), message.payload.begin());
+    if (channel::isPadded(payload))
+        message.payload.back() = channel::kTunnelPadding;
     return m_frames.write(message, m_buffer);
 }
 

@@ -27,7 +27,8 @@ def payloads(message, number):
 
 
 def tunnel(source, target, sequence, payload):
-    """The frame of MAVLink 2 with its trailing zeros cut."""
-    content = (PAYLOAD_TYPE.to_bytes(2, "little") + bytes(target) + bytes([len(payload)]) + payload).rstrip(b"\0")
+    """The frame of MAVLink 2 with its trailing zeros cut, and what must not be shortened by that behind a byte of ones."""
+    padding = b"\xff" if len(payload) == 127 and payload[0] & 0x08 else b""
+    content = (PAYLOAD_TYPE.to_bytes(2, "little") + bytes(target) + bytes([len(payload)]) + payload + padding).rstrip(b"\0")
     head = bytes([len(content), 0, 0, sequence, *source]) + mavlink.TUNNEL.to_bytes(3, "little")
     return mavlink.frame(head, content)

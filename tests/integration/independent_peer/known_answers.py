@@ -156,6 +156,7 @@ def _carriers(inputs, out):
     head = record_head(5, 0xABCD, counter)
     record = head + keys.seal(counter, head + bytes([1, STATION, carriers.TUNNEL_CARRIER]), out["frame"])
     out["tunnel record"], out["tunnel frame"] = record, carriers.tunnel((255, 190), (1, 191), 0, record)
+    out["tunnel request"] = carriers.tunnel((255, 190), (0, 0), 0, pairing.request())
     parts = carriers.payloads(out["first message"] + out["answer"], 0x0102)
     out["tunnel part 0"], out["tunnel part 1"] = parts
 
@@ -185,6 +186,8 @@ def _control_messages(inputs, out):
                 "report with costs": control.Report(14, 1000001, 999001, 250, more).pack(),
                 "report of an agent": control.Report(16, 1000001, 999001, 250, late).pack(),
                 "report of an agent that cannot store": control.Report(control.TELLS_FRESHNESS | control.CANNOT_STORE, 1000001,
+                                                                        999001, 250, late).pack(),
+                "report of an agent that hears nothing": control.Report(control.TELLS_FRESHNESS | control.RECEIVES_NOTHING, 1000001,
                                                                         999001, 250, late).pack(),
                 "stamped frame": freshness.stamp(123456789) + out["frame"],
                 "close": control.Close().pack()})

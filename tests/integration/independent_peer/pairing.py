@@ -44,6 +44,10 @@ def call(token):
     return (bytes([CALL]) + token).ljust(LENGTH, b"\0")
 
 
+def request():
+    return call(b"")
+
+
 @dataclass
 class Pairing:
     """One end's handshake."""

@@ -16,6 +16,7 @@ DATAGRAMS = 0x01
 LONGEST, SHORTEST = 1200, 22
 REPORT_EVERY, REPORT_EARLY = 1.0, 0.25
 CLOSE_LINGER = 3.0
+QUIET = 1.5
 FORGET = 600.0
 ANSWER_NOW = 1
 
@@ -156,7 +157,7 @@ class Session:
         flags = ANSWER_NOW if ask else 0
         numbers = self.totals()
         if self.role != STATION:
-            flags |= control.TELLS_FRESHNESS
+            flags |= control.TELLS_FRESHNESS | (control.RECEIVES_NOTHING if now - self.last_heard >= QUIET else 0)
             numbers |= {"stale": self.freshness.stale, "age_us": max(0, round(self.freshness.age * 1e6)),
                         "overtaken_limit_ms": round(1000 * OVERTAKEN), "age_limit_ms": round(1000 * AGE)}
         self._send_control(control.Report(flags, self._stamp(now), self._newest_stamp or 0, held, numbers))
