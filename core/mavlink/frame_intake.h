@@ -1,5 +1,6 @@
 // Extracts MAVLink frames from the blocks that links deliver: a datagram holds whole frames; a stream is cut anywhere, so
-// each remote end gets a parser of its own. Runs on the thread of its owner; no I/O and no clock.
+// each remote end gets a parser of its own. Anybody may send them, so the work for what is no frame is limited. Runs on the
+// thread of its owner; no I/O and no clock.
 #pragma once
 
 #include "core/base/path.h"
@@ -11,9 +12,10 @@
 namespace skyseal::mavlink {
 
 /// Calls `deliver(const ScanItem &)` for every frame and every damaged region of a buffer of whole frames.
-template<typename Deliver> void scanFrames(ByteView bytes, const Dialect &dialect, Deliver &&deliver)
+template<typename Deliver>
+void scanFrames(ByteView bytes, const Dialect &dialect, Deliver &&deliver, WastedWork limit = WastedWork::Unlimited)
 {
-    FrameScanner scanner(bytes, dialect);
+    FrameScanner scanner(bytes, dialect, BufferEnd::Final, limit);
     while (const auto item = scanner.next())
         deliver(*item);
 }
@@ -25,7 +27,10 @@ public:
     explicit FrameIntake(const Dialect &dialect) : m_dialect(&dialect) {}
 
     /// scanFrames() for one datagram.
-    template<typename Deliver> void takeDatagram(ByteView bytes, Deliver &&deliver) { scanFrames(bytes, *m_dialect, deliver); }
+    template<typename Deliver> void takeDatagram(ByteView bytes, Deliver &&deliver)
+    {
+        scanFrames(bytes, *m_dialect, deliver, WastedWork::OfDatagram);
+    }
 
     /// The same for the next piece of the byte stream from `from`. An incomplete frame is kept until its end arrives.
     template<typename Deliver> void takeStream(const Path &from, ByteView bytes, Deliver &&deliver)

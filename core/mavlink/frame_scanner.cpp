@@ -8,7 +8,11 @@ Result<Frame, FrameError> FrameScanner::readAt(std::size_t offset)
 {
     return FrameReader::read(m_buffer.subspan(offset), *m_dialect,
                              [&](ByteView covered, std::uint8_t crcExtra, std::uint16_t expected) {
-                                 return m_crc.matches(m_streamOffset + offset + 1, covered, crcExtra, expected);
+                                 const std::size_t at = m_streamOffset + offset + 1;
+                                 if (m_crc.affords(at, covered.size(), m_streamOffset + m_buffer.size()))
+                                     return m_crc.matches(at, covered, crcExtra, expected);
+                                 ++m_passedOver;
+                                 return false;
                              });
 }
 

@@ -24,13 +24,15 @@ enum class BufferEnd : std::uint8_t {
 };
 
 /// Resynchronises by trying every later byte, so that no valid frame after damage is lost, even if the damaged header claims
-/// a wrong length. Each byte is tried once and goes through the CRC about once, whatever the bytes are (OverlappingCrc).
+/// a wrong length. Each byte is tried once and goes through the CRC about once, whatever the bytes are (OverlappingCrc). Where
+/// its work is limited, a frame that would exceed the limit is passed over, as if its checksum were wrong.
 class FrameScanner
 {
 public:
     /// For a buffer of its own, such as a datagram.
-    FrameScanner(ByteView buffer, const Dialect &dialect, BufferEnd end = BufferEnd::Final)
-        : FrameScanner(buffer, dialect, end, m_ownCrc, 0)
+    explicit FrameScanner(ByteView buffer, const Dialect &dialect, BufferEnd end = BufferEnd::Final,
+                          WastedWork limit = WastedWork::Unlimited)
+        : m_buffer(buffer), m_dialect(&dialect), m_end(end), m_ownCrc(limit), m_crc(m_ownCrc), m_streamOffset(0)
     {}
     /// For the next part of a stream, which begins at `offset` of it. `crc` is that of the stream and must outlive this object.
     FrameScanner(ByteView buffer, const Dialect &dialect, BufferEnd end, OverlappingCrc &crc, std::size_t offset)
@@ -47,6 +49,8 @@ public:
     std::size_t position() const { return m_position; }
     /// The number of bytes that went through the CRC: the measure of the work.
     std::uint64_t crcBytes() const { return m_crc.bytesProcessed(); }
+    /// The number of possible frames that were not checked, because of the limit.
+    std::size_t passedOver() const { return m_passedOver; }
 
 private:
     Result<Frame, FrameError> readAt(std::size_t offset);
@@ -61,6 +65,7 @@ private:
     OverlappingCrc m_ownCrc; ///< unused for a stream
     OverlappingCrc &m_crc;
     std::size_t m_streamOffset; ///< of the buffer
+    std::size_t m_passedOver = 0;
 };
 
 } // namespace skyseal::mavlink

@@ -1,5 +1,7 @@
 #include "core/mavlink/overlapping_crc.h"
 
+#include "core/base/weakness.h"
+
 #include <algorithm>
 
 namespace skyseal::mavlink {
@@ -35,12 +37,35 @@ std::uint16_t advance(std::uint16_t state, std::size_t bytes)
 
 } // namespace
 
+bool OverlappingCrc::affords(std::size_t offset, std::size_t bytes, std::size_t received) const
+{
+    // A damaged frame that claims the greatest length, and the longest frame after it. 2,048 random bytes take 648 in the mean,
+    // so this and three eighths of them are twice as much. A stream has no end at which a remainder is lost: the longer it is,
+    // the less the constant counts.
+    constexpr std::size_t kReserve = 2 * kLongestRange;
+    if (m_limit == WastedWork::Unlimited || weakened(Weakness::NoScanLimit))
+        return true;
+    const std::size_t sixteenths = m_limit == WastedWork::OfDatagram ? 6 : 9;
+    return m_wasted + unprocessed(offset, bytes) <= received / 16 * sixteenths + kReserve;
+}
+
+/// How many of these bytes a check would process.
+std::size_t OverlappingCrc::unprocessed(std::size_t offset, std::size_t bytes) const
+{
+    if (!m_overlapping || offset > m_end)
+        return bytes;
+    return offset + bytes > m_end ? offset + bytes - m_end : 0;
+}
+
 bool OverlappingCrc::matchesByPrefixes(std::size_t offset, ByteView bytes, std::uint8_t crcExtra, std::uint16_t expected)
 {
+    const std::uint64_t before = m_processed;
     extendPrefixes(offset, bytes);
     const auto begin = static_cast<std::uint16_t>(prefix(offset) ^ kCrcStart);
     const auto state = static_cast<std::uint16_t>(prefix(offset + bytes.size()) ^ advance(begin, bytes.size()));
-    return crcStep(state, crcExtra) == expected;
+    const bool matches = crcStep(state, crcExtra) == expected;
+    m_wasted += matches ? 0 : m_processed - before;
+    return matches;
 }
 
 void OverlappingCrc::expectOverlap()

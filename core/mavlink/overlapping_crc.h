@@ -7,17 +7,31 @@
 //
 // where advance(s, n) is the state that s becomes over n zero bytes: a linear map of 16 bits, read from a table. As long as
 // nothing is damaged, frames do not overlap and are checked directly.
+//
+// Where strangers send, there is a limit besides, of the work for what is no frame: no more than twice that for random bytes.
 #pragma once
 
 #include "core/mavlink/crc.h"
 
 namespace skyseal::mavlink {
 
+/// Of the bytes that go through the CRC in vain. Of random bytes 30 % do (scan_work_test).
+enum class WastedWork : std::uint8_t {
+    Unlimited, ///< what was recorded or sealed: nothing in it is missed, whatever it costs
+    OfDatagram,
+    OfStream
+};
+
 class OverlappingCrc
 {
 public:
     /// The longest range: a header without its first byte, and a payload.
     static constexpr std::size_t kLongestRange = 9 + 255;
+
+    explicit OverlappingCrc(WastedWork limit = WastedWork::Unlimited) : m_limit(limit) {}
+
+    /// Returns true if the limit allows to check these bytes, of a datagram or stream of which `received` are known.
+    bool affords(std::size_t offset, std::size_t bytes, std::size_t received) const;
 
     /// Returns true if the checksum over `bytes` and `crcExtra` is `expected`. `bytes`: at most kLongestRange, found at
     /// `offset` of the stream. The offset must not be less than in the call before.
@@ -28,6 +42,7 @@ public:
         m_processed += bytes.size();
         if (crcStep(crcAccumulate(kCrcStart, bytes), crcExtra) == expected)
             return true;
+        m_wasted += bytes.size();
         m_overlapping = true;
         beginPrefixes(offset);
         return false;
@@ -43,12 +58,15 @@ private:
 
     std::uint16_t &prefix(std::size_t offset) { return m_prefixes[offset % kKept]; }
     bool matchesByPrefixes(std::size_t offset, ByteView bytes, std::uint8_t crcExtra, std::uint16_t expected);
+    std::size_t unprocessed(std::size_t offset, std::size_t bytes) const;
     void beginPrefixes(std::size_t offset);
     void extendPrefixes(std::size_t offset, ByteView bytes);
 
+    WastedWork m_limit;
     bool m_overlapping = false; ///< ranges are checked by prefixes
     std::size_t m_end = 0;      ///< the last offset whose prefix is known
     std::uint64_t m_processed = 0;
+    std::uint64_t m_wasted = 0;                  ///< of these, for what was no frame
     std::array<std::uint16_t, kKept> m_prefixes; ///< P, by offset; each is written before it is read
 };
 

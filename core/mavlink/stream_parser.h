@@ -13,7 +13,8 @@ namespace skyseal::mavlink {
 class StreamParser
 {
 public:
-    explicit StreamParser(const Dialect &dialect) : m_dialect(&dialect) {}
+    explicit StreamParser(const Dialect &dialect, WastedWork limit = WastedWork::OfStream) : m_dialect(&dialect), m_crc(limit)
+    {}
 
     /// Takes the next piece and calls `deliver(const ScanItem &)` for everything that is complete; views live during that
     /// call. Offsets count from the beginning of the stream.
@@ -44,6 +45,8 @@ public:
 
     /// The number of bytes of the stream that went through the CRC: the measure of the work.
     std::uint64_t crcBytes() const { return m_crc.bytesProcessed(); }
+    /// As FrameScanner::passedOver().
+    std::size_t passedOver() const { return m_passedOver; }
 
 private:
     template<typename Deliver> void deliverComplete(Deliver &deliver, BufferEnd end)
@@ -53,6 +56,7 @@ private:
             item->offset += m_streamOffset;
             deliver(static_cast<const ScanItem &>(*item));
         }
+        m_passedOver += scanner.passedOver();
         const std::size_t used = scanner.position();
         m_streamOffset += used;
         m_size -= used;
@@ -64,6 +68,7 @@ private:
     std::size_t m_size = 0; ///< never over kMaxFrameLength between two calls
     std::size_t m_streamOffset = 0;
     OverlappingCrc m_crc;
+    std::size_t m_passedOver = 0;
 };
 
 } // namespace skyseal::mavlink

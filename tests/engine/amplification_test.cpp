@@ -163,6 +163,8 @@ void AmplificationTest::listeningAgent()
 {
     QFETCH(Carrier, carrier);
     QFETCH(bool, pairing);
+    if (pairing && carrier == Carrier::Serial)
+        return; // On a connection, whose address is no forged one, it calls by itself.
     FlightRig rig;
     rig.carrier = carrier;
     rig.startAgentOn({listeningUrl(carrier)});

@@ -1,14 +1,16 @@
 // The work of the frame scanner is bounded for any content, counted in bytes that go through the CRC, and it finds exactly the
-// frames that a scanner without that bound finds.
+// frames that a scanner without that bound finds. What strangers send besides frames costs at most twice as much as random bytes.
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"
 #include "core/mavlink/stream_parser.h"
+#include "tests/support/holds.h"
 #include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <random>
 #include <vector>
 
@@ -98,6 +100,12 @@ struct Scanned
 {
     std::vector<Item> items;
     std::uint64_t crcBytes = 0;
+    std::size_t passedOver = 0;
+
+    std::size_t frames() const
+    {
+        return static_cast<std::size_t>(std::ranges::count_if(items, [](const Item &item) { return item.isFrame; }));
+    }
 };
 
 Item itemOf(const ScanItem &item)
@@ -105,22 +113,50 @@ Item itemOf(const ScanItem &item)
     return {item.offset, item.bytes.size(), item.frame.has_value(), item.frame ? FrameFault{} : item.fault};
 }
 
-Scanned scanned(ByteView bytes)
+Bytes randomBytes(std::size_t size, std::uint32_t seed)
+{
+    std::mt19937 random(seed);
+    Bytes out(size);
+    for (std::uint8_t &byte : out)
+        byte = static_cast<std::uint8_t>(random());
+    return out;
+}
+
+Scanned scanned(ByteView bytes, WastedWork limit = WastedWork::Unlimited)
 {
     Scanned out;
-    FrameScanner scanner(bytes, Dialect::builtin());
+    FrameScanner scanner(bytes, Dialect::builtin(), BufferEnd::Final, limit);
     while (const auto item = scanner.next())
         out.items.push_back(itemOf(*item));
     out.crcBytes = scanner.crcBytes();
+    out.passedOver = scanner.passedOver();
+    return out;
+}
+
+Scanned scannedStream(ByteView bytes, std::size_t piece, WastedWork limit = WastedWork::OfStream)
+{
+    Scanned out;
+    StreamParser parser(Dialect::builtin(), limit);
+    for (ByteView rest = bytes; !rest.empty(); rest = rest.subspan(std::min(piece, rest.size())))
+        parser.feed(rest.first(std::min(piece, rest.size())), [&](const ScanItem &item) { out.items.push_back(itemOf(item)); });
+    out.crcBytes = parser.crcBytes();
+    out.passedOver = parser.passedOver();
     return out;
 }
 
 std::uint64_t workOfStream(ByteView bytes, std::size_t piece)
 {
-    StreamParser parser(Dialect::builtin());
-    for (ByteView rest = bytes; !rest.empty(); rest = rest.subspan(std::min(piece, rest.size())))
-        parser.feed(rest.first(std::min(piece, rest.size())), [](const ScanItem &) {});
-    return parser.crcBytes();
+    return scannedStream(bytes, piece, WastedWork::Unlimited).crcBytes;
+}
+
+/// What random bytes cost in the mean: the measure of what other bytes may cost.
+double workOfRandomDatagrams(std::size_t size)
+{
+    constexpr std::uint32_t kSeeds = 200;
+    std::uint64_t out = 0;
+    for (std::uint32_t seed = 0; seed < kSeeds; ++seed)
+        out += scanned(randomBytes(size, seed)).crcBytes;
+    return static_cast<double>(out) / kSeeds;
 }
 
 /// The bound of a datagram, and of a whole stream: each byte at most once, plus one range (OverlappingCrc).
@@ -128,6 +164,12 @@ std::uint64_t boundFor(std::size_t bytes)
 {
     static_assert(OverlappingCrc::kLongestRange == 264);
     return bytes + OverlappingCrc::kLongestRange;
+}
+
+/// The limit of a datagram for what is no frame.
+std::uint64_t limitFor(std::size_t bytes)
+{
+    return bytes * 3 / 8 + 2 * OverlappingCrc::kLongestRange;
 }
 
 Bytes repeated(const Bytes &period, std::size_t size)
@@ -142,15 +184,6 @@ Bytes repeated(const Bytes &period, std::size_t size)
 Bytes heads(std::uint8_t magic, std::uint8_t length, std::size_t size)
 {
     return repeated(magic == kMagic1 ? Bytes{magic, length, 0, 1, 1, 30} : Bytes{magic, length, 0, 0, 0, 1, 1, 30, 0, 0}, size);
-}
-
-Bytes randomBytes(std::size_t size, std::uint32_t seed)
-{
-    std::mt19937 random(seed);
-    Bytes out(size);
-    for (std::uint8_t &byte : out)
-        byte = static_cast<std::uint8_t>(random());
-    return out;
 }
 
 Bytes validFrames(std::size_t size)
@@ -202,6 +235,10 @@ private Q_SLOTS:
     void eachByteOnceThroughTheCrcPlus264_data();
     void eachByteOnceThroughTheCrcPlus264();
     void boundIsThatOfValidFrames();
+    void junkCostsAtMostTwiceRandomBytes_data();
+    void junkCostsAtMostTwiceRandomBytes();
+    void framesAmongNoiseAreFound();
+    void frameAfterADamagedOneIsFound();
     void everyPeriodOfTwoBytes();
     void anyBytesAreBounded();
     void findsTheSameAsAPlainScanner();
@@ -276,6 +313,81 @@ void ScanWorkTest::boundIsThatOfValidFrames()
     QVERIFY(anew.crcBytes() > 100 * boundFor(kSize));
 }
 
+void ScanWorkTest::junkCostsAtMostTwiceRandomBytes_data()
+{
+    QTest::addColumn<QByteArray>("period");
+    const auto row = [](const char *name, const Bytes &bytes) {
+        QTest::newRow(name) << QByteArray(reinterpret_cast<const char *>(bytes.data()), static_cast<qsizetype>(bytes.size()));
+    };
+    row("all 0xFE", Bytes(1, kMagic1));
+    row("all 0xFD", Bytes(1, kMagic2));
+    row("heads of version 1, longest", heads(kMagic1, 255, 6));
+    row("heads of version 2, longest", heads(kMagic2, 255, 10));
+    row("half frames", validFrames(20));
+    Bytes damaged = validFrames(40);
+    damaged[20] ^= 1;
+    row("damaged frames", damaged);
+    Bytes longest(269, 0x55);
+    std::ranges::copy(Bytes{kMagic2, 255, 0, 0, 0, 1, 1, 110, 0, 0}, longest.begin());
+    row("damaged frames of the greatest length", longest);
+}
+
+/// Of a datagram of 2,048 bytes, and of a long stream: the reserve for the first frames counts less, the longer it is.
+void ScanWorkTest::junkCostsAtMostTwiceRandomBytes()
+{
+    QFETCH(QByteArray, period);
+    const Bytes bytes(period.begin(), period.end());
+    constexpr std::size_t kDatagram = 2048, kStream = 1 << 18;
+    static const double random = workOfRandomDatagrams(kDatagram);
+    static const auto randomStream = static_cast<double>(workOfStream(randomBytes(kStream, 1), 280));
+    const std::uint64_t asDatagram = scanned(repeated(bytes, kDatagram), WastedWork::OfDatagram).crcBytes;
+    const std::uint64_t asStream = scannedStream(repeated(bytes, kStream), 280).crcBytes;
+    qInfo("of %zu bytes %llu, random %.1f; of %zu in a stream %llu, random %.1f", kDatagram,
+          static_cast<unsigned long long>(asDatagram), random, kStream, static_cast<unsigned long long>(asStream),
+          randomStream);
+    HOLDS(static_cast<double>(asDatagram) <= 2 * random && static_cast<double>(asStream) <= 2 * randomStream,
+          "junk costs at most twice as much as random bytes");
+}
+
+/// A line on which one byte in a hundred is wrong damages a third of the frames: all others are found.
+void ScanWorkTest::framesAmongNoiseAreFound()
+{
+    for (std::uint32_t seed = 0; seed < 20; ++seed) {
+        std::mt19937 random(seed);
+        Bytes line = validFrames(100'000);
+        for (std::uint8_t &byte : line)
+            byte = random() % 100 == 0 ? static_cast<std::uint8_t>(random()) : byte;
+        for (std::size_t at = 0; at < line.size(); at += 5000) // and bursts of noise alone
+            std::ranges::copy(randomBytes(300, seed + static_cast<std::uint32_t>(at)),
+                              line.begin() + static_cast<std::ptrdiff_t>(at));
+        const Scanned found = scannedStream(line, 280);
+        QCOMPARE(found.passedOver, std::size_t(0));
+        QVERIFY(found.frames() > 1200 && found.frames() < 2000);
+        QCOMPARE(found.frames(), scannedStream(line, 280, WastedWork::Unlimited).frames());
+    }
+}
+
+/// Whatever the length of the damaged frame is and claims to be, and that of the next one, in a datagram and at the beginning of
+/// a stream.
+void ScanWorkTest::frameAfterADamagedOneIsFound()
+{
+    FrameWriter writer(1, 1);
+    std::array<std::uint8_t, kMaxFrameLength> buffer;
+    for (std::size_t next = 1; next <= 251; next += 10) {
+        FileTransferProtocol message;
+        std::fill_n(message.payload.begin(), next, 7);
+        const ByteView frame = writer.write(message, buffer);
+        for (std::size_t damaged = 10; damaged <= 267; ++damaged) {
+            Bytes bytes(damaged, 0x33);
+            std::ranges::copy(Bytes{kMagic2, 255, 0, 0, 0, 1, 1, 110, 0, 0}, bytes.begin());
+            bytes.insert(bytes.end(), frame.begin(), frame.end());
+            QCOMPARE(scanned(bytes, WastedWork::OfDatagram).frames(), std::size_t(1));
+            bytes.resize(bytes.size() + kMaxFrameLength, 0x33); // until the claimed length has arrived
+            QCOMPARE(scannedStream(bytes, 17).frames(), std::size_t(1));
+        }
+    }
+}
+
 void ScanWorkTest::everyPeriodOfTwoBytes()
 {
     Bytes bytes(560);
@@ -284,6 +396,8 @@ void ScanWorkTest::everyPeriodOfTwoBytes()
             bytes[i] = static_cast<std::uint8_t>(i % 2 ? period >> 8 : period);
         const std::uint64_t work = scanned(bytes).crcBytes;
         QVERIFY2(work <= boundFor(bytes.size()), std::to_string(period).c_str());
+        const Scanned limited = scanned(bytes, WastedWork::OfDatagram);
+        QVERIFY2(limited.frames() > 0 || limited.crcBytes <= limitFor(bytes.size()), std::to_string(period).c_str());
     }
 }
 
@@ -300,7 +414,14 @@ void ScanWorkTest::findsTheSameAsAPlainScanner()
 {
     QVERIFY(rc::check("the same frames and the same damage", [] {
         const Bytes bytes = anyHostileBytes();
-        RC_ASSERT(scanned(bytes).items == PlainScanner(bytes).items());
+        const auto all = PlainScanner(bytes).items();
+        RC_ASSERT(scanned(bytes).items == all);
+        const Scanned limited = scanned(bytes, WastedWork::OfDatagram);
+        RC_ASSERT(limited.passedOver > 0 || limited.items == all);
+        std::uint64_t inFrames = 0;
+        for (const Item &item : limited.items)
+            inFrames += item.isFrame ? item.size : 0;
+        RC_ASSERT(limited.crcBytes <= inFrames + limitFor(bytes.size()));
     }));
 }
 
