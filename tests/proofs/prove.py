@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Runs the models of core/channel/proofs and checks that each property holds, or is violated, as the model's head says.
 
-    prove.py MODEL [DEFINITION…]    all runs of MODEL, or only those with these definitions
+    prove.py [--cpu-seconds N] MODEL [DEFINITION…]    all runs of MODEL, or only those with these definitions
+
+With --cpu-seconds, all runs together may take so much processor time, which does not depend on what else the machine does.
 
 A head has one line for each run: "run DEFINITIONS holds" or "run DEFINITIONS violates PROPERTIES", then a remark after two or
 more spaces. PROPERTIES are names, or "all", or "all but" names. Models end in .pml (Spin, compiled by gcc) or .pv (ProVerif:
@@ -10,6 +12,7 @@ the program PROVERIF or `proverif`; without it the test is skipped).
 
 import os
 import re
+import resource
 import shutil
 import subprocess
 import sys
@@ -103,7 +106,12 @@ def proverif():
     return os.environ.get("PROVERIF") or shutil.which("proverif")
 
 
-def main(model, wanted):
+def processor_seconds():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+def main(model, wanted, most_seconds):
     check = check_spin if model.suffix == ".pml" else check_proverif
     if check is check_proverif and not proverif():
         print("SKIP   : Proofs::proverif() proverif is not installed: the models of handshake and pairing are not checked")
@@ -121,8 +129,12 @@ def main(model, wanted):
                 failed += 1
                 outcome = f"NOT AS EXPECTED\n{failure}"
         print(f"{time.monotonic() - began:6.1f} s  {run}: {outcome}", flush=True)
-    return 1 if failed else 0
+    print(f"{processor_seconds():.1f} s of processor time in all" + (f", of {most_seconds}" if most_seconds else ""))
+    return 1 if failed or (most_seconds and processor_seconds() > most_seconds) else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(Path(sys.argv[1]).resolve(), sys.argv[2:]))
+    arguments = sys.argv[1:]
+    most = int(arguments[1]) if arguments[0] == "--cpu-seconds" else None
+    arguments = arguments[2:] if most else arguments
+    sys.exit(main(Path(arguments[0]).resolve(), arguments[1:], most))
