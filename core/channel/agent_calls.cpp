@@ -16,7 +16,8 @@ AgentCalls::Turn AgentCalls::take(TimePoint now, const std::vector<PublicKey> &a
     std::vector<Path> waiting = places;
     std::ranges::stable_sort(waiting, {}, [this](const Path &path) { return m_places[path].waitsSince; });
     out.agents = nextAgents(m_places[waiting.front()]);
-    std::ranges::stable_partition(waiting, [&](const Path &path) { return nextAgents(m_places[path]) == out.agents; });
+    std::stable_partition(waiting.begin(), waiting.end(),
+                          [&](const Path &path) { return nextAgents(m_places[path]) == out.agents; });
     waiting.resize(std::min(waiting.size(), kAtOnce));
     for (const Path &path : waiting) {
         Place &place = m_places[path];
