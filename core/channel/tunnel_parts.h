@@ -26,9 +26,9 @@ inline constexpr std::size_t kMaxParts = 3;
 /// The longest frame, 280 bytes, makes a record of at most 318 bytes.
 inline constexpr std::size_t kMaxTunnelled = kPartData * kMaxParts;
 
-/// MAVLink leaves out the zeros at the end of a frame, and with them those that make an announcement as long as its answer. So
-/// messages of handshakes and pairings that have 127 bytes stand in front of a byte that is never zero, the last of the payload;
-/// without it they are not taken, and nobody gets more bytes for a forged address than he sends.
+/// MAVLink leaves out the zeros at the end of a frame, and with them those that make an announcement as long as its answer.
+/// So messages of handshakes and pairings that have 127 bytes stand in front of a byte that is never zero, the last one of the
+/// payload; without it they are not taken, and nobody gets more bytes for a forged address than he sends.
 inline constexpr std::size_t kPaddedLength = kTunnelPayload - 1;
 inline constexpr std::uint8_t kTunnelPadding = 0xff;
 constexpr bool isPadded(ByteView message)

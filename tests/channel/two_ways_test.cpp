@@ -293,8 +293,8 @@ void TwoWaysTest::outagesInTurnLeaveNoLongGap()
     }
 }
 
-/// An agent that says in all its sessions that it receives nothing makes the station begin others, on the other carrier in turn:
-/// no more often than it can be quiet for 1.5 s, and under the same limits as any handshake.
+/// An agent that says in all its sessions that it receives nothing makes the station begin others, on both carriers in turn: no
+/// more often than it can be quiet for 1.5 s, and under the same limits as any handshake.
 void TwoWaysTest::agentThatClaimsToBeDeafCostsLittle()
 {
     TwoWays ways(1, Carrier::Tunnel);

@@ -1,5 +1,5 @@
-// Whoever sends from a forged address gains nothing: to each kind of message that a stranger can make, in each carrier, an agent
-// that listens and a station answer with no more bytes on the wire than came in.
+// Whoever sends from a forged address gains nothing: to each kind of message that a stranger can make, in each carrier, an
+// agent that listens and a station answer with no more bytes on the wire than came in.
 #include "tests/engine/ground.h"
 #include "tests/support/stranger_messages.h"
 #include "tests/support/stranger_wire.h"

@@ -1,5 +1,6 @@
 // The work of the frame scanner is bounded for any content, counted in bytes that go through the CRC, and it finds exactly the
-// frames that a scanner without that bound finds. What strangers send besides frames costs at most twice as much as random bytes.
+// frames that a scanner without that bound finds. What strangers send besides frames costs at most twice as much as random
+// bytes.
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"
 #include "core/mavlink/stream_parser.h"
@@ -367,8 +368,7 @@ void ScanWorkTest::framesAmongNoiseAreFound()
     }
 }
 
-/// Whatever the length of the damaged frame is and claims to be, and that of the next one, in a datagram and at the beginning of
-/// a stream.
+/// Whatever the lengths of the damaged frame and of the next one are, in a datagram and at the beginning of a stream.
 void ScanWorkTest::frameAfterADamagedOneIsFound()
 {
     FrameWriter writer(1, 1);
