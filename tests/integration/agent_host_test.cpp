@@ -1,6 +1,7 @@
 // What the agent takes from its host: little memory, and one folder that it can write.
 #include "tests/support/flight.h"
 #include "tests/support/pairing_people.h"
+#include "tests/support/process_figures.h"
 #include "tests/support/run_program.h"
 #include "tests/support/test_runner.h"
 
@@ -19,19 +20,6 @@ constexpr qint64 kMostKilobytes = 1024 * 1024; // shadow memory
 #else
 constexpr qint64 kMostKilobytes = 32 * 1024;
 #endif
-
-/// Peak of the resident memory of a process (VmHWM of proc(5)), kB; 0 if it is not known.
-qint64 peakMemory(const Program &program)
-{
-    QFile status(QStringLiteral("/proc/%1/status").arg(program.pid()));
-    if (!status.open(QIODevice::ReadOnly))
-        return 0;
-    for (const QByteArray &line : status.readAll().split('\n')) {
-        if (line.startsWith("VmHWM:"))
-            return line.mid(6).trimmed().chopped(3).trimmed().toLongLong();
-    }
-    return 0;
-}
 
 /// Runs its arguments behind the first one with every disk read-only except for the folder that the first one names.
 constexpr const char *kReadOnlyExcept = R"(
@@ -109,7 +97,7 @@ void AgentHostTest::memoryAfterAFlight()
     for (const auto &observer : observers)
         QVERIFY2(!observer->waitFor(QStringLiteral("session"), stateIs("up")).isEmpty(), observer->errors().constData());
     QVERIFY2(pilot.waitForExit(2 * kDeadlineMs) == 0, pilot.errors().constData());
-    const qint64 peak = peakMemory(air);
+    const qint64 peak = statusKilobytes(air.pid(), "VmHWM");
     qInfo("VmHWM %lld kB", peak);
     QVERIFY(peak > 0);
     QVERIFY2(peak <= kMostKilobytes, qPrintable(QString::number(peak)));

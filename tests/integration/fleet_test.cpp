@@ -3,6 +3,7 @@
 #include "tests/support/gateway_flight.h"
 #include "tests/support/mosquitto.h"
 #include "tests/support/mqtt_reader.h"
+#include "tests/support/process_figures.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QDir>
@@ -49,8 +50,7 @@ double cpuOfThread(qint64 pid, const char *name)
 
 double residentMegabytes(qint64 pid)
 {
-    const QByteArrayList pages = contentOf(QStringLiteral("/proc/%1/statm").arg(pid)).split(' ');
-    return pages.value(1).toDouble() * double(::sysconf(_SC_PAGESIZE)) / 1e6;
+    return double(statusKilobytes(pid, "VmRSS")) * 1024 / 1e6;
 }
 
 struct Usage

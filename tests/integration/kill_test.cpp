@@ -2,10 +2,10 @@
 // another, and no counter is sealed twice under one.
 #include "tests/support/eventually.h"
 #include "tests/support/flight.h"
+#include "tests/support/key_uses.h"
 #include "tests/support/test_runner.h"
 #include "tests/support/udp_attacker.h"
 
-#include <QtCore/QHash>
 #include <QtTest/QTest>
 
 #include <memory>
@@ -54,31 +54,12 @@ void KillTest::everyLifeHasKeysOfItsOwn()
                     qPrintable(QStringLiteral("life %1").arg(life)));
     }
 
-    // A session's keys come from the ephemeral key in its answer and in the first message that was answered.
-    QHash<QByteArray, QByteArray> ephemeral;
-    QHash<QByteArray, QByteArray> sealed;
-    QByteArray session;
-    int repeated = 0, records = 0, sessions = 0;
-    const auto take = [&repeated](QHash<QByteArray, QByteArray> &known, const QByteArray &key, const QByteArray &bytes) {
-        repeated += known.contains(key) && known.value(key) != bytes;
-        known.insert(key, bytes);
-    };
-    for (const UdpAttacker::Seen &seen : tap.seen) {
-        const QByteArray &bytes = seen.bytes;
-        if (bytes.size() == 127 && bytes[0] == 0x59) {
-            take(ephemeral, "station" + bytes.mid(1, 32), bytes.mid(1, 110));
-        } else if (bytes.size() == 77 && bytes[0] == 0x5a) {
-            sessions += session != bytes.mid(3, 32);
-            session = bytes.mid(3, 32);
-            take(ephemeral, "agent" + session, bytes);
-        } else if (bytes.size() >= 22 && (bytes[0] & 0xfc) == 0x50) {
-            ++records;
-            take(sealed, session + (seen.toGround ? '>' : '<') + bytes.left(6), bytes);
-        }
-    }
-    qInfo("%d kills, %d sessions, %d records, %d repeated", kills, sessions, records, repeated);
-    QVERIFY(sessions >= kills);
-    QCOMPARE(repeated, 0);
+    KeyUses uses;
+    for (const UdpAttacker::Seen &seen : tap.seen)
+        uses.take(seen.toGround, seen.bytes);
+    qInfo("%d kills, %d sessions, %lld records, %d repeated", kills, uses.sessions, uses.records, uses.repeated);
+    QVERIFY(uses.sessions >= kills);
+    QCOMPARE(uses.repeated, 0);
 }
 
 SKYSEAL_TEST(KillTest)

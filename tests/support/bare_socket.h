@@ -36,6 +36,7 @@ public:
     BareSocket(const BareSocket &) = delete;
     BareSocket &operator=(const BareSocket &) = delete;
 
+    int fd() const { return m_fd; }
     std::uint16_t port() const
     {
         sockaddr_in address{};

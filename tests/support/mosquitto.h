@@ -110,6 +110,13 @@ public:
         });
     }
     int stop() { return m_program->terminate(); }
+    /// Returns false if it did not run.
+    bool kill()
+    {
+        const bool ran = m_program->running();
+        m_program->kill();
+        return ran;
+    }
     qint64 pid() const { return m_program->pid(); }
 
     const quint16 port = freeTcpPort();
