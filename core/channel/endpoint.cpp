@@ -405,6 +405,11 @@ std::optional<Transmit> Endpoint::pollTransmit()
     return Transmit{item->to, item->view()};
 }
 
+bool Endpoint::hasTransmit() const
+{
+    return !m_state->core.context.outgoing.empty();
+}
+
 std::optional<Event> Endpoint::pollEvent()
 {
     auto &events = m_state->core.context.events;

@@ -109,6 +109,7 @@ public:
 
     // output
     std::optional<Transmit> pollTransmit();
+    bool hasTransmit() const;
     std::optional<Event> pollEvent();
 
 private:

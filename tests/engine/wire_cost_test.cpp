@@ -181,6 +181,9 @@ public:
         while (m_station->pollEvent()) {}
     }
 
+    /// Of the records that arrived.
+    channel::ReceiveCounters received() const { return m_station->stats(m_station->sessions()[0])->rx; }
+
     TimePoint now{1h};
     std::uint64_t written = 0, records = 0, frames = 0, tunnels = 0;
 
@@ -288,6 +291,8 @@ private Q_SLOTS:
     void framesAreCoalesced_data() { sealedBytesAreLimited_data(); }
     void framesAreCoalesced();
     void urgentFramesAreSentAtOnce();
+    void recordsLeaveInTheOrderOfTheirCounters_data() { sealedBytesAreLimited_data(); }
+    void recordsLeaveInTheOrderOfTheirCounters();
 };
 
 void WireCostTest::initTestCase()
@@ -382,6 +387,26 @@ void WireCostTest::urgentFramesAreSentAtOnce()
     beat.type = mavlink::MAV_TYPE_QUADROTOR;
     QVERIFY(!isSentAtOnce(station.write(beat, buffer)));
     QVERIFY(!isSentAtOnce(station.write(mavlink::ParamValue{}, buffer)));
+}
+
+/// Also in a wake-up in which frames are sent beside a report.
+void WireCostTest::recordsLeaveInTheOrderOfTheirCounters()
+{
+    QFETCH(int, carrier);
+    QFETCH(int, suite);
+    Downlink link(static_cast<Carrier>(carrier), static_cast<crypto::SuiteId>(suite));
+    waitForSession(link);
+    mavlink::FrameWriter agent(1, 191);
+    std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
+    const std::uint64_t before = link.received().good;
+    link.frames = 0;
+    for (const TimePoint end = link.now + 5s; link.now < end; link.now += 10ms) {
+        link.driver().queue(link.now, link.session(), agent.write(mavlink::CommandLong{}, buffer)); // does not wait
+        link.turn();
+    }
+    QVERIFY(link.received().good > before + link.frames); // reports, too
+    QCOMPARE(link.received().late, std::uint64_t(0));
+    QCOMPARE(link.received().lost, std::uint64_t(0));
 }
 
 SKYSEAL_TEST(WireCostTest)

@@ -104,6 +104,7 @@ bool ChannelDriver::queueInline(TimePoint now, channel::SessionId session, ByteV
         return false;
     if (!batch.sealedInPlace) // the frames before it go first, since counters rise
         sealBatch(now, session, batch);
+    transmit(now, session, batch);
     const std::uint64_t begin = m_clock.begin();
     const auto size = m_endpoint->sealInline(now, session, frame, m_record);
     const std::uint64_t end = metrics::CycleClock::now();
@@ -133,6 +134,7 @@ void ChannelDriver::sealBatch(TimePoint now, channel::SessionId session, Batch &
         m_links.send(m_endpoint->recordPath(session), frames);
         return;
     }
+    transmit();
     const std::uint64_t begin = m_clock.begin();
     const auto size = m_endpoint->seal(now, session, frames, m_record);
     if (!size)
@@ -147,12 +149,22 @@ void ChannelDriver::sealBatch(TimePoint now, channel::SessionId session, Batch &
     m_links.send(m_endpoint->recordPath(session), ByteView(m_record).first(*size));
 }
 
+/// Before anything else is sealed: its counter is greater than those of the records that wait here, which would come late.
 void ChannelDriver::transmit()
 {
     while (const auto out = m_endpoint->pollTransmit()) {
         m_wire.sent += out->bytes.size();
         m_links.send(out->to, out->bytes);
     }
+}
+
+/// The same before a frame is sealed in place. Those in the batch were sealed first.
+void ChannelDriver::transmit(TimePoint now, channel::SessionId session, Batch &batch)
+{
+    if (!m_endpoint->hasTransmit())
+        return;
+    sealBatch(now, session, batch);
+    transmit();
 }
 
 void ChannelDriver::flush(TimePoint now)

@@ -44,7 +44,8 @@ public:
     /// Adds a whole frame to the session's next datagram: to a record, or sealed in place where the session and the frame
     /// allow it. Returns false if it is too long.
     bool queue(TimePoint now, channel::SessionId session, ByteView frame);
-    /// Seals frames that are due, then sends the endpoint's outgoing datagrams. Call at the end of each wake-up.
+    /// Seals frames that are due, and sends everything that is sealed, in the order of its counters. Call at the end of each
+    /// wake-up.
     void flush(TimePoint now);
     /// The same for all frames, due or not; before the sessions are closed.
     void flushAll(TimePoint now);
@@ -96,6 +97,7 @@ private:
     bool mayWait(TimePoint now, const Path &path, Batch &batch) const;
     void sealBatch(TimePoint now, channel::SessionId session, Batch &batch);
     void transmit();
+    void transmit(TimePoint now, channel::SessionId session, Batch &batch);
 
     std::unique_ptr<channel::Endpoint> m_endpoint;
     LinkPool &m_links;
