@@ -75,6 +75,11 @@ class SoakTest : public QObject
 private Q_SLOTS:
     void initTestCase();
     void everythingWorksAgain();
+    void cleanup()
+    {
+        m_figures.print(); // also after a failure
+        m_chain.reset();
+    }
 
 private:
     int random(int least, int most) { return std::uniform_int_distribution(least, most)(m_random); }
@@ -326,7 +331,6 @@ void SoakTest::everythingWorksAgain()
     qInfo("%.0f s, %d disturbances; %d switches of the suite were tried, %d not confirmed", now(), done, m_switches,
           m_switchesFailed);
     qInfo("%llu frames were sent, %llu compared one by one", qulonglong(m_chain->sent().frames()), qulonglong(m_compared));
-    m_figures.print();
     for (const Part part : kParts)
         QVERIFY2(m_chain->end(part, false), m_chain->errors(part).constData());
     const KeyUses uses = m_chain->keyUses();

@@ -28,7 +28,7 @@ public:
     {
         QObject::connect(&m_socket, &QSslSocket::encrypted, &m_socket, [this] {
             const QByteArray id = "reader" + QByteArray::number(reinterpret_cast<quintptr>(this));
-            send('\x10', text("MQTT") + QByteArray("\x04\x02\x00\x3c", 4) + text(id)); // clean session, 60 s
+            send('\x10', text("MQTT") + QByteArray("\x04\x02\x00\x00", 4) + text(id)); // clean session, may be silent
         });
         QObject::connect(&m_socket, &QSslSocket::readyRead, &m_socket, [this] { read(); });
         m_socket.setSslConfiguration(tls);
