@@ -11,6 +11,17 @@ inline std::uint8_t systemIdOf(ByteView frame)
     return frame[frame[0] == kMagic2 ? 5 : 3];
 }
 
+inline std::uint8_t componentIdOf(ByteView frame)
+{
+    return frame[frame[0] == kMagic2 ? 6 : 4];
+}
+
+/// MAVLink 1 knows no signatures.
+inline bool isSignedFrame(ByteView frame)
+{
+    return frame[0] == kMagic2 && (frame[2] & kFlagSigned) != 0;
+}
+
 inline std::uint32_t messageIdOf(ByteView frame)
 {
     if (frame[0] != kMagic2)

@@ -3,6 +3,9 @@
 #define OPENSSL_SUPPRESS_DEPRECATED
 #include "core/mavlink/signing.h"
 
+#include "core/mavlink/crc.h"
+#include "core/mavlink/frame_header.h"
+
 #include <openssl/sha.h>
 #include <sodium.h>
 
@@ -18,6 +21,24 @@ constexpr std::size_t kBlock = 64;
 constexpr std::size_t kPadding = 9; // one bit and the length
 constexpr std::size_t kMaxHashed = 32 + kMaxFrameLength;
 constexpr std::size_t kBuffer = (kMaxHashed + kPadding + kBlock - 1) / kBlock * kBlock;
+
+constexpr std::size_t kFlagsAt = 2; // of the incompatibility flags
+constexpr std::size_t kHeader = 10; // of MAVLink 2
+constexpr std::size_t kChecksum = 2;
+
+/// kFlagEffect[n]: by which bits the checksum of a frame with n bytes of payload changes when kFlagSigned does. A CRC is linear,
+/// so this needs neither the payload nor the CRC_EXTRA of a message that the dialect does not know.
+constexpr std::array<std::uint16_t, 256> kFlagEffect = [] {
+    std::uint16_t effect = crcStep(0, kFlagSigned);
+    for (std::size_t after = kFlagsAt + 1; after < kHeader + 1; ++after) // the rest of the header, and CRC_EXTRA
+        effect = crcStep(effect, 0);
+    std::array<std::uint16_t, 256> table{};
+    for (std::uint16_t &entry : table) {
+        entry = effect;
+        effect = crcStep(effect, 0);
+    }
+    return table;
+}();
 
 using Digest = std::array<std::uint8_t, kDigestPart>;
 
@@ -75,43 +96,61 @@ bool FrameSigner::sign(MutableByteView frame)
     return true;
 }
 
-bool signatureMatches(const Frame &frame, const Key32 &key)
+ByteView FrameSigner::signCopy(ByteView frame, MutableByteView out)
 {
-    if (!frame.isSigned())
+    if (frame[0] != kMagic2)
+        return {};
+    const std::size_t length = kHeader + frame[1] + kChecksum;
+    if (frame.size() < length || out.size() < length + kSignatureLength)
+        return {};
+    std::memcpy(out.data(), frame.data(), length);
+    if (!isSignedFrame(frame)) {
+        const std::uint16_t effect = kFlagEffect[frame[1]];
+        out[kFlagsAt] |= kFlagSigned;
+        out[length - 2] ^= static_cast<std::uint8_t>(effect);
+        out[length - 1] ^= static_cast<std::uint8_t>(effect >> 8);
+    }
+    const MutableByteView copy = out.first(length + kSignatureLength);
+    return sign(copy) ? ByteView(copy) : ByteView();
+}
+
+bool signatureMatches(ByteView frame, const Key32 &key)
+{
+    if (!isSignedFrame(frame))
         return false;
-    const ByteView bytes = frame.bytes();
-    const Digest digest = digestOf(key, bytes.first(bytes.size() - kDigestPart));
-    return sodium_memcmp(digest.data(), bytes.last(kDigestPart).data(), kDigestPart) == 0;
+    const Digest digest = digestOf(key, frame.first(frame.size() - kDigestPart));
+    return sodium_memcmp(digest.data(), frame.last(kDigestPart).data(), kDigestPart) == 0;
 }
 
-std::uint8_t signatureLinkId(const Frame &frame)
+std::uint8_t signatureLinkId(ByteView frame)
 {
-    return frame.signatureBlock()[0];
+    return frame.last(kSignatureLength)[0];
 }
 
-SigningTime signatureTime(const Frame &frame)
+SigningTime signatureTime(ByteView frame)
 {
+    const ByteView block = frame.last(kSignatureLength);
     SigningTime time = 0;
     for (std::size_t i = 0; i < 6; ++i)
-        time |= SigningTime(frame.signatureBlock()[1 + i]) << (8 * i);
+        time |= SigningTime(block[1 + i]) << (8 * i);
     return time;
 }
 
-SignatureVerdict SignatureVerifier::check(const Frame &frame)
+SignatureVerdict SignatureVerifier::check(ByteView frame)
 {
     const SignatureVerdict verdict = judge(frame);
     ++m_counts[static_cast<std::size_t>(verdict)];
     return verdict;
 }
 
-SignatureVerdict SignatureVerifier::judge(const Frame &frame)
+SignatureVerdict SignatureVerifier::judge(ByteView frame)
 {
-    if (!frame.isSigned())
+    if (!isSignedFrame(frame))
         return SignatureVerdict::Unsigned;
     if (!signatureMatches(frame, m_key))
         return SignatureVerdict::Wrong;
-    const std::uint32_t id = std::uint32_t(signatureLinkId(frame)) << 16 | std::uint32_t(frame.systemId()) << 8
-        | frame.componentId();
+    const std::uint32_t id = std::uint32_t(signatureLinkId(frame)) << 16 | std::uint32_t(systemIdOf(frame)) << 8
+        | componentIdOf(frame);
     const SigningTime time = signatureTime(frame);
     const auto end = m_streams.begin() + static_cast<std::ptrdiff_t>(m_streamCount);
     const auto stream = std::find_if(m_streams.begin(), end, [id](const Stream &known) { return known.id == id; });
@@ -122,7 +161,7 @@ SignatureVerdict SignatureVerifier::judge(const Frame &frame)
     } else {
         if (time + kSigningMinute < m_newest)
             return SignatureVerdict::TooOld;
-        if (m_streamCount == kMaxStreams)
+        if (m_streamCount == m_mostStreams)
             return SignatureVerdict::TooManyStreams;
         m_streams[m_streamCount++] = {id, time};
     }

@@ -7,8 +7,8 @@
 #include "core/base/secret_bytes.h"
 #include "core/mavlink/frame.h"
 
+#include <algorithm>
 #include <array>
-#include <optional>
 
 namespace skyseal::mavlink {
 
@@ -34,6 +34,9 @@ public:
 
     /// Fills the signature block of a frame that was written with kFlagSigned (its last 13 bytes); false when it was not.
     bool sign(MutableByteView frame);
+    /// Writes a signed copy of a whole MAVLink 2 frame into `out` (kMaxFrameLength suffices), whatever its message; a signature
+    /// that it has is replaced. Empty if it cannot be signed: MAVLink 1, or no time is left.
+    ByteView signCopy(ByteView frame, MutableByteView out);
 
 private:
     Key32 m_key;
@@ -44,12 +47,24 @@ private:
 /// Fills the signature block with a link id and time of the caller's; for tools that write a given frame again.
 bool signFrame(MutableByteView frame, const Key32 &key, std::uint8_t linkId, SigningTime time);
 
-/// True if the frame was signed with this key. Does not check for replay.
-bool signatureMatches(const Frame &frame, const Key32 &key);
+/// True if the whole frame was signed with this key; its message need not be known. Does not check for replay.
+bool signatureMatches(ByteView frame, const Key32 &key);
+inline bool signatureMatches(const Frame &frame, const Key32 &key)
+{
+    return signatureMatches(frame.bytes(), key);
+}
 
 /// Of a signed frame.
-std::uint8_t signatureLinkId(const Frame &frame);
-SigningTime signatureTime(const Frame &frame);
+std::uint8_t signatureLinkId(ByteView frame);
+SigningTime signatureTime(ByteView frame);
+inline std::uint8_t signatureLinkId(const Frame &frame)
+{
+    return signatureLinkId(frame.bytes());
+}
+inline SigningTime signatureTime(const Frame &frame)
+{
+    return signatureTime(frame.bytes());
+}
 
 enum class SignatureVerdict : std::uint8_t {
     Good,
@@ -57,7 +72,7 @@ enum class SignatureVerdict : std::uint8_t {
     Wrong,         ///< made with another key, or changed on the way
     Replayed,      ///< not newer than the last one of its stream
     TooOld,        ///< a new stream that begins over a minute behind
-    TooManyStreams ///< a new stream when kMaxStreams are known already
+    TooManyStreams ///< a new stream when the most are known already
 };
 inline constexpr std::size_t kSignatureVerdicts = 6;
 
@@ -69,13 +84,18 @@ public:
     static constexpr std::size_t kMaxStreams = 64;
 
     /// `now` = own time at the start; a new stream may not begin more than a minute before the newest time known.
-    SignatureVerifier(Key32 key, SigningTime now) : m_key(std::move(key)), m_newest(now) {}
+    /// `mostStreams`: at most kMaxStreams.
+    SignatureVerifier(Key32 key, SigningTime now, std::size_t mostStreams = kMaxStreams)
+        : m_key(std::move(key)), m_newest(now), m_mostStreams(std::min(mostStreams, kMaxStreams))
+    {}
 
     /// Own time goes on; times in signed frames do so as well.
     void advanceTo(SigningTime now) { m_newest = std::max(m_newest, now); }
     SigningTime newestTime() const { return m_newest; }
 
-    SignatureVerdict check(const Frame &frame);
+    /// `frame`: whole; its message need not be known.
+    SignatureVerdict check(ByteView frame);
+    SignatureVerdict check(const Frame &frame) { return check(frame.bytes()); }
 
     std::uint64_t count(SignatureVerdict verdict) const { return m_counts[static_cast<std::size_t>(verdict)]; }
 
@@ -86,11 +106,12 @@ private:
         SigningTime last = 0;
     };
 
-    SignatureVerdict judge(const Frame &frame);
+    SignatureVerdict judge(ByteView frame);
 
     Key32 m_key;
     SigningTime m_newest;
     std::array<Stream, kMaxStreams> m_streams;
+    std::size_t m_mostStreams;
     std::size_t m_streamCount = 0;
     std::array<std::uint64_t, kSignatureVerdicts> m_counts{};
 };

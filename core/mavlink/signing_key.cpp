@@ -18,20 +18,14 @@ bool isSpace(char c)
 
 } // namespace
 
-Result<Key32, InputError> readSigningKey(const std::string &path)
+Result<Key32, InputError> parseSigningKey(ByteView content, const std::string &source)
 {
-    std::ifstream file(path, std::ios::binary);
-    if (!file)
-        return tl::unexpected(InputError{"the signing key cannot be read", path});
-    std::array<char, kLongestFile + 1> content{};
-    file.read(content.data(), content.size());
-    std::string_view text(content.data(), static_cast<std::size_t>(file.gcount()));
-
     Key32 key;
-    bool good = text.size() == Key32::size();
+    bool good = content.size() == Key32::size();
     if (good) {
-        std::copy(text.begin(), text.end(), key.mutableView().begin());
-    } else if (text.size() <= kLongestFile) {
+        std::copy(content.begin(), content.end(), key.mutableView().begin());
+    } else if (content.size() <= kLongestFile) {
+        std::string_view text = asText(content);
         while (!text.empty() && isSpace(text.front()))
             text.remove_prefix(1);
         while (!text.empty() && isSpace(text.back()))
@@ -42,9 +36,20 @@ Result<Key32, InputError> readSigningKey(const std::string &path)
             && sodium_hex2bin(out, Key32::size(), text.data(), text.size(), nullptr, &length, nullptr) == 0
             && length == Key32::size();
     }
-    sodium_memzero(content.data(), content.size());
     if (!good)
-        return tl::unexpected(InputError{"a signing key is 32 bytes, or 64 hex digits", path});
+        return tl::unexpected(InputError{"a signing key is 32 bytes, or 64 hex digits", source});
+    return key;
+}
+
+Result<Key32, InputError> readSigningKey(const std::string &path)
+{
+    std::ifstream file(path, std::ios::binary);
+    if (!file)
+        return tl::unexpected(InputError{"the signing key cannot be read", path});
+    std::array<char, kLongestFile + 1> content{};
+    file.read(content.data(), content.size());
+    auto key = parseSigningKey(asBytes({content.data(), static_cast<std::size_t>(file.gcount())}), path);
+    sodium_memzero(content.data(), content.size());
     return key;
 }
 

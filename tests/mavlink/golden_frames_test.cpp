@@ -15,6 +15,8 @@
 #include <QtCore/QRegularExpression>
 #include <QtTest/QTest>
 
+#include <algorithm>
+
 #include <cmath>
 
 using namespace skyseal;
@@ -119,6 +121,7 @@ private Q_SLOTS:
     void factsAreTheReferences();
     void everyFieldOfEveryFrame();
     void signaturesMatch();
+    void signedCopiesAreTheReferences();
     void encodedAgainTheBytesAreTheSame();
 
 private:
@@ -264,6 +267,44 @@ void GoldenFramesTest::signaturesMatch()
         ++count;
     }
     QVERIFY(count > 5);
+}
+
+/// A frame that gets its signature on the way, or another one, is the frame that its sender would have signed.
+void GoldenFramesTest::signedCopiesAreTheReferences()
+{
+    Key32 key, other;
+    for (std::size_t i = 0; i < key.size(); ++i)
+        key.mutableView()[i] = static_cast<std::uint8_t>(7 * i + 3);
+    int count = 0;
+    for (const QJsonObject &golden : m_golden) {
+        const Bytes bytes = *fromHex(golden[QLatin1String("hex")].toString().toStdString());
+        const auto frame = readFrame(bytes, Dialect::builtin());
+        QVERIFY(frame);
+        FrameSigner signer(key.clone(), 1, 5);
+        std::array<std::uint8_t, kMaxFrameLength> copy;
+        if (frame->version() == 1) {
+            QVERIFY(signer.signCopy(bytes, copy).empty());
+            continue;
+        }
+        if (!frame->isSigned()) {
+            const auto out = readFrame(signer.signCopy(bytes, copy), Dialect::builtin()); // its checksum is right
+            QVERIFY(out && signatureMatches(*out, key) && std::ranges::equal(out->payload(), frame->payload()));
+            continue;
+        }
+        ++count;
+        const MessageInfo &info = frame->info();
+        FrameSigner again(key.clone(), signatureLinkId(*frame), signatureTime(*frame) - 1);
+        FrameSigner andAgain(key.clone(), signatureLinkId(*frame), signatureTime(*frame) - 1);
+        std::array<std::uint8_t, kMaxFrameLength> buffer;
+        const ByteView plain = writeFrame(buffer, 2, frame->sequence(), frame->systemId(), frame->componentId(), info.id,
+                                          info.crcExtra, info.minLength, frame->payload());
+        if (plain.size() + kSignatureLength == bytes.size()) // a payload of zeros alone is written shorter
+            QVERIFY(std::ranges::equal(again.signCopy(plain, copy), bytes));
+        Bytes others = bytes;
+        QVERIFY(signFrame(others, other, 77, 9));
+        QVERIFY(std::ranges::equal(andAgain.signCopy(others, copy), bytes));
+    }
+    QVERIFY(count > 10);
 }
 
 void GoldenFramesTest::encodedAgainTheBytesAreTheSame()

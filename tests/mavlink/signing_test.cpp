@@ -9,6 +9,8 @@
 #include <QtCore/QTemporaryDir>
 #include <QtTest/QTest>
 
+#include <algorithm>
+
 using namespace skyseal;
 using namespace skyseal::mavlink;
 
@@ -60,6 +62,7 @@ private Q_SLOTS:
     void streamsAreBounded();
     void unsignedFramesAreNamed();
     void version1IsNeverSigned();
+    void unknownMessagesAreSignedAndVerified();
     void keyFiles();
 };
 
@@ -164,6 +167,29 @@ void SigningTest::version1IsNeverSigned()
     const auto frame = readFrame(writer.write(Heartbeat(), buffer), Dialect::builtin());
     QVERIFY(frame && frame->version() == 1 && !frame->isSigned());
     QVERIFY(!signFrame(writer.write(Heartbeat(), buffer), keyOf(1), 1, 1));
+}
+
+/// An agent forwards messages that its dialect does not know.
+void SigningTest::unknownMessagesAreSignedAndVerified()
+{
+    constexpr std::uint32_t kUnknown = 0xabcdef;
+    constexpr std::uint8_t kItsCrcExtra = 99;
+    QVERIFY(!Dialect::builtin().find(kUnknown));
+    const std::array<std::uint8_t, 5> payload{1, 2, 3, 4, 5};
+    std::array<std::uint8_t, kMaxFrameLength> plain, whole, copy;
+    const ByteView frame = writeFrame(plain, 2, 7, 1, 1, kUnknown, kItsCrcExtra, 5, payload);
+    FrameSigner signer(keyOf(1), 3, kNow);
+    const ByteView out = signer.signCopy(frame, copy);
+    // As its sender would have written it, who knows CRC_EXTRA.
+    const MutableByteView expected = writeFrame(whole, 2, 7, 1, 1, kUnknown, kItsCrcExtra, 5, payload, kFlagSigned);
+    QVERIFY(signFrame(expected, keyOf(1), 3, kNow + 1));
+    QVERIFY(std::ranges::equal(out, expected));
+    SignatureVerifier verifier(keyOf(1), kNow);
+    QCOMPARE(verifier.check(out), SignatureVerdict::Good);
+    QCOMPARE(verifier.check(out), SignatureVerdict::Replayed);
+    QCOMPARE(verifier.check(frame), SignatureVerdict::Unsigned);
+    copy[12] ^= 1;
+    QCOMPARE(verifier.check(out), SignatureVerdict::Wrong);
 }
 
 void SigningTest::keyFiles()
