@@ -44,6 +44,7 @@ app::SimSettings settingsFrom(app::Options &options)
     settings.seed = options.wholeNumber("seed", 0, UINT64_MAX);
     settings.rate = options.number("rate", 0.1, 100);
     settings.type = typeFrom(options);
+    settings.trustedLink = options.wholeNumber("trusted-link", 0, settings.links.size());
     settings.saturate = options.has("saturate");
     settings.json = options.has("json");
     options.arguments(0, 0);
@@ -64,6 +65,11 @@ int main(int argc, char **argv)
     options.addValue("sysid", "N", "System id of the first vehicle.", "1");
     options.addValue("seed", "N", "Seed of wind and noise, to repeat a flight.", "1");
     options.addValue("rate", "FACTOR", "Fly faster than real time; heartbeats and streams keep their rates.", "1");
+    options.addValue(
+        "trusted-link", "N",
+        "While MAVLink signing is on, accept unsigned messages on the Nth link, as an autopilot does on its USB port; "
+        "0: on none.",
+        "0");
     options.addFlag("saturate", "The first vehicle sends telemetry as fast as the station responds, to load the link.");
     options.addFlag("json", "One JSON object per line on stdout.");
     if (const auto status = options.parse(application.arguments().mid(1)))

@@ -33,8 +33,9 @@ void SimHost::start()
     options.segmentedUdp = m_settings.saturate; // the generator must not be the bottleneck
     for (const link::LinkUrl &url : m_settings.links) {
         const LinkId id{static_cast<std::uint32_t>(m_links.size() + 1)};
+        const auto trust = m_links.size() + 1 == m_settings.trustedLink ? sim::LinkTrust::Trusted : sim::LinkTrust::Ordinary;
         m_links.push_back(std::make_unique<SimLink>(
-            url, id, [this](TimePoint time, const mavlink::Frame &frame) { received(time, frame); }, options));
+            url, id, [this, trust](TimePoint time, const mavlink::Frame &frame) { received(time, frame, trust); }, options));
         link::Link &opened = m_links.back()->link();
         connect(&opened, &link::Link::stateChanged, this, [this, &opened] { report(opened); });
         opened.open();
@@ -59,10 +60,10 @@ void SimHost::makeVehicles(TimePoint now)
     }
 }
 
-void SimHost::received(TimePoint time, const mavlink::Frame &frame)
+void SimHost::received(TimePoint time, const mavlink::Frame &frame, sim::LinkTrust trust)
 {
     for (sim::SimulatedVehicle &vehicle : m_vehicles)
-        vehicle.handleFrame(time, frame);
+        vehicle.handleFrame(time, frame, trust);
     if (m_settings.saturate)
         m_saturator.handleFrame(time, frame);
     if (m_timer.remainingTime() > 0) // responses do not wait for telemetry

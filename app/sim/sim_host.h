@@ -18,7 +18,8 @@ struct SimSettings
     std::uint64_t seed = 1;
     double rate = 1;
     sim::VehicleType type;
-    bool saturate = false; ///< telemetry as fast as the station responds
+    std::size_t trustedLink = 0; ///< number of the link that is trusted as a USB port is, from 1; 0 = none
+    bool saturate = false;       ///< telemetry as fast as the station responds
     bool json = false;
 };
 
@@ -37,7 +38,7 @@ Q_SIGNALS:
 
 private:
     void makeVehicles(TimePoint now);
-    void received(TimePoint time, const mavlink::Frame &frame);
+    void received(TimePoint time, const mavlink::Frame &frame, sim::LinkTrust trust);
     void live();
     void send(TimePoint now);
     void report(link::Link &link);

@@ -16,6 +16,9 @@ public:
         : m_writer(systemId, componentId), m_frames(kCapacity)
     {}
 
+    /// Null: frames are not signed. Otherwise it must outlive its use.
+    void setSigner(mavlink::FrameSigner *signer) { m_writer.setSigner(signer); }
+
     /// Queues a message as a MAVLink 2 frame. A full queue drops and counts it: a link that stalls loses telemetry, as a
     /// radio does.
     template<typename Message> void send(const Message &message)

@@ -61,7 +61,8 @@ struct SimulatedVehicle::Parts
 };
 
 SimulatedVehicle::SimulatedVehicle(const SimulatedVehicleConfig &config, TimePoint now)
-    : m_config(config), m_boot(now), m_parts(std::make_unique<Parts>(config, config.systemId, now))
+    : m_config(config), m_boot(now), m_signing(std::make_unique<MessageSigning>()),
+      m_parts(std::make_unique<Parts>(config, config.systemId, now))
 {
     Autopilot &autopilot = m_parts->autopilot;
     autopilot.parameters().set(autopilot.parameters().systemIdName(), config.systemId);
@@ -90,10 +91,13 @@ void SimulatedVehicle::advance(TimePoint now)
         const WallTime wall = m_config.bootTime + std::chrono::duration_cast<WallTime::duration>(next - m_boot);
         parts.telemetry.setWallTime(wall);
         parts.recorder.setWallTime(wall);
+        if (m_config.bootTime != WallTime())
+            m_signing->noteTime(wall);
         parts.speak(next);
     }
     parts.fly(now - parts.last);
     parts.last = now;
+    m_signing->saveIfDue(now);
     if (parts.commands.takeReboot())
         reboot(now);
 }
@@ -175,14 +179,31 @@ TimePoint SimulatedVehicle::nextDeadline() const
                      m_parts->logs.nextDeadline(), m_parts->ftp.nextDeadline(), m_parts->look});
 }
 
-void SimulatedVehicle::handleFrame(TimePoint now, const mavlink::Frame &frame)
+void SimulatedVehicle::handleFrame(TimePoint now, const mavlink::Frame &frame, LinkTrust trust)
 {
     advance(now);
+    if (!m_signing->accepts(frame, trust))
+        return;
+    if (frame.messageId() == mavlink::SetupSigning::kId)
+        return setUpSigning(now, frame);
     Parts &parts = *m_parts;
     const FrameRouter router{parts.autopilot,  parts.outbox, parts.streams, parts.commands, parts.control, parts.missions,
                              parts.parameters, parts.logs,   parts.ftp,     parts.station,  m_boot,        systemId()};
     router.route(now, frame);
     parts.notifyStatus();
+}
+
+void SimulatedVehicle::setUpSigning(TimePoint now, const mavlink::Frame &frame)
+{
+    if (frame.targetSystem() != 0 && frame.targetSystem() != systemId())
+        return;
+    if (m_parts->autopilot.armed()) {
+        m_parts->autopilot.texts().say(Severity::Error, "Won't setup signing when armed");
+        m_parts->notifyStatus();
+        return;
+    }
+    m_signing->setUp(now, mavlink::SetupSigning::decode(frame.payload()));
+    m_parts->outbox.setSigner(m_signing->signer());
 }
 
 void SimulatedVehicle::reboot(TimePoint now)
@@ -200,6 +221,8 @@ void SimulatedVehicle::reboot(TimePoint now)
     m_parts->flightLogs = std::move(flightLogs);
     m_parts->card = std::move(card);
     m_config.systemId = id;
+    m_signing->restart();
+    m_parts->outbox.setSigner(m_signing->signer());
     m_parts->streams.applyParameters(now, kept);
 }
 

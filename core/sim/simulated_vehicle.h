@@ -11,6 +11,7 @@
 #include "core/base/clock.h"
 #include "core/mavlink/frame.h"
 #include "core/sim/autopilot.h"
+#include "core/sim/message_signing.h"
 
 #include <memory>
 
@@ -32,8 +33,8 @@ public:
     SimulatedVehicle(SimulatedVehicle &&) noexcept;
     SimulatedVehicle &operator=(SimulatedVehicle &&) noexcept;
 
-    /// A received frame; frames for other targets are ignored.
-    void handleFrame(TimePoint now, const mavlink::Frame &frame);
+    /// A received frame; frames for other targets are ignored, and while signing is on those that are not signed.
+    void handleFrame(TimePoint now, const mavlink::Frame &frame, LinkTrust trust = LinkTrust::Ordinary);
     /// Advances to `now`. After a gap of more than a second, the telemetry of the gap is skipped.
     void advance(TimePoint now);
     TimePoint nextDeadline() const;
@@ -54,10 +55,12 @@ public:
 
 private:
     struct Parts;
+    void setUpSigning(TimePoint now, const mavlink::Frame &frame);
     void reboot(TimePoint now);
 
     SimulatedVehicleConfig m_config;
     TimePoint m_boot;
+    std::unique_ptr<MessageSigning> m_signing; ///< outlives a reboot
     std::unique_ptr<Parts> m_parts;
 };
 
