@@ -67,6 +67,7 @@ std::string AgentReport::jsonOf(const engine::AgentEvent &event) const
             [this](const channel::Event &e) { return engine::channelEvent(e, m_peers); },
             [](const channel::PairingEvent &) { return std::string(); }, // pairing() reports it
             [](const engine::FramesRefused &e) { return engine::framesRefusedEvent(e); },
+            [](const engine::VehicleSignatures &e) { return engine::vehicleSigningEvent(e); },
             [](const engine::CounterStorage &e) { return engine::counterStorageEvent(e); },
             [](const engine::GroundIdClaimed &e) { return engine::groundIdClaimedEvent(e); },
         },

@@ -299,6 +299,38 @@
         <source>Refused %1 from %2, received too late: %3</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The vehicle signs its messages with the key of this agent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refused %1 on the vehicle&apos;s side without a signature. If they are the vehicle&apos;s own, set up its signing: skyseal-air --signing setup</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refused %1 on the vehicle&apos;s side that are not signed with the key of this agent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refused %1 on the vehicle&apos;s side that were signed before: somebody repeats them, or the vehicle lost its time, which then heals by itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Did not forward %1 of stations: MAVLink 1 cannot be signed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Did not forward %1 of stations that change the vehicle&apos;s signing key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Did not forward %1 of stations: the vehicle remembers only so many senders until it restarts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The time of signatures cannot be stored: %1. Signing goes on</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::engine::EventText</name>

@@ -40,6 +40,7 @@ private Q_SLOTS:
     void initTestCase() { QVERIFY(crypto::initCrypto()); }
     void countsAtAll();
     void agentBothWays();
+    void agentSignsAndVerifies();
     void stationReceives();
     void stationRefuses();
 };
@@ -53,6 +54,13 @@ void EngineAllocationTest::countsAtAll()
 void EngineAllocationTest::agentBothWays()
 {
     AgentRig rig(crypto::SuiteId::ChaCha20Poly1305);
+    QVERIFY(allocationsOf([&] { rig.toGround(64); }) < kAllowed);
+    QVERIFY(allocationsOf([&] { rig.toVehicle(64); }) < kAllowed);
+}
+
+void EngineAllocationTest::agentSignsAndVerifies()
+{
+    AgentRig rig(crypto::SuiteId::ChaCha20Poly1305, AgentRig::VehicleSide::Signed);
     QVERIFY(allocationsOf([&] { rig.toGround(64); }) < kAllowed);
     QVERIFY(allocationsOf([&] { rig.toVehicle(64); }) < kAllowed);
 }

@@ -66,8 +66,11 @@ std::size_t BareEnd::pump()
             if (!delivery)
                 continue;
             mavlink::FrameScanner scanner(delivery->frames, mavlink::Dialect::builtin());
-            while (const auto item = scanner.next())
+            while (const auto item = scanner.next()) {
                 frames += item->frame.has_value();
+                if (frameReceived)
+                    frameReceived(item->bytes);
+            }
         }
         say();
     }

@@ -7,6 +7,7 @@
 #include "core/engine/common/secret_files.h"
 #include "tests/support/bare_socket.h"
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -57,6 +58,8 @@ public:
     void sendEach(std::span<const ByteView> frames);
     /// Seals the frame without sending it.
     Bytes seal(ByteView frame);
+    /// Called for each received MAVLink frame.
+    std::function<void(ByteView frame)> frameReceived;
     /// Sends a datagram as it is.
     void send(ByteView datagram) { m_socket.send(m_peerPort, std::array{datagram}); }
     /// Waits for a datagram for at most this time.

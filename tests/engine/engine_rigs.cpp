@@ -59,12 +59,20 @@ void bringUp(BareEnd &end, crypto::SuiteId suite)
         turn();
 }
 
-AgentRig::AgentRig(crypto::SuiteId suite) : m_ground(m_keys, channel::Role::Station, everySuite())
+AgentRig::AgentRig(crypto::SuiteId suite, VehicleSide side)
+    : m_ground(m_keys, channel::Role::Station, everySuite()), m_signed(kFrames), m_fromVehicle(m_telemetry.frames())
 {
+    std::unique_ptr<engine::VehicleSigning> signing;
+    if (side == VehicleSide::Signed) {
+        Key32 key;
+        key.mutableView()[0] = 1;
+        m_signer.emplace(key.clone(), std::uint8_t(0));
+        signing = std::make_unique<engine::VehicleSigning>(engine::VehicleKey{std::move(key), nullptr}, false);
+    }
     const link::LinkUrl ground = urlOf("udpout:" + loopback(m_ground.port()));
     engine::AgentConfig config{urlOf("udpin:127.0.0.1:0"), {{ground}}, everySuite(), false};
-    m_agent = std::make_unique<engine::AgentCore>(std::move(config), m_keys.secrets(channel::Role::Agent),
-                                                  [](const engine::AgentEvent &) {});
+    m_agent = std::make_unique<engine::AgentCore>(
+        std::move(config), m_keys.secrets(channel::Role::Agent), [](const engine::AgentEvent &) {}, std::move(signing));
     m_agent->start();
     m_port = portOf(m_agent->snapshot().vehicle.localAddress);
     bringUp(m_ground, suite);
@@ -76,8 +84,10 @@ double AgentRig::toGround(std::size_t burst)
     const Patience patience;
     CpuTimer cpu;
     std::size_t arrived = 0;
+    for (std::size_t i = 0; m_signer && i < kFrames; ++i)
+        m_fromVehicle[i] = m_signer->signCopy(m_telemetry.frames()[i], m_signed[i]);
     for (std::size_t sent = 0; sent < kFrames;) {
-        m_vehicle.send(m_port, std::span(m_telemetry.frames()).subspan(sent, burst));
+        m_vehicle.send(m_port, std::span(m_fromVehicle).subspan(sent, burst));
         sent += burst;
         while (arrived < sent) {
             cpu.time([] { QCoreApplication::processEvents(); });

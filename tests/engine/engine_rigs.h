@@ -42,7 +42,9 @@ void bringUp(BareEnd &end, crypto::SuiteId suite);
 class AgentRig
 {
 public:
-    explicit AgentRig(crypto::SuiteId suite);
+    enum class VehicleSide { Plain, Signed };
+
+    explicit AgentRig(crypto::SuiteId suite, VehicleSide side = VehicleSide::Plain);
     /// CPU nanoseconds for each of kFrames frames of the vehicle that arrive `burst` at a time.
     double toGround(std::size_t burst);
     /// The same for frames of the ground, each sealed alone.
@@ -54,6 +56,9 @@ private:
     BareSocket m_vehicle;
     Traffic m_telemetry{kFrames};
     Traffic m_commands{kFrames, 255};
+    std::optional<mavlink::FrameSigner> m_signer; ///< of the vehicle
+    std::vector<std::array<std::uint8_t, mavlink::kMaxFrameLength>> m_signed;
+    std::vector<ByteView> m_fromVehicle;
     std::unique_ptr<engine::AgentCore> m_agent;
     std::uint16_t m_port = 0;
 };

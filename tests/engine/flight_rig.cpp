@@ -150,8 +150,9 @@ void FlightRig::startAgentOn(const std::vector<link::LinkUrl> &grounds)
         urlOf("udpin:127.0.0.1:" + m_vehiclePort), {}, {channel::defaultSuites(), true, allowPlain}, allowPlain};
     for (const link::LinkUrl &ground : grounds)
         config.grounds.push_back({ground, carrier});
-    agent = std::make_unique<engine::AgentCore>(std::move(config), std::move(*secrets),
-                                                [this](const engine::AgentEvent &event) { agentEvents.push_back(event); });
+    agent = std::make_unique<engine::AgentCore>(
+        std::move(config), std::move(*secrets), [this](const engine::AgentEvent &event) { agentEvents.push_back(event); },
+        std::move(signing));
     agent->start();
     m_vehiclePort = std::to_string(portOf(vehicleAddress()));
 }

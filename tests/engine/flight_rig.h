@@ -60,8 +60,9 @@ public:
 
     std::unique_ptr<engine::AgentCore> agent;
     std::vector<engine::AgentEvent> agentEvents;
-    bool allowPlain = false;             ///< of agents that start from now on
-    Carrier carrier = Carrier::Datagram; ///< of those too
+    std::unique_ptr<engine::VehicleSigning> signing; ///< of the agent that starts next; null: none
+    bool allowPlain = false;                         ///< of agents that start from now on
+    Carrier carrier = Carrier::Datagram;             ///< of those too
 
 private:
     std::string file(const std::string &name) const { return m_folder.filePath(QString::fromStdString(name)).toStdString(); }

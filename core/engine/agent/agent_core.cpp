@@ -36,13 +36,14 @@ channel::Endpoint makeEndpoint(const AgentConfig &config, SecretFiles &secrets)
 
 } // namespace
 
-AgentCore::AgentCore(AgentConfig config, std::unique_ptr<SecretFiles> secrets, Notify notify)
-    : m_config(std::move(config)), m_secrets(std::move(secrets)), m_events(std::move(notify)), m_places(placesOf(m_config)),
-      m_links(*this, [this](link::Link &link) { linkChanged(link); }),
+AgentCore::AgentCore(AgentConfig config, std::unique_ptr<SecretFiles> secrets, Notify notify,
+                     std::unique_ptr<VehicleSigning> signing)
+    : m_config(std::move(config)), m_secrets(std::move(secrets)), m_signing(std::move(signing)), m_events(std::move(notify)),
+      m_places(placesOf(m_config)), m_links(*this, [this](link::Link &link) { linkChanged(link); }),
       m_ingress(mavlink::Dialect::builtin(), m_links.carriers()), m_channel(makeEndpoint(m_config, *m_secrets), m_links),
       m_pairing(m_links, m_secrets->random,
                 [this](const channel::PairingEvent &event) { m_events.publish(steadyNow(), event); }),
-      m_receiver({m_config, m_links, m_ingress, m_channel, m_pairing, m_node, m_events, *this}),
+      m_receiver({m_config, m_links, m_ingress, m_channel, m_pairing, m_node, m_events, *this, m_signing.get()}),
       m_timer([this] { handleDeadline(); })
 {
     m_receiver.setPeers(m_secrets->peers);
@@ -145,6 +146,11 @@ AgentSnapshot AgentCore::snapshot()
     if (const auto storage = m_storage.note(now, m_secrets->counters->problem()))
         m_events.publish(now, *storage);
     AgentSnapshot out;
+    if (m_signing) {
+        for (VehicleSignatures &report : m_signing->takeReports(now))
+            m_events.publish(now, std::move(report));
+        out.signing = m_signing->counters();
+    }
     out.storageProblem = m_storage.problem();
     for (LinkSnapshot &link : m_links.snapshots(now)) { // in the order in which they were opened
         if (link.id == kVehicleLink)

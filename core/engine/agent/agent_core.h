@@ -7,6 +7,7 @@
 
 #include "core/engine/agent/agent_receiver.h"
 #include "core/engine/agent/agent_snapshot.h"
+#include "core/engine/agent/vehicle_signing.h"
 #include "core/engine/common/channel_driver.h"
 #include "core/engine/common/deadline_timer.h"
 #include "core/engine/common/ingress.h"
@@ -28,7 +29,9 @@ class AgentCore : private link::LinkListener, private AgentReceiver::EventHandle
 public:
     using Notify = std::function<void(const AgentEvent &)>;
 
-    AgentCore(AgentConfig config, std::unique_ptr<SecretFiles> secrets, Notify notify);
+    /// `signing`: of the vehicle's side; null without a key.
+    AgentCore(AgentConfig config, std::unique_ptr<SecretFiles> secrets, Notify notify,
+              std::unique_ptr<VehicleSigning> signing = {});
     ~AgentCore() override;
 
     /// Opens the links.
@@ -64,6 +67,7 @@ private:
 
     AgentConfig m_config;
     std::unique_ptr<SecretFiles> m_secrets;
+    std::unique_ptr<VehicleSigning> m_signing; ///< may be null
     AgentEvents m_events;
     std::vector<Path> m_places; ///< where stations are looked for; an address is known once its name was resolved
     LinkPool m_links;

@@ -41,9 +41,27 @@ struct GroundIdClaimed
 {
     std::uint8_t systemId = 0;
 };
+/// What MAVLink signing on the vehicle's side found since the last event of this kind; at most one a minute for each.
+struct VehicleSignatures
+{
+    enum class Kind : std::uint8_t {
+        Verified,       ///< the vehicle signs with the agent's key; again after none did
+        Unsigned,       ///< frames on the vehicle's side without a signature, not forwarded
+        Wrong,          ///< the same with a signature of another key
+        Old,            ///< the same with a good signature, but an old time: repeated, or the vehicle lost its time
+        Unsignable,     ///< MAVLink 1 of stations, not forwarded
+        KeyChange,      ///< SETUP_SIGNING of stations, not forwarded
+        TooManySenders, ///< frames of stations whose senders the vehicle could not remember, not forwarded
+        TimeNotStored   ///< `problem` says why
+    };
+    static constexpr std::size_t kKinds = 8;
+    Kind kind{};
+    std::uint64_t frames = 0;
+    std::string problem;
+};
 
-using AgentEvent =
-    std::variant<AgentLinkChanged, channel::Event, channel::PairingEvent, FramesRefused, GroundIdClaimed, CounterStorage>;
+using AgentEvent = std::variant<AgentLinkChanged, channel::Event, channel::PairingEvent, FramesRefused, GroundIdClaimed,
+                                VehicleSignatures, CounterStorage>;
 
 /// The events that a stranger can cause, see EventPublisher.
 struct AgentCauses : ChannelCauses

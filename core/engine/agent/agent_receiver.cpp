@@ -92,7 +92,7 @@ void AgentReceiver::takeFromVehicle(TimePoint now, const Path &from, const mavli
 {
     if (mavlink::isDamagedFrame(item))
         m_parts.links.countBadFrame(from.link);
-    if (!mavlink::isWholeFrame(item))
+    if (!mavlink::isWholeFrame(item) || !takeSignature(now, from, item.bytes))
         return;
     if (item.frame) {
         m_parts.links.noteUse(from);
@@ -109,6 +109,16 @@ void AgentReceiver::takeFromVehicle(TimePoint now, const Path &from, const mavli
         for (const channel::SessionId session : m_sessions.all())
             m_parts.channel.queue(now, session, item.bytes);
     }
+}
+
+/// Returns false for frames that are not the vehicle's, as far as its key shows it.
+bool AgentReceiver::takeSignature(TimePoint now, const Path &from, ByteView frame)
+{
+    if (!m_parts.signing || m_parts.signing->accept(frame))
+        return true;
+    if (const ByteView request = m_parts.signing->catchUp(now, frame); !request.empty())
+        m_parts.links.send(from, request);
+    return false;
 }
 
 /// Returns false if the heartbeat must not reach the ground, where it would be shown as a vehicle.
@@ -168,7 +178,7 @@ void AgentReceiver::takeDelivery(const link::ReceivedBlock &block, const channel
             m_parts.channel.endpoint().noteFrames(delivery.session, counts);
         }
         if (m_gate.accept(block.time, delivery, item, [this](std::uint8_t systemId) { return m_routes.isVehicle(systemId); }))
-            sendToVehicle(item);
+            signToVehicle(item, m_gate.mayCommand(delivery.session));
     });
     m_parts.channel.countFrames(delivery.session, frames);
     m_parts.links.noteRemote(block.path.link, block.path.remote);
@@ -179,9 +189,10 @@ void AgentReceiver::takeClear(const link::Link &, const link::ReceivedBlock &blo
 {
     if (!mavlink::isWholeFrame(item))
         return;
-    if (isPlain() || weakened(Weakness::ClearAccepted)) {
+    // Never with a signing key: that would sign for everybody who reaches the ground side.
+    if ((isPlain() || weakened(Weakness::ClearAccepted)) && !m_parts.signing) {
         m_parts.links.noteUse(block.path);
-        sendToVehicle(item);
+        signToVehicle(item, true);
     } else {
         ++m_counters.clearRefused;
     }
@@ -198,10 +209,18 @@ void AgentReceiver::takeUnusable(const link::Link &link, Unusable what)
     m_counters.unusable += what == Unusable::Message || ground.carrier == Carrier::Datagram;
 }
 
-void AgentReceiver::sendToVehicle(const mavlink::ScanItem &item)
+void AgentReceiver::signToVehicle(const mavlink::ScanItem &item, bool mayCommand)
+{
+    if (!m_parts.signing)
+        sendToVehicle(item, item.bytes);
+    else if (const ByteView frame = m_parts.signing->sign(item.bytes, mayCommand); !frame.empty())
+        sendToVehicle(item, frame);
+}
+
+void AgentReceiver::sendToVehicle(const mavlink::ScanItem &item, ByteView bytes)
 {
     const std::uint8_t target = item.frame ? item.frame->targetSystem() : std::uint8_t(0);
-    if (m_routes.forEachPathTo(target, [&](const Path &path) { m_parts.links.send(path, item.bytes); }))
+    if (m_routes.forEachPathTo(target, [&](const Path &path) { m_parts.links.send(path, bytes); }))
         ++m_counters.toVehicle;
     else
         ++m_counters.undelivered;

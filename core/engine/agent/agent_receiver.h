@@ -12,6 +12,7 @@
 #include "core/engine/agent/ground_sessions.h"
 #include "core/engine/agent/node_heartbeat.h"
 #include "core/engine/agent/vehicle_routes.h"
+#include "core/engine/agent/vehicle_signing.h"
 #include "core/engine/common/channel_driver.h"
 #include "core/engine/common/event_publisher.h"
 #include "core/engine/common/ingress.h"
@@ -45,6 +46,7 @@ public:
         NodeHeartbeat &node;
         AgentEvents &events;
         EventHandler &handler;
+        VehicleSigning *signing = nullptr; ///< null without a key
     };
 
     explicit AgentReceiver(const Parts &parts);
@@ -97,9 +99,11 @@ private:
     void takeUnusable(const link::Link &link, Unusable what) override;
 
     void takeFromVehicle(TimePoint now, const Path &from, const mavlink::ScanItem &item);
+    bool takeSignature(TimePoint now, const Path &from, ByteView frame);
     bool takeVehicleHeartbeat(TimePoint now, const Path &from, const mavlink::Frame &heartbeat);
     void takeDelivery(const link::ReceivedBlock &block, const channel::Delivery &delivery);
-    void sendToVehicle(const mavlink::ScanItem &item);
+    void sendToVehicle(const mavlink::ScanItem &item, ByteView bytes);
+    void signToVehicle(const mavlink::ScanItem &item, bool mayCommand);
     bool isPlain() const { return m_parts.config.allowPlain && m_sessions.none(); }
     IngressRules groundRules(const GroundLink &ground) const;
 

@@ -5,6 +5,7 @@
 #include "core/engine/common/totals.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,20 @@ struct AgentCounters
     std::uint64_t unusable = 0;    ///< datagrams from the ground without a record or frame; contained in `malformed`
 };
 
+/// MAVLink signing on the vehicle's side, in frames since the start.
+struct SigningCounters
+{
+    std::uint64_t signedFrames = 0;     ///< to the vehicle
+    std::uint64_t verified = 0;         ///< of the vehicle
+    std::uint64_t unsignedAccepted = 0; ///< of radios, and of others where that is configured
+    std::uint64_t unsignedRefused = 0;
+    std::uint64_t wrong = 0;          ///< signed with another key, or changed
+    std::uint64_t old = 0;            ///< signed with the key, but not newer than others of the sender
+    std::uint64_t unsignable = 0;     ///< of stations: MAVLink 1
+    std::uint64_t keyChanges = 0;     ///< of stations: SETUP_SIGNING
+    std::uint64_t tooManySenders = 0; ///< of stations, beyond those that a vehicle can remember
+};
+
 struct AgentSnapshot
 {
     LinkSnapshot vehicle;
@@ -32,7 +47,8 @@ struct AgentSnapshot
     MavlinkTotals mavlink;             ///< frames received from the vehicle
     ChannelTotals channel;
     AgentCounters counters;
-    std::string storageProblem; ///< why the counters of handshakes are not stored; empty if they are
+    std::optional<SigningCounters> signing; ///< if there is a signing key
+    std::string storageProblem;             ///< why the counters of handshakes are not stored; empty if they are
     double processCpuPercent = 0;
     std::uint64_t residentBytes = 0;
 };

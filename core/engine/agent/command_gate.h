@@ -35,6 +35,8 @@ public:
             && maySpeakAs(delivery.session, item, isVehicle(mavlink::systemIdOf(item.bytes)));
     }
 
+    /// Whether the station may do more than ask.
+    bool mayCommand(channel::SessionId session) const { return m_policy.mayCommand(session); }
     /// Whether the system id belongs to a ground station: the customary one, and those that the list binds to pilots or that
     /// they have used since the start. Not those of observers, who could take the vehicle's.
     bool isGroundSystem(std::uint8_t systemId) const;

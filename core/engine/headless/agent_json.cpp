@@ -17,7 +17,46 @@ std::string_view reasonName(FramesRefused::Reason reason)
     return "late";
 }
 
+std::string_view kindName(VehicleSignatures::Kind kind)
+{
+    using Kind = VehicleSignatures::Kind;
+    switch (kind) {
+    case Kind::Verified: return "verified";
+    case Kind::Unsigned: return "unsigned";
+    case Kind::Wrong: return "wrong_key";
+    case Kind::Old: return "old";
+    case Kind::Unsignable: return "mavlink1";
+    case Kind::KeyChange: return "key_change";
+    case Kind::TooManySenders: return "too_many_senders";
+    case Kind::TimeNotStored: break;
+    }
+    return "time_not_stored";
+}
+
+void writeSigning(JsonWriter &json, const SigningCounters &counters)
+{
+    json.key("signing").beginObject();
+    json.field("signed", counters.signedFrames).field("verified", counters.verified);
+    json.field("unsigned_accepted", counters.unsignedAccepted).field("unsigned_refused", counters.unsignedRefused);
+    json.field("wrong_key", counters.wrong).field("old", counters.old);
+    json.field("mavlink1_refused", counters.unsignable).field("key_change_refused", counters.keyChanges);
+    json.field("too_many_senders", counters.tooManySenders);
+    json.endObject();
+}
+
 } // namespace
+
+std::string vehicleSigningEvent(const VehicleSignatures &signatures)
+{
+    JsonWriter json;
+    json.beginObject().field("event", "vehicle_signing").field("state", kindName(signatures.kind));
+    if (signatures.problem.empty())
+        json.field("frames", signatures.frames);
+    else
+        json.field("problem", signatures.problem);
+    json.endObject();
+    return json.text();
+}
 
 std::string framesRefusedEvent(const FramesRefused &refused)
 {
@@ -54,6 +93,8 @@ std::string agentStatsEvent(std::string_view event, const AgentSnapshot &snapsho
     json.field("late_refused", snapshot.counters.lateRefused).field("ground_id_refused", snapshot.counters.groundIdRefused);
     json.field("clear_refused", snapshot.counters.clearRefused).field("undelivered", snapshot.counters.undelivered);
     json.endObject();
+    if (snapshot.signing)
+        writeSigning(json, *snapshot.signing);
     if (!snapshot.storageProblem.empty())
         json.field("storage_problem", snapshot.storageProblem);
     writeProcess(json, snapshot.processCpuPercent, snapshot.residentBytes);

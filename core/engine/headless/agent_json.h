@@ -10,6 +10,8 @@ namespace skyseal::engine {
 
 /// {"event":"frames_refused"}: frames of an authenticated peer that were not forwarded to the vehicle.
 std::string framesRefusedEvent(const FramesRefused &refused);
+/// {"event":"vehicle_signing"}: what the signatures on the vehicle's side showed.
+std::string vehicleSigningEvent(const VehicleSignatures &signatures);
 std::string groundIdClaimedEvent(const GroundIdClaimed &claim);
 
 /// `event` is "stats" or "summary"; `time` is seconds since the start. The channel is seen from the agent: tx goes to the

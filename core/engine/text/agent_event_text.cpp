@@ -42,6 +42,16 @@ public:
                                     "an autopilot needs another id");
         return {sentence.arg(e.systemId), std::uint8_t(mavlink::MAV_SEVERITY_ALERT)};
     }
+    EventText operator()(const VehicleSignatures &e) const
+    {
+        using Kind = VehicleSignatures::Kind;
+        if (e.kind == Kind::Verified)
+            return {signingSentence(e.kind), std::uint8_t(mavlink::MAV_SEVERITY_NOTICE)};
+        if (e.kind == Kind::TimeNotStored)
+            return {signingSentence(e.kind).arg(qt(e.problem)), std::uint8_t(mavlink::MAV_SEVERITY_ERROR)};
+        const QString count = counted(e.frames, tr("one frame"), tr("%1 frames"));
+        return {signingSentence(e.kind).arg(count), std::uint8_t(mavlink::MAV_SEVERITY_WARNING)};
+    }
     EventText operator()(const CounterStorage &e) const
     {
         if (e.problem.empty())
@@ -62,6 +72,28 @@ private:
         case FramesRefused::Reason::Late: break;
         }
         return tr("Refused %1 from %2, received too late: %3");
+    }
+
+    static QString signingSentence(VehicleSignatures::Kind kind)
+    {
+        using Kind = VehicleSignatures::Kind;
+        switch (kind) {
+        case Kind::Verified: return tr("The vehicle signs its messages with the key of this agent");
+        case Kind::Unsigned:
+            return tr(
+                "Refused %1 on the vehicle's side without a signature. If they are the vehicle's own, set up its signing: "
+                "skyseal-air --signing setup");
+        case Kind::Wrong: return tr("Refused %1 on the vehicle's side that are not signed with the key of this agent");
+        case Kind::Old:
+            return tr("Refused %1 on the vehicle's side that were signed before: somebody repeats them, or the vehicle "
+                      "lost its time, which then heals by itself");
+        case Kind::Unsignable: return tr("Did not forward %1 of stations: MAVLink 1 cannot be signed");
+        case Kind::KeyChange: return tr("Did not forward %1 of stations that change the vehicle's signing key");
+        case Kind::TooManySenders:
+            return tr("Did not forward %1 of stations: the vehicle remembers only so many senders until it restarts");
+        case Kind::TimeNotStored: break;
+        }
+        return tr("The time of signatures cannot be stored: %1. Signing goes on");
     }
 
     const PeerNames &m_names;
