@@ -3,6 +3,7 @@
 #include "app/common/exit_status.h"
 #include "app/common/output.h"
 #include "core/crypto/init_crypto.h"
+#include "core/engine/agent/vehicle_key.h"
 #include "core/engine/common/secret_files.h"
 #include "core/link/address_text.h"
 
@@ -89,6 +90,22 @@ void checkKeys(const engine::KeyPaths &paths, Problems &problems)
     }
 }
 
+void checkSigning(const SigningSetup &signing, Problems &problems)
+{
+    if (signing.keyFile.empty())
+        return;
+    if (!QFileInfo::exists(QString::fromStdString(signing.keyFile))) {
+        problems.push_back(signing.keyFile
+                           + " does not exist: skyseal-air --signing setup makes the key and gives it to the vehicle");
+        return;
+    }
+    if (const auto key = engine::readVehicleKey(signing.keyFile); !key)
+        problems.push_back(key.error().text());
+    const QString folder = QFileInfo(QString::fromStdString(signing.keyFile)).absolutePath();
+    if (::access(folder.toLocal8Bit().constData(), W_OK) != 0)
+        problems.push_back(folder.toStdString() + " is not writable: the time of signatures stands there");
+}
+
 } // namespace
 
 int checkSetup(const AgentSetup &setup)
@@ -98,6 +115,7 @@ int checkSetup(const AgentSetup &setup)
         problems.emplace_back("the system provides no randomness");
     else
         checkKeys(setup.keys, problems);
+    checkSigning(setup.signing, problems);
     checkLink(setup.config.vehicle, problems);
     for (const engine::GroundLink &ground : setup.config.grounds)
         checkLink(ground.url, problems);

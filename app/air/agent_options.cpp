@@ -1,5 +1,6 @@
 #include "app/air/agent_options.h"
 
+#include "app/air/signing_command.h"
 #include "app/common/pairing_passphrase_input.h"
 #include "app/common/pairing_prompt.h"
 #include "app/common/passphrase_input.h"
@@ -72,6 +73,18 @@ channel::FreshnessLimits readFreshness(Options &options)
     return out;
 }
 
+SigningSetup readSigning(Options &options)
+{
+    SigningSetup out{options.text("vehicle-signing"), options.has("accept-unsigned")};
+    if (out.acceptUnsigned && out.keyFile.empty())
+        options.fail("--accept-unsigned requires --vehicle-signing");
+    if (options.has("allow-plain") && !out.keyFile.empty())
+        options.fail("--allow-plain: not with --vehicle-signing, which would sign the commands of anyone");
+    if (options.has("send-key-in-clear"))
+        options.fail("--send-key-in-clear requires --signing setup");
+    return out;
+}
+
 bool isSecure(crypto::SuiteId suite)
 {
     return !crypto::suiteInfo(suite).research && suite != crypto::SuiteId::None;
@@ -115,6 +128,7 @@ void declareAgent(Options &options)
                      "Obey no command that may be older than this. The agent can only bound the age, by the round trip of the "
                      "link and the time since: choose more than twice the longest delay. 0.5 to 60.",
                      "5");
+    declareSigning(options);
     options.addFlag("pair",
                     "Open the pairing window of the agent that runs with this --identity, and confirm the station there.");
     options.addValue(
@@ -137,6 +151,7 @@ std::optional<AgentSetup> readAgent(Options &options)
         policy.suites = channel::notWeakerThan(*weakest, policy.suites);
     policy.allowInline = options.has("allow-inline");
     const channel::FreshnessLimits freshness = readFreshness(options);
+    SigningSetup signing = readSigning(options);
     if (std::none_of(policy.suites.begin(), policy.suites.end(), isSecure))
         options.fail("--suites: a session begins with a secure suite, so the list must contain one");
     if (options.has("allow-plain") && !grounds.empty() && std::ranges::all_of(grounds, listens))
@@ -144,7 +159,8 @@ std::optional<AgentSetup> readAgent(Options &options)
     if (!vehicle || grounds.empty())
         return std::nullopt;
     return AgentSetup{{*vehicle, std::move(grounds), std::move(policy), options.has("allow-plain"), freshness},
-                      std::move(keys)};
+                      std::move(keys),
+                      std::move(signing)};
 }
 
 } // namespace skyseal::app

@@ -6,14 +6,25 @@
 #include "core/engine/common/key_paths.h"
 
 #include <optional>
+#include <string>
 
 namespace skyseal::app {
+
+/// MAVLink signing on the vehicle's side.
+struct SigningSetup
+{
+    std::string keyFile; ///< empty: none
+    bool acceptUnsigned = false;
+
+    bool operator==(const SigningSetup &) const = default;
+};
 
 /// All that the options say of an agent.
 struct AgentSetup
 {
     engine::AgentConfig config;
     engine::KeyPaths keys;
+    SigningSetup signing;
 };
 
 /// All options of the program.

@@ -19,6 +19,8 @@ std::string needRestart(const AgentSetup &now, const AgentSetup &then)
     compare("identity", now.keys.identity == then.keys.identity);
     compare("peers", now.keys.peers == then.keys.peers);
     compare("allow-plain", now.config.allowPlain == then.config.allowPlain);
+    compare("vehicle-signing", now.signing.keyFile == then.signing.keyFile);
+    compare("accept-unsigned", now.signing.acceptUnsigned == then.signing.acceptUnsigned);
     compare("max-overtaken", now.config.freshness.overtaken == then.config.freshness.overtaken);
     compare("max-age", now.config.freshness.age == then.config.freshness.age);
     return out;

@@ -5,6 +5,7 @@
 #include "app/air/agent_report.h"
 #include "app/air/pair_client.h"
 #include "app/air/pairing_server.h"
+#include "app/air/signing_command.h"
 #include "app/common/exit_status.h"
 #include "app/common/options.h"
 #include "app/common/output.h"
@@ -61,6 +62,16 @@ bool createMissingList(const engine::KeyPaths &paths)
     return created.has_value();
 }
 
+/// Null without a signing key.
+Result<std::unique_ptr<engine::VehicleSigning>, InputError> makeSigning(const SigningSetup &setup)
+{
+    if (setup.keyFile.empty())
+        return nullptr;
+    return engine::readVehicleKey(setup.keyFile).map([&setup](engine::VehicleKey &&key) {
+        return std::make_unique<engine::VehicleSigning>(std::move(key), setup.acceptUnsigned);
+    });
+}
+
 /// skyseal-air --pair: a client of the running agent.
 int pair(Options &options)
 {
@@ -102,6 +113,8 @@ int main(int argc, char **argv)
     options.arguments(0, 0);
     if (options.has("pair"))
         return pair(options);
+    if (options.has("signing"))
+        return runSigning(options);
     refusePairingOptions(options);
     const std::optional<AgentSetup> setup = readAgent(options);
     if (const auto status = options.finish())
@@ -121,22 +134,31 @@ int main(int argc, char **argv)
         return kCannotOpen;
     }
 
+    auto signing = makeSigning(setup->signing);
+    if (!signing) {
+        complain(kName, signing.error().text());
+        return kCannotOpen;
+    }
+
     AgentReport report(options.has("json"));
     int status = kDone;
     bool started = false;
     PairingServer *desk = nullptr;
-    engine::AgentCore agent(setup->config, std::move(*secrets), [&](const engine::AgentEvent &event) {
-        if (!started && isHopeless(event)) {
-            const engine::LinkSnapshot &link = std::get<engine::AgentLinkChanged>(event).link;
-            complain(kName, link.url + ": " + link.problem);
-            status = kCannotOpen;
-            QCoreApplication::exit(status);
-            return;
-        }
-        if (const auto *pairing = std::get_if<channel::PairingEvent>(&event); pairing && desk)
-            desk->take(*pairing);
-        report.notify(event);
-    });
+    engine::AgentCore agent(
+        setup->config, std::move(*secrets),
+        [&](const engine::AgentEvent &event) {
+            if (!started && isHopeless(event)) {
+                const engine::LinkSnapshot &link = std::get<engine::AgentLinkChanged>(event).link;
+                complain(kName, link.url + ": " + link.problem);
+                status = kCannotOpen;
+                QCoreApplication::exit(status);
+                return;
+            }
+            if (const auto *pairing = std::get_if<channel::PairingEvent>(&event); pairing && desk)
+                desk->take(*pairing);
+            report.notify(event);
+        },
+        std::move(*signing));
     PairingServer pairings(agent, paths, [&report](const PairingStatus &pairing) { report.pairing(pairing); });
     desk = &pairings;
     if (!pairings.problem().isEmpty())

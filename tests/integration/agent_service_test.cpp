@@ -169,6 +169,9 @@ void AgentServiceTest::checkSaysWhatIsWrong_data()
                                     << QByteArray("/dev/null is no serial port");
     QTest::newRow("host") << QByteArray("ground = udpout:station.invalid:14550") << QByteArray("station.invalid is not known");
     QTest::newRow("key") << QByteArray("identity = /nonexistent/air.key") << QByteArray("/nonexistent/air.key");
+    QTest::newRow("signing key") << QByteArray("vehicle-signing = /nonexistent/vehicle.signing")
+                                 << QByteArray("/nonexistent/vehicle.signing does not exist: skyseal-air --signing setup");
+    QTest::newRow("signing key of others") << QByteArray("vehicle-signing = /dev/null") << QByteArray("/dev/null");
 }
 
 void AgentServiceTest::checkSaysWhatIsWrong()
