@@ -181,6 +181,7 @@ int main(int argc, char **argv)
     BareForwarder bare;
     AgentRig chacha(SuiteId::ChaCha20Poly1305);
     AgentRig gcm(SuiteId::Aes256Gcm);
+    AgentRig signedSide(SuiteId::ChaCha20Poly1305, AgentRig::VehicleSide::Signed);
     BareReceiver bareChacha(SuiteId::ChaCha20Poly1305);
     BareReceiver bareGcm(SuiteId::Aes256Gcm);
     Receiver chachaReceiver(SuiteId::ChaCha20Poly1305);
@@ -206,7 +207,9 @@ int main(int argc, char **argv)
                 {{"recvmmsg + sendmmsg, in clear", [&] { return bare.forward(burst); }},
                  {"agent to ground, ChaCha20-Poly1305", [&] { return chacha.toGround(burst); }},
                  {"agent to ground, AES-256-GCM", [&] { return gcm.toGround(burst); }},
-                 {"ground to vehicle, ChaCha20-Poly1305", [&] { return chacha.toVehicle(burst); }}});
+                 {"ground to vehicle, ChaCha20-Poly1305", [&] { return chacha.toVehicle(burst); }},
+                 {"the same, signed for the vehicle", [&] { return signedSide.toVehicle(burst); }},
+                 {"agent to ground, signatures verified", [&] { return signedSide.toGround(burst); }}});
     }
     const std::uint64_t before = station.frames();
     const int rounds = 41;
