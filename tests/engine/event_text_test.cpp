@@ -104,7 +104,7 @@ void EventTextTest::unknownAgeOfCommandsIsNamed()
              QStringLiteral("air-1 cannot determine the delay of commands and ignores any that may be older than 5.0 s: it "
                             "ignored 4 messages"));
     late.report.limitMilliseconds = 0; // no limit: others overtook them
-    QVERIFY(eventText(late, names).sentence.contains(QStringLiteral("overtook")));
+    QVERIFY(eventText(late, names).sentence.contains(QStringLiteral("overtaken")));
 }
 
 void EventTextTest::eachReasonHasItsOwnText()
@@ -158,7 +158,7 @@ void EventTextTest::failedReadOfParametersHasNoName()
 void EventTextTest::vehicleThatWaitsForApprovalIsNotCalledRefused()
 {
     const EventText pending = eventText(PlaintextRefused{1, "10.0.0.9:14550", 3, "air-1, air-2"}, {});
-    QVERIFY2(pending.sentence.contains(QStringLiteral("waits for approval")), qPrintable(pending.sentence));
+    QVERIFY2(pending.sentence.contains(QStringLiteral("awaits approval")), qPrintable(pending.sentence));
     QVERIFY(pending.sentence.contains(QStringLiteral("10.0.0.9:14550")));
     QVERIFY(pending.sentence.contains(QStringLiteral("air-1 or air-2")));
     QVERIFY(!pending.sentence.contains(QStringLiteral("efused")));
@@ -173,11 +173,11 @@ void EventTextTest::systemOfAnotherPeerNamesItsOwner()
     const auto sentence = [](const char *owner) { return eventText(SystemRefused{1, "air-2", owner, 3}, {}).sentence; };
     QCOMPARE(sentence(""),
              QStringLiteral(
-                 "Refused 3 frames of air-2, which may not send as this vehicle. If air-2 is its agent, bind the system to "
+                 "Refused 3 frames from air-2, which may not send as this vehicle. If air-2 is its agent, bind the system to "
                  "air-2 in the list of peers"));
     QCOMPARE(
         sentence("air-1"),
-        QStringLiteral("Refused 3 frames of air-2, which sends as this vehicle although that belongs to air-1. If air-2 is "
+        QStringLiteral("Refused 3 frames from air-2, which sends as this vehicle although that belongs to air-1. If air-2 is "
                        "a new agent of the same vehicle, remove air-1 from the list of peers or bind the system to air-2"));
 }
 
@@ -187,14 +187,14 @@ void EventTextTest::numbersAgreeWithTheirNouns()
         return agentEventText(FramesRefused{FramesRefused::Reason::Observer, "vm", 76, "COMMAND_LONG", 400, frames}, {})
             .sentence;
     };
-    QCOMPARE(refused(1), QStringLiteral("Refused one frame of vm, which is an observer: COMMAND_LONG 400"));
-    QCOMPARE(refused(4), QStringLiteral("Refused 4 frames of vm, which is an observer: the last one COMMAND_LONG 400"));
+    QCOMPARE(refused(1), QStringLiteral("Refused one frame from vm, which is an observer: COMMAND_LONG 400"));
+    QCOMPARE(refused(4), QStringLiteral("Refused 4 frames from vm, which is an observer: the last one COMMAND_LONG 400"));
     QCOMPARE(eventText(EventsDropped{1}, {}).sentence,
              QStringLiteral("Dropped one event because this program did not keep up"));
     QVERIFY(eventText(PlaintextRefused{1, "10.0.0.9:14550", 1, {}}, {})
                 .sentence.startsWith(
                     QStringLiteral("Refused one plain frame from 10.0.0.9:14550 with the system id of this sealed vehicle")));
-    QVERIFY(eventText(SystemRefused{1, "air-2", "", 1}, {}).sentence.startsWith(QStringLiteral("Refused one frame of air-2,")));
+    QVERIFY(eventText(SystemRefused{1, "air-2", "", 1}, {}).sentence.startsWith(QStringLiteral("Refused one frame from air-2,")));
 }
 
 void EventTextTest::vehicleIsNamedInALine()
