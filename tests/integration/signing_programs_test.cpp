@@ -24,10 +24,13 @@ public:
     explicit Stranger(quint16 vehiclePort) : m_vehiclePort(vehiclePort)
     {
         m_socket.bind(QHostAddress::LocalHost, 0);
-        QObject::connect(&m_socket, &QUdpSocket::readyRead, &m_socket, [this] {
-            while (m_socket.hasPendingDatagrams())
-                take(m_socket.receiveDatagram().data());
-        });
+        QObject::connect(&m_socket, &QUdpSocket::readyRead, &m_socket, [this] { readWaiting(); });
+    }
+    /// What has arrived while another program was waited for.
+    void readWaiting()
+    {
+        while (m_socket.hasPendingDatagrams())
+            take(m_socket.receiveDatagram().data());
     }
     void arm(bool on)
     {
@@ -51,7 +54,8 @@ private:
                 continue;
             ++heartbeats;
             const mavlink::Heartbeat own{.type = mavlink::MAV_TYPE_GCS, .autopilot = mavlink::MAV_AUTOPILOT_INVALID};
-            m_socket.writeDatagram(frameOf(own, 254), QHostAddress::LocalHost, m_vehiclePort); // so that it is not forgotten
+            // So that it is not forgotten; and once signing is off, it is the station without which the failsafe disarms.
+            m_socket.writeDatagram(frameOf(own, 255), QHostAddress::LocalHost, m_vehiclePort);
             armed = mavlink::Heartbeat::decode(item->frame->payload()).base_mode & mavlink::MAV_MODE_FLAG_SAFETY_ARMED;
         }
     }
@@ -105,6 +109,7 @@ void SigningProgramsTest::wholeFlight()
     QCOMPARE(signing("check").status, 3); // no key yet
     Stranger stranger(otherPort);
     const auto isArmedFor = [&stranger](bool on) { // what the vehicle does with a plain command
+        stranger.readWaiting();
         stranger.arm(on);
         const int before = stranger.heartbeats;
         return eventually([&] { return stranger.heartbeats >= before + 3 || stranger.armed == on; }) && stranger.armed == on;
