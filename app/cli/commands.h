@@ -21,6 +21,7 @@ int runImpair(const QStringList &arguments);
 int runKeys(const QStringList &arguments);
 int runLog(const QStringList &arguments);
 int runSweep(const QStringList &arguments);
+int runReport(const QStringList &arguments);
 int runBench(const QStringList &arguments);
 int runSelfTest(const QStringList &arguments);
 

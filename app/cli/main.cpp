@@ -33,6 +33,7 @@ constexpr Command kCommands[] = {
     {"ftp", "lists, reads, writes and removes files on a vehicle", runFtp},
     {"logs", "lists, reads and erases the flight logs of a vehicle", runLogs},
     {"sweep", "measures what each cipher suite costs, and compares", runSweep},
+    {"report", "writes the report of a sweep again, or one over the sweeps of several machines", runReport},
     {"bench", "measures sealing and opening on this machine, with and without AES instructions", runBench},
     {"decode", "decodes MAVLink bytes or a .tlog, one message per line", runDecode},
     {"impair", "a relay that loses, delays, repeats, reorders and damages datagrams", runImpair},

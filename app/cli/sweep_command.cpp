@@ -1,5 +1,6 @@
 // skyseal-cli sweep: measures the cost of each suite unattended.
 #include "app/cli/commands.h"
+#include "app/cli/launched_sweep.h"
 #include "app/cli/sweep_options.h"
 #include "app/common/exit_status.h"
 #include "app/common/options.h"
@@ -9,6 +10,7 @@
 #include "app/common/sweep_setting.h"
 #include "core/crypto/system_random.h"
 #include "core/experiment/disturbances.h"
+#include "core/experiment/precision.h"
 #include "core/experiment/setting.h"
 #include "core/experiment/sweep_json.h"
 #include "core/experiment/sweep_runner.h"
@@ -23,8 +25,41 @@ namespace {
 
 const QString kName = QStringLiteral("skyseal-cli sweep");
 
+/// Says how precise the sweep is and what its goal would take. True if there is none, or if it is reached.
+bool tellPrecision(const experiment::Results &results, const SweepOptions &options)
+{
+    constexpr double kUsualGoal = 0.03;
+    if (!options.until && !options.forecast)
+        return true;
+    const double goal = options.until.value_or(kUsualGoal);
+    const std::string wanted = experiment::readable(100 * goal) + " %";
+    const auto precision = experiment::precisionOf(results, goal);
+    if (!precision) {
+        complain(kName, "too few valid runs to say how precise the ratios to plain MAVLink are");
+        return false;
+    }
+    const unsigned launches = experiment::launchesIn(results);
+    const std::string now = "after " + std::to_string(launches) + " launches the ratios by CPU time per frame are known to "
+        + experiment::readable(100 * precision->halfWidth) + " %";
+    const unsigned needed = std::max(precision->launchesNeeded, experiment::kLeastLaunchesUntil);
+    const std::string more = wanted + " takes about " + std::to_string(needed) + " launches, "
+        + experiment::readable(needed * results.seconds / launches / 60) + " minutes";
+    if (options.forecast) {
+        remark(now + "; " + more);
+        return true;
+    }
+    const bool reached = precision->halfWidth <= goal;
+    if (reached)
+        remark(now);
+    else
+        complain(kName,
+                 now + ", and " + wanted + " is out of reach within " + std::to_string(results.plan.launches)
+                     + " launches: " + more);
+    return reached;
+}
+
 /// Writes and reports a finished sweep; returns the exit status.
-int conclude(const experiment::Results &results, const SweepOptions &options, experiment::HeapFigures &heap)
+int conclude(const experiment::Results &results, const SweepOptions &options)
 {
     std::vector<experiment::Verdict> verdicts;
     for (const experiment::Expectation &expectation : options.expectations) {
@@ -41,7 +76,7 @@ int conclude(const experiment::Results &results, const SweepOptions &options, ex
         hold = hold && verdict.outcome.holds;
     }
     if (!options.folder.isEmpty()) {
-        const SweepFiles files = writeSweepFiles(options.folder, results, verdicts, contextSizes(heap));
+        const SweepFiles files = writeSweepFiles(options.folder, results, verdicts);
         if (!files.problem.empty())
             complain(kName, files.problem);
         if (!files.written)
@@ -59,7 +94,40 @@ int conclude(const experiment::Results &results, const SweepOptions &options, ex
     }
     if (!ended.empty())
         complain(kName, ended);
-    return hold && failed.empty() && invalid.empty() && ended.empty() ? kDone : kNotReached;
+    const bool isPrecise = tellPrecision(results, options);
+    return hold && isPrecise && failed.empty() && invalid.empty() && ended.empty() ? kDone : kNotReached;
+}
+
+/// `Sweep`: a SweepRunner, or a LaunchedSweep. Returns the exit status.
+template<typename Sweep>
+int carryOut(Sweep &sweep, const SweepOptions &options, const experiment::Setting &setting, experiment::HeapFigures &heap)
+{
+    StopSignals signals;
+    QObject::connect(&signals, &StopSignals::stopRequested, &sweep, &Sweep::cancel);
+    QObject::connect(&sweep, &Sweep::sampleTaken, qApp, [&](const experiment::Sample &sample) {
+        if (options.json)
+            printLine(experiment::runEvent(options.plan, sample, sweep.runs(), sweep.remaining()));
+        remark(experiment::runText(options.plan, sample, sweep.runs(), sweep.remaining()));
+    });
+    int status = kDone;
+    QObject::connect(
+        &sweep, &Sweep::finished, qApp,
+        [&](bool opened, const std::string &problem) {
+            if (!problem.empty())
+                complain(kName, problem);
+            experiment::Results results = sweep.results();
+            results.setting = setting;
+            results.contextBytes = contextSizes(heap);
+            const bool nothing = results.samples.empty();
+            status = !opened ? kCannotOpen : nothing ? kNotReached : conclude(results, options);
+            if (options.json)
+                printLine(experiment::endEvent(results, opened, problem));
+            QCoreApplication::exit(status);
+        },
+        Qt::QueuedConnection);
+    QMetaObject::invokeMethod(&sweep, &Sweep::start, Qt::QueuedConnection);
+    QCoreApplication::exec();
+    return status;
 }
 
 } // namespace
@@ -78,7 +146,7 @@ int runSweep(const QStringList &arguments)
     std::unique_ptr<experiment::Lab> lab;
     engine::StationConfig station = options.station;
     std::optional<link::LinkUrl> link = options.link;
-    if (!link) {
+    if (!link && options.plan.launches == 1) { // otherwise each launch makes its own
         auto made = experiment::Lab::create({programPath(QStringLiteral("skyseal-sim")),
                                              programPath(QStringLiteral("skyseal-air")),
                                              QCoreApplication::applicationFilePath()},
@@ -95,33 +163,25 @@ int runSweep(const QStringList &arguments)
     QString command = kName + QLatin1Char(' ') + arguments.join(QLatin1Char(' '));
     if (!options.seedGiven)
         command += QStringLiteral(" --seed %1").arg(options.plan.seed); // the command line that repeats this sweep
-    const experiment::Setting setting = describeSetting(SKYSEAL_CLI_VERSION, command);
+    experiment::Setting setting = describeSetting(SKYSEAL_CLI_VERSION, command);
+    setting.emplace_back("message_mix",
+                         options.link ? "that of the vehicle on " + options.link->toText()
+                                      : "that of the simulated vehicle of this version");
     for (const std::string &warning : experiment::warningsOf(setting))
         remark(warning);
-    experiment::SweepRunner runner({options.plan, *link, station, lab.get(), &heap});
-    StopSignals signals;
-    QObject::connect(&signals, &StopSignals::stopRequested, &runner, &experiment::SweepRunner::cancel);
-    QObject::connect(&runner, &experiment::SweepRunner::sampleTaken, qApp, [&](const experiment::Sample &sample) {
-        if (options.json)
-            printLine(experiment::runEvent(options.plan, sample, runner.runs(), runner.remaining()));
-        remark(experiment::runText(options.plan, sample, runner.runs(), runner.remaining()));
-    });
-    int status = kDone;
-    QObject::connect(
-        &runner, &experiment::SweepRunner::finished, qApp,
-        [&](bool opened, const std::string &problem) {
-            if (!problem.empty())
-                complain(kName, problem);
-            experiment::Results results = runner.results();
-            results.setting = setting;
-            const bool nothing = results.samples.empty();
-            status = !opened ? kCannotOpen : nothing ? kNotReached : conclude(results, options, heap);
-            QCoreApplication::exit(status);
-        },
-        Qt::QueuedConnection);
-    QMetaObject::invokeMethod(&runner, &experiment::SweepRunner::start, Qt::QueuedConnection);
-    QCoreApplication::exec();
-    return status;
+    if (options.plan.launches > 1) {
+        std::function<bool(const experiment::Results &)> enough;
+        if (options.until && !options.forecast)
+            enough = [goal = *options.until](const experiment::Results &results) {
+                const auto precision = experiment::precisionOf(results, goal);
+                return experiment::launchesIn(results) >= experiment::kLeastLaunchesUntil && precision
+                    && precision->halfWidth <= goal;
+            };
+        LaunchedSweep sweep(options.plan, QCoreApplication::applicationFilePath(), arguments, std::move(enough));
+        return carryOut(sweep, options, setting, heap);
+    }
+    experiment::SweepRunner sweep({options.plan, *link, station, lab.get(), &heap});
+    return carryOut(sweep, options, setting, heap);
 }
 
 } // namespace skyseal::app

@@ -3,15 +3,19 @@
 #include "app/common/options.h"
 #include "core/base/research.h"
 #include "core/crypto/system_random.h"
+#include "core/experiment/precision.h"
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 
 namespace skyseal::app {
 
 namespace {
 
 using experiment::Load;
+
+constexpr unsigned kPilotLaunches = 3, kMostLaunchesUntil = 100;
 
 void declare(Options &options)
 {
@@ -28,7 +32,11 @@ void declare(Options &options)
         "that are a cipher and an HMAC; an agent of --link must allow it), both.",
         "sealed");
     options.addValue("seconds", "S", "Length of each run.", "5");
-    options.addValue("repeats", "R", "Runs for each suite; comparisons need 2 or more.", "3");
+    options.addValue("launches", "L",
+                     "How often all programs start anew, this station included (with --link: this station only). What another "
+                     "start would show is seen in launches alone; comparisons need 2 or more.",
+                     "5");
+    options.addValue("repeats", "R", "Runs of each suite within each launch.", "1");
     options.addValue("warm-up", "S",
                      "Seconds before each run that are not measured, and four times as many when programs have just started.",
                      "2");
@@ -41,8 +49,16 @@ void declare(Options &options)
     options.addValue("impair", "SPEC",
                      "A link condition: clean, or loss=, duplicate=, reorder=, corrupt=, delay=, jitter=, rate= separated by "
                      "commas. May be given several times.");
-    options.addFlag("no-noise",
-                    "Do not measure one suite twice to estimate the machine's noise (A/A). That takes --repeats of 2 or more.");
+    options.addValue("until", "PERCENT",
+                     "Go on until the ratios to plain MAVLink by CPU time per frame, of both ends, are known to this many per "
+                     "cent, after 10 launches at the earliest. --launches is the most then (default 100).");
+    options.addFlag("plan",
+                    "Run a few launches as a pilot (--launches, default 3) and say how many --until (default 3 %) would "
+                    "take, and how long.");
+    options.addFlag("no-noise", "Do not measure one suite twice to estimate the machine's noise (A/A).");
+    options.addFlag("noise", "Measure it twice also where each suite runs only once.");
+    options.addValue("margin", "PERCENT", "A smaller difference has no practical effect; the paper's claims are judged by it.",
+                     "3");
     options.addValue("out", "DIR",
                      "Folder for sweep.json, sweep.csv, report.html and the figures; PNG and PDF if skyseal-figures is "
                      "installed. The files of an older sweep in it are replaced; its figures and PDF are removed first.");
@@ -67,6 +83,21 @@ std::uint64_t drawnSeed()
 Duration inSeconds(double value)
 {
     return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(value));
+}
+
+/// "3" or "3%", up to 50, as a share.
+double readPercent(Options &options, const char *name, double least)
+{
+    constexpr double kMost = 50;
+    std::string text = options.text(name);
+    if (text.ends_with('%'))
+        text.pop_back();
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || !(value >= least && value <= kMost))
+        options.fail("--" + std::string(name) + " '" + options.text(name) + "': per cent from " + experiment::readable(least)
+                     + " to 50 are expected");
+    return value / 100;
 }
 
 std::vector<crypto::SuiteId> readSuites(Options &options, bool ownAgent)
@@ -138,11 +169,30 @@ void readPlan(Options &options, bool ownAgent, experiment::Plan &plan)
     readConditions(options, ownAgent, plan);
     plan.measure = inSeconds(options.number("seconds", 0.2, 3600));
     plan.warmUp = inSeconds(options.number("warm-up", 0, 600));
+    plan.launches = static_cast<unsigned>(options.wholeNumber("launches", 1, 1000));
     plan.repeats = static_cast<unsigned>(options.wholeNumber("repeats", 1, 1000));
+    plan.margin = readPercent(options, "margin", 0.01);
     plan.seed = options.has("seed") ? options.wholeNumber("seed", 0, UINT64_MAX) : drawnSeed();
-    plan.arms = experiment::armsOf(suites, readFramings(options), !options.has("no-noise") && plan.repeats > 1);
+    const bool noise = options.has("noise") || plan.launches * plan.repeats > 1;
+    plan.arms = experiment::armsOf(suites, readFramings(options), noise && !options.has("no-noise"));
     if (std::none_of(plan.arms.begin(), plan.arms.end(), experiment::exists))
         options.fail("--suites: none of them supports this framing");
+}
+
+/// How precise the sweep shall be, and how many launches that may take.
+void readGoal(Options &options, SweepOptions &out)
+{
+    out.forecast = options.has("plan");
+    if (options.has("until"))
+        out.until = readPercent(options, "until", 0.1);
+    if (!options.has("launches") && out.forecast)
+        out.plan.launches = kPilotLaunches;
+    else if (!options.has("launches") && out.until)
+        out.plan.launches = kMostLaunchesUntil;
+    if (out.until && !out.forecast && out.plan.launches < experiment::kLeastLaunchesUntil)
+        options.fail("--until takes --launches of 10 or more");
+    if (out.forecast && out.plan.launches < 2)
+        options.fail("--plan takes --launches of 2 or more");
 }
 
 void readExpectations(Options &options, SweepOptions &out)
@@ -178,6 +228,7 @@ std::optional<int> readSweepOptions(const QString &name, const QStringList &argu
     out.station.policy.allowPlain = ownAgent || options.has("allow-plain");
     readPlan(options, ownAgent, out.plan);
     readExpectations(options, out);
+    readGoal(options, out);
     out.seedGiven = options.has("seed");
     out.folder = QString::fromStdString(options.text("out"));
     out.json = options.has("json");

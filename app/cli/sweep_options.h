@@ -19,8 +19,10 @@ struct SweepOptions
     std::optional<link::LinkUrl> link; ///< empty: the sweep's own simulator and agent
     engine::StationConfig station;
     std::vector<experiment::Expectation> expectations;
-    QString folder;         ///< empty: no files
-    bool seedGiven = false; ///< otherwise the seed was drawn
+    QString folder;              ///< empty: no files
+    bool seedGiven = false;      ///< otherwise the seed was drawn
+    std::optional<double> until; ///< half width of the interval that ends the sweep: 0.03
+    bool forecast = false;       ///< say how long that would take
     bool json = false;
 };
 

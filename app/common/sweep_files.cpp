@@ -13,8 +13,6 @@
 #include <QtCore/QSaveFile>
 #include <QtCore/QStandardPaths>
 
-#include <limits>
-
 namespace skyseal::app {
 
 namespace {
@@ -60,10 +58,13 @@ bool holdsSweep(const QDir &folder)
         && QJsonDocument::fromJson(file.readAll()).object()[QLatin1String("schema")] == QLatin1String("skyseal-sweep");
 }
 
-/// "packets-natural", with the suffix "-2" and so on if there are several conditions; see experiment::figuresOf().
+/// "packets-natural" and "ratio-packets-natural", with the suffix "-2" and so on if there are several conditions; see
+/// experiment::figuresOf().
 bool isFigureName(const QString &name)
 {
-    const QStringList parts = name.split(QLatin1Char('-'));
+    QStringList parts = name.split(QLatin1Char('-'));
+    if (parts.size() > 2 && parts.first() == QLatin1String("ratio"))
+        parts.removeFirst();
     const auto isLoad = [&](experiment::Load load) { return parts[1].toStdString() == experiment::name(load); };
     return (parts.size() == 2 || (parts.size() == 3 && parts[2].toUInt() > 0))
         && experiment::metricFromKey(parts[0].toStdString())
@@ -91,9 +92,9 @@ QString programPath(const QString &name)
     return QFileInfo(beside).isExecutable() ? beside : QStandardPaths::findExecutable(name);
 }
 
-ContextSizes contextSizes(experiment::HeapFigures &heap)
+std::map<crypto::SuiteId, double> contextSizes(experiment::HeapFigures &heap)
 {
-    ContextSizes out;
+    std::map<crypto::SuiteId, double> out;
     for (const crypto::SuiteInfo &suite : crypto::suites()) {
         if (const auto bytes = heap.context(suite.id))
             out[suite.id] = *bytes;
@@ -102,18 +103,16 @@ ContextSizes contextSizes(experiment::HeapFigures &heap)
 }
 
 SweepFiles writeSweepFiles(const QString &path, const experiment::Results &results,
-                           const std::vector<experiment::Verdict> &verdicts, const ContextSizes &contexts)
+                           const std::vector<experiment::Verdict> &verdicts)
 {
     const QDir folder(path);
-    const auto claims = experiment::paperClaims(results, [&](crypto::SuiteId suite) {
-        const auto found = contexts.find(suite);
-        return found == contexts.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
-    });
+    const std::vector<experiment::Claim> claims = experiment::paperClaims(results);
     const std::vector<experiment::ReportFigure> figures = experiment::figuresOf(results);
     const experiment::ReportParts parts{results, figures, verdicts, claims};
     std::vector<std::pair<QString, std::string>> files{
         {QStringLiteral("sweep.json"), experiment::sweepJson(results, verdicts) + "\n"},
         {QStringLiteral("sweep.csv"), experiment::sweepCsv(results)},
+        {QStringLiteral("ratios.csv"), experiment::ratiosCsv(results)},
         {QStringLiteral("report.html"), experiment::htmlReport(parts)}};
     QStringList drawings;
     for (const experiment::ReportFigure &figure : figures) {
@@ -128,6 +127,22 @@ SweepFiles writeSweepFiles(const QString &path, const experiment::Results &resul
             return {false, std::move(problem)};
     }
     return {true, draw(folder, drawings, experiment::printReport(parts))};
+}
+
+SweepFiles writePooledFiles(const QString &path, const std::vector<experiment::Machine> &machines)
+{
+    const QDir folder(path);
+    if (!folder.mkpath(QStringLiteral("figures")))
+        return {false, path.toStdString() + ": the folder cannot be created"};
+    std::vector<std::pair<QString, std::string>> files{{QStringLiteral("report.html"), experiment::pooledHtml(machines)},
+                                                       {QStringLiteral("pooled.csv"), experiment::pooledCsv(machines)}};
+    for (const experiment::ReportFigure &figure : experiment::forestsOf(machines))
+        files.emplace_back(QStringLiteral("figures/%1.svg").arg(QString::fromStdString(figure.name)), figure.svg);
+    for (const auto &[name, content] : files) {
+        if (std::string problem = write(folder.filePath(name), content); !problem.empty())
+            return {false, std::move(problem)};
+    }
+    return {true, {}};
 }
 
 } // namespace skyseal::app

@@ -1,7 +1,8 @@
-// The files of a sweep: sweep.json, sweep.csv, report.html, figures as SVG; PNG and PDF if skyseal-figures is installed.
+// The files of a sweep: sweep.json, sweep.csv, ratios.csv, report.html, figures as SVG; PNG and PDF if skyseal-figures is installed.
 #pragma once
 
 #include "core/experiment/heap_figures.h"
+#include "core/experiment/pooled_report.h"
 #include "core/experiment/results.h"
 #include "core/experiment/verdicts.h"
 
@@ -19,14 +20,16 @@ struct SweepFiles
     std::string problem; ///< a sentence: the error or the missing files; empty if complete
 };
 
-/// Heap bytes of one keyed cipher, for each suite where they can be measured.
-using ContextSizes = std::map<crypto::SuiteId, double>;
-ContextSizes contextSizes(experiment::HeapFigures &heap);
+/// Heap bytes of one keyed cipher, for each suite where they can be measured: Results::contextBytes.
+std::map<crypto::SuiteId, double> contextSizes(experiment::HeapFigures &heap);
 
 /// Takes seconds if there are pictures to draw; thread-safe. Removes figures and PDF of an older sweep in the folder first, but
 /// no other file.
 SweepFiles writeSweepFiles(const QString &folder, const experiment::Results &results,
-                           const std::vector<experiment::Verdict> &verdicts, const ContextSizes &contexts);
+                           const std::vector<experiment::Verdict> &verdicts);
+
+/// One analysis of several sweeps: report.html, pooled.csv and the forest plots as SVG. Replaces files of the same names.
+SweepFiles writePooledFiles(const QString &folder, const std::vector<experiment::Machine> &machines);
 
 /// The path of a program of Skyseal: in the folder of this program, then on the PATH; empty if missing.
 QString programPath(const QString &name);

@@ -1,8 +1,11 @@
 #include "app/common/sweep_setting.h"
 
+#include "app/common/sweep_files.h"
 #include "core/experiment/setting.h"
 
+#include <QtCore/QCryptographicHash>
 #include <QtCore/QDateTime>
+#include <QtCore/QFile>
 
 namespace skyseal::app {
 
@@ -15,6 +18,12 @@ experiment::Setting describeSetting(const char *version, const QString &command)
     for (auto &entry : experiment::machineSetting())
         out.push_back(std::move(entry));
     out.emplace_back("qt", qVersion());
+    for (const char *name : {"skyseal-cli", "skyseal-air", "skyseal-sim"}) {
+        QFile program(programPath(QString::fromLatin1(name)));
+        QCryptographicHash hash(QCryptographicHash::Sha256);
+        if (program.open(QIODevice::ReadOnly) && hash.addData(&program))
+            out.emplace_back("sha256_" + std::string(name), hash.result().toHex().toStdString());
+    }
     return out;
 }
 

@@ -80,8 +80,8 @@ void SweepController::save(const experiment::Results &results, const QString &fo
     if (m_writer)
         return;
     // On a thread, since drawing the pictures takes seconds.
-    m_writer.reset(QThread::create([this, results, folder, contexts = m_heap ? contextSizes(*m_heap) : ContextSizes()] {
-        const SweepFiles files = writeSweepFiles(folder, results, {}, contexts);
+    m_writer.reset(QThread::create([this, results, folder] {
+        const SweepFiles files = writeSweepFiles(folder, results, {});
         QMetaObject::invokeMethod(this, [this, folder, files] {
             m_writer->wait();
             m_writer.reset();

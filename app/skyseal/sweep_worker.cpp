@@ -114,6 +114,8 @@ void SweepWorker::end(const QString &problem)
     if (m_runner)
         *results = m_runner->results();
     results->setting = std::move(m_setting);
+    if (m_heap)
+        results->contextBytes = contextSizes(*m_heap);
     m_runner.reset();
     m_lab.reset();
     Q_EMIT finished(std::move(results), problem);

@@ -6,19 +6,6 @@
 
 namespace skyseal::experiment {
 
-static double stepOf(const Plan &plan, Metric metric, double mean, double other)
-{
-    const Resolution &resolution = info(metric).resolution;
-    const double frames = resolution.frames / (resolution.perSecond ? seconds(plan.measure) : 1);
-    return std::max(frames, resolution.share * std::max(std::abs(mean), std::abs(other)));
-}
-
-static bool isCompared(const SweepArm &arm, Metric metric)
-{
-    return info(metric).independent && !info(metric).explains
-        && !(info(metric).zeroInPlain && arm.suite == crypto::SuiteId::None);
-}
-
 /// Frames or records that a share is of, in one sample.
 static double trialsOf(const Sample &sample, ShareOf share)
 {
@@ -57,73 +44,6 @@ Summary summaryOf(const Results &results, const Cell &cell, Metric metric)
         out.halfWidth = boundOfNone(trialsOf(results, cell, described));
     if (!described.independent)
         out.halfWidth = std::numeric_limits<double>::quiet_NaN();
-    return out;
-}
-
-std::vector<ArmComparison> compareArms(const Results &results, std::size_t condition, std::size_t load, Metric metric)
-{
-    std::vector<std::size_t> arms;
-    std::vector<std::vector<double>> groups;
-    for (std::size_t arm = 0; arm < results.plan.arms.size(); ++arm) {
-        if (results.plan.arms[arm].again || !isCompared(results.plan.arms[arm], metric))
-            continue;
-        arms.push_back(arm);
-        groups.push_back(valuesOf(results, {condition, load, arm}, metric));
-    }
-    std::vector<ArmComparison> out;
-    for (Comparison &comparison : compareAll(groups)) {
-        const double mean = summarise(groups[comparison.first]).mean;
-        comparison.step = stepOf(results.plan, metric, mean, mean + comparison.test.difference);
-        out.push_back({condition, load, metric, arms[comparison.first], arms[comparison.second], mean, comparison});
-    }
-    return out;
-}
-
-/// One test, not corrected yet.
-static std::optional<NoiseCheck> noiseAt(const Results &results, std::size_t condition, std::size_t load, Metric metric)
-{
-    const std::vector<SweepArm> &arms = results.plan.arms;
-    const auto again = std::find_if(arms.begin(), arms.end(), [](const SweepArm &arm) { return arm.again; });
-    if (again == arms.end() || !isCompared(*again, metric))
-        return std::nullopt;
-    const auto first = std::find(arms.begin(), arms.end(), SweepArm{again->suite, false, again->framing});
-    if (first == arms.end())
-        return std::nullopt;
-    NoiseCheck out;
-    out.condition = condition;
-    out.load = load;
-    out.metric = metric;
-    out.arm = static_cast<std::size_t>(first - arms.begin());
-    out.again = static_cast<std::size_t>(again - arms.begin());
-    const std::vector<double> values = valuesOf(results, {condition, load, out.arm}, metric);
-    const std::vector<double> valuesAgain = valuesOf(results, {condition, load, out.again}, metric);
-    const Summary summary = summarise(values), summaryAgain = summarise(valuesAgain);
-    if (summary.count < 2 || summaryAgain.count < 2)
-        return std::nullopt;
-    out.mean = summary.mean;
-    out.meanAgain = summaryAgain.mean;
-    out.comparison.test = welch(values, valuesAgain);
-    out.comparison.step = stepOf(results.plan, metric, out.mean, out.meanAgain);
-    return out;
-}
-
-std::vector<NoiseCheck> noiseOf(const Results &results)
-{
-    std::vector<NoiseCheck> out;
-    std::vector<double> p;
-    for (std::size_t condition = 0; condition < results.plan.conditions.size(); ++condition) {
-        for (std::size_t load = 0; load < results.plan.loads.size(); ++load) {
-            for (const MetricInfo &metric : metrics()) {
-                if (const auto noise = noiseAt(results, condition, load, metric.metric)) {
-                    out.push_back(*noise);
-                    p.push_back(noise->comparison.test.p);
-                }
-            }
-        }
-    }
-    const std::vector<double> adjusted = holm(p);
-    for (std::size_t i = 0; i < out.size(); ++i)
-        out[i].comparison.adjusted = adjusted[i];
     return out;
 }
 

@@ -1,10 +1,14 @@
 #include "core/experiment/claims.h"
 
 #include "core/experiment/analysis.h"
+#include "core/experiment/contrast.h"
+#include "core/experiment/statistics.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 namespace skyseal::experiment {
 
@@ -12,8 +16,8 @@ namespace {
 
 using crypto::SuiteId;
 
-constexpr std::array kRivals{SuiteId::Aes256Cbc, SuiteId::Aes256Ctr, SuiteId::Rc4};
-constexpr double kAsGood = 0.02; ///< smaller relative differences have no practical effect
+constexpr std::array kOthers{SuiteId::Aes256Cbc, SuiteId::Aes256Ctr, SuiteId::Rc4};
+constexpr std::array kPapers{SuiteId::ChaCha20, SuiteId::Aes256Ctr, SuiteId::Aes256Cbc, SuiteId::Rc4};
 
 std::string nameOf(SuiteId suite)
 {
@@ -43,114 +47,235 @@ Place judgedPlace(const Plan &plan)
 }
 
 /// "CPU time per frame, station (cpu_per_frame, link clean, saturated load, framing sealed): "
-std::string whereText(const Plan &plan, const Place &place, Metric metric)
+std::string whereText(const Plan &plan, Metric metric)
 {
+    const Place place = judgedPlace(plan);
     return std::string(info(metric).title) + " (" + std::string(info(metric).key) + ", link "
         + conditionText(plan.conditions[place.condition]) + ", " + std::string(name(plan.loads[place.load])) + " load, framing "
         + std::string(name(judgedFraming(plan))) + "): ";
 }
 
-/// The mean of the second suite relative to that of the first.
-struct Standing
+std::optional<std::size_t> judgedArm(const Plan &plan, SuiteId suite)
 {
-    bool compared = false;                   ///< both suites were measured at least twice
-    bool known = false, significant = false; ///< see Comparison
-    double ratio = 1;
-    double margin = 0; ///< half of the 90 % interval of the difference, as a share of the first one's mean
-    std::string text;
+    for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
+        const SweepArm &one = plan.arms[arm];
+        if (one.suite == suite && !one.again && (suite == SuiteId::None || one.framing == judgedFraming(plan)))
+            return arm;
+    }
+    return std::nullopt;
+}
+
+/// The first to the second, by one metric.
+std::optional<Contrast> ratioOf(const Results &results, Metric metric, SuiteId first, SuiteId second)
+{
+    const Place place = judgedPlace(results.plan);
+    const auto over = judgedArm(results.plan, first), under = judgedArm(results.plan, second);
+    if (!over || !under)
+        return std::nullopt;
+    for (const Contrast &one : plannedContrasts(results, place.condition, place.load, metric)) {
+        if (one.first == *under && one.second == *over)
+            return one;
+        if (one.first == *over && one.second == *under)
+            return one.reversed();
+    }
+    return std::nullopt;
+}
+
+/// What a claim says of a ratio. `margin` is the factor that counts: 1.03.
+using Judge = Finding (*)(double low, double high, double margin);
+
+Finding isLower(double low, double high, double margin)
+{
+    return high < 1 / margin ? Finding::Confirmed : low > 1 / margin ? Finding::Refuted : Finding::NotDecided;
+}
+
+Finding isHigher(double low, double high, double margin)
+{
+    return isLower(1 / high, 1 / low, margin);
+}
+
+/// Not lower by as much as the margin.
+Finding isAsHigh(double low, double high, double margin)
+{
+    return low > 1 / margin ? Finding::Confirmed : high < 1 / margin ? Finding::Refuted : Finding::NotDecided;
+}
+
+Finding isEqual(double low, double high, double margin)
+{
+    if (low > 1 / margin && high < margin)
+        return Finding::Confirmed;
+    return high < 1 / margin || low > margin ? Finding::Refuted : Finding::NotDecided;
+}
+
+/// By however little.
+Finding isAbove(double low, double high, double)
+{
+    return low > 1 ? Finding::Confirmed : high < 1 ? Finding::Refuted : Finding::NotDecided;
+}
+
+std::string percentText(double share)
+{
+    return readable(100 * share) + " %";
+}
+
+/// "chacha20 to rc4 0.85 (0.81 to 0.89)"
+std::string ratioText(const std::string &first, const std::string &second, double ratio, double low, double high)
+{
+    return first + " to " + second + " " + readable(ratio) + " (" + readable(low) + " to " + readable(high) + ")";
+}
+
+/// Judges several ratios as one: all must be confirmed, and one that is refuted refutes the whole.
+class Gathered
+{
+public:
+    Gathered(const Results &results, Judge judge) : m_results(results), m_judge(judge) {}
+
+    void add(const std::string &first, const std::string &second, double ratio, double low, double high)
+    {
+        const Finding found = m_judge(low, high, 1 + m_results.plan.margin);
+        m_any = true;
+        m_allConfirmed = m_allConfirmed && found == Finding::Confirmed;
+        m_anyRefuted = m_anyRefuted || found == Finding::Refuted;
+        m_text += (m_text.empty() ? "" : "; ") + ratioText(first, second, ratio, low, high)
+            + (found == Finding::NotDecided ? ", which could have decided a margin of " + percentText(std::sqrt(high / low) - 1)
+                                            : "");
+    }
+
+    void add(Metric metric, SuiteId first, SuiteId second)
+    {
+        const std::optional<Contrast> ratio = ratioOf(m_results, metric, first, second);
+        if (ratio && std::isfinite(ratio->low()) && std::isfinite(ratio->high()))
+            return add(nameOf(first), nameOf(second), ratio->value(), ratio->low(), ratio->high());
+        m_missing += (m_missing.empty() ? "" : ", ") + nameOf(first) + " to " + nameOf(second);
+    }
+
+    Finding finding() const
+    {
+        if (m_anyRefuted)
+            return Finding::Refuted;
+        return m_any && m_allConfirmed && m_missing.empty() ? Finding::Confirmed : Finding::NotDecided;
+    }
+
+    std::string text() const
+    {
+        const std::string ratios = m_text.empty()
+            ? ""
+            : m_text + "; ratios with their 95 % intervals, margin " + percentText(m_results.plan.margin) + ".";
+        const std::string missing = m_missing.empty() ? "" : m_missing + ": not measured often enough for an interval.";
+        return ratios + (ratios.empty() || missing.empty() ? "" : " ") + missing;
+    }
+
+private:
+    const Results &m_results;
+    Judge m_judge;
+    std::string m_text, m_missing;
+    bool m_any = false, m_allConfirmed = true, m_anyRefuted = false;
 };
 
-Standing standing(const Results &results, const Place &place, Metric metric, SuiteId first, SuiteId second)
+struct Pair
 {
-    Standing out;
-    for (const ArmComparison &pair : compareArms(results, place.condition, place.load, metric)) {
-        const SweepArm &one = results.plan.arms[pair.first], &two = results.plan.arms[pair.second];
-        const channel::Framing framing = judgedFraming(results.plan);
-        if ((one.suite != SuiteId::None && one.framing != framing) || two.framing != framing)
-            continue; // plain MAVLink is always the first arm
-        const SuiteId a = one.suite, b = two.suite;
-        if (!((a == first && b == second) || (a == second && b == first)))
-            continue;
-        const double other = pair.firstMean + pair.comparison.test.difference;
-        const double mine = a == first ? pair.firstMean : other, theirs = a == first ? other : pair.firstMean;
-        out.compared = true;
-        out.known = pair.comparison.known();
-        out.significant = pair.comparison.significant();
-        out.ratio = theirs / mine;
-        out.margin = pair.comparison.test.halfWidth(0.9) / mine;
-        out.text = nameOf(second) + " " + readable(theirs) + " against " + readable(mine)
-            + (!out.known                               ? " (neither varies, in too few runs to say whether they differ)"
-                   : !out.significant                   ? " (no significant difference)"
-                   : std::abs(out.ratio - 1) <= kAsGood ? " (less than 2 % apart)"
-                                                        : "");
-        return out;
-    }
+    SuiteId first, second;
+};
+
+std::vector<Pair> eachAgainst(SuiteId first, std::initializer_list<SuiteId> others)
+{
+    std::vector<Pair> out;
+    for (const SuiteId other : others)
+        out.push_back({first, other});
     return out;
 }
 
-/// ChaCha20 against each of the paper's other ciphers; better means less, or more with `moreIsBetter`.
-Claim against(const Results &results, const Place &place, Metric metric, bool moreIsBetter, std::string text)
+/// A claim about ratios of one metric.
+Claim judged(const Results &results, std::string_view key, std::string text, Metric metric, Judge judge,
+             const std::vector<Pair> &pairs)
 {
-    Claim out{std::move(text), Finding::CannotBeSaid, {}};
-    std::size_t better = 0, worse = 0, compared = 0;
-    std::string list;
-    for (const SuiteId rival : kRivals) {
-        const Standing found = standing(results, place, metric, SuiteId::ChaCha20, rival);
-        if (!found.compared)
-            continue;
-        ++compared;
-        if (found.significant && std::abs(found.ratio - 1) > kAsGood)
-            ++((found.ratio > 1) != moreIsBetter ? better : worse);
-        list += (list.empty() ? "" : "; ") + found.text;
-    }
-    out.reason = compared == 0
-        ? whereText(results.plan, place, metric) + "ChaCha20 and the other ciphers were not measured twice each."
-        : whereText(results.plan, place, metric) + list + " for chacha20.";
-    if (worse > 0)
-        out.finding = Finding::NotConfirmed;
-    else if (better == kRivals.size())
-        out.finding = Finding::Confirmed;
+    Gathered gathered(results, judge);
+    for (const Pair &pair : pairs)
+        gathered.add(metric, pair.first, pair.second);
+    Claim out{key, std::move(text), gathered.finding(), whereText(results.plan, metric) + gathered.text()};
+    if (!isCompared(metric, results.plan.loads[judgedPlace(results.plan).load]))
+        out.reason += " The vehicle sets this rate under the natural load, whatever the suite costs.";
     return out;
 }
 
-/// As good as plain MAVLink or better, by two one-sided tests, so that few or scattered samples do not confirm the claim.
-Claim unharmed(const Results &results, const Place &place)
+/// What a suite adds to the memory of a process: the heap of a session, or of a keyed cipher where that was not measured.
+double heapOf(const Results &results, SuiteId suite)
 {
-    Claim out{"Integrating ChaCha20 does not affect the performance of MAVLink: as many packets as without encryption.",
-              Finding::CannotBeSaid, "Plain MAVLink and ChaCha20 were not measured twice each."};
-    const Standing found = standing(results, place, Metric::Packets, SuiteId::None, SuiteId::ChaCha20);
-    if (!found.compared)
-        return out;
-    out.reason = whereText(results.plan, place, Metric::Packets) + found.text + " for plain MAVLink.";
-    if (results.plan.loads[place.load] == Load::Natural) {
-        out.reason +=
-            " The vehicle sets this rate, whatever the suite costs; the claim can be tested only under the saturated load.";
-        return out;
+    if (suite == SuiteId::None)
+        return 0;
+    for (const Cell &cell : cells(results.plan)) {
+        const double mean = results.plan.arms[cell.arm].suite == suite
+            ? summarise(valuesOf(results, cell, Metric::SessionMemory)).mean
+            : std::numeric_limits<double>::quiet_NaN();
+        if (std::isfinite(mean))
+            return mean;
     }
-    const double change = found.ratio - 1;
-    const bool more = found.significant && change > kAsGood;
-    if (found.significant && change < -kAsGood)
-        out.finding = Finding::NotConfirmed;
-    else if (more || std::abs(change) + found.margin <= kAsGood)
-        out.finding = Finding::Confirmed;
-    else
-        out.reason += " The difference, " + readable(100 * change) + " ± " + readable(100 * found.margin)
-            + " % (90 % confidence interval), is not known to be within 2 %.";
-    if (more && judgedFraming(results.plan) == channel::Framing::Sealed)
-        out.reason += " Sealing puts several frames into a record, and sending fewer datagrams makes it faster.";
+    const auto found = results.contextBytes.find(suite);
+    return found == results.contextBytes.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+}
+
+/// Of the measuring process, with all suites.
+double residentOf(const Results &results)
+{
+    std::vector<double> values;
+    for (const Sample &sample : results.samples) {
+        if (sample.problem.empty())
+            values.push_back(sample.values[Metric::Memory]);
+    }
+    return summarise(values).mean;
+}
+
+/// A claim about the memory of the process, which differs between suites by the heap of a session. That is a count, so that its
+/// ratio is exact.
+Claim judgedMemory(const Results &results, std::string_view key, std::string text, Judge judge, const std::vector<Pair> &pairs)
+{
+    Claim out{key, std::move(text), Finding::NotDecided, {}};
+    const double resident = residentOf(results);
+    Gathered gathered(results, judge);
+    std::string heaps;
+    for (const Pair &pair : pairs) {
+        const double one = heapOf(results, pair.first), two = heapOf(results, pair.second);
+        const double ratio = (resident + one) / (resident + two);
+        if (!std::isfinite(ratio)) {
+            out.reason = "The heap of a session was not measured for each of these suites.";
+            return out;
+        }
+        gathered.add(nameOf(pair.first), nameOf(pair.second), ratio, ratio, ratio);
+        if (heaps.empty())
+            heaps = nameOf(pair.first) + " " + readable(one) + " B";
+        heaps += ", " + nameOf(pair.second) + " " + readable(two) + " B";
+    }
+    out.finding = gathered.finding();
+    out.reason = "The station's process takes " + readable(resident / 1e6)
+        + " MB with any suite; of these a session's heap, by "
+          "which suites differ, is: "
+        + heaps + ". " + gathered.text();
     return out;
 }
 
-Claim memory(const std::function<double(SuiteId)> &contextBytes)
+/// "none, chacha20 1.08 (1.05 to 1.11), …"
+std::string orderHere(const Results &results, Metric metric, bool mostFirst)
 {
-    Claim out{"ChaCha20 occupies less memory than AES-CBC, AES-CTR and RC4.", Finding::CannotBeSaid,
-              "The programs keep running while suites change, so resident memory does not belong to one suite."};
-    std::string list;
-    for (const SuiteId suite : {SuiteId::ChaCha20, SuiteId::Aes256Cbc, SuiteId::Aes256Ctr, SuiteId::Rc4}) {
-        if (const double bytes = contextBytes(suite); std::isfinite(bytes))
-            list += (list.empty() ? " Heap of one keyed cipher: " : ", ") + nameOf(suite) + " " + readable(bytes) + " B";
+    struct Standing
+    {
+        std::string text;
+        double ratio;
+    };
+    std::vector<Standing> places{{"plain 1", 1}};
+    for (const SuiteId suite : kPapers) {
+        if (const auto ratio = ratioOf(results, metric, suite, SuiteId::None))
+            places.push_back({nameOf(suite) + " " + readable(ratio->value()) + " (" + readable(ratio->low()) + " to "
+                                  + readable(ratio->high()) + ")",
+                              ratio->value()});
     }
-    out.reason += list.empty() ? "" : list + "; negligible beside a process of several megabytes.";
+    if (places.size() < 2)
+        return {};
+    std::stable_sort(places.begin(), places.end(), [mostFirst](const Standing &a, const Standing &b) {
+        return mostFirst ? a.ratio > b.ratio : a.ratio < b.ratio;
+    });
+    std::string out;
+    for (const Standing &place : places)
+        out += (out.empty() ? "" : ", ") + place.text;
     return out;
 }
 
@@ -160,33 +285,76 @@ std::string_view findingText(Finding finding)
 {
     switch (finding) {
     case Finding::Confirmed: return "confirmed";
-    case Finding::NotConfirmed: return "not confirmed";
-    case Finding::CannotBeSaid: break;
+    case Finding::Refuted: return "refuted";
+    case Finding::NotDecided: break;
     }
-    return "cannot be said from this data";
+    return "not decided";
 }
 
-std::vector<Claim> paperClaims(const Results &results, const std::function<double(SuiteId)> &contextBytes)
+std::vector<Claim> paperClaims(const Results &results)
 {
-    const Place place = judgedPlace(results.plan);
+    const std::vector<Pair> chacha = eachAgainst(SuiteId::ChaCha20, {kOthers[0], kOthers[1], kOthers[2]});
+    const std::vector<Pair> rc4 = eachAgainst(SuiteId::Rc4, {SuiteId::ChaCha20, SuiteId::Aes256Ctr, SuiteId::Aes256Cbc});
+    const std::vector<Pair> chachaToPlain = eachAgainst(SuiteId::ChaCha20, {SuiteId::None});
     std::vector<Claim> out;
-    out.push_back(against(results, place, Metric::Packets, true,
-                          "ChaCha20 performs better than AES-CBC, AES-CTR and RC4: more packets in the same time."));
-    out.push_back(against(results, place, Metric::CpuPerFrame, false,
-                          "ChaCha20 needs less CPU than AES-CBC, AES-CTR and RC4: at the station."));
-    out.push_back(against(results, place, Metric::AgentCpuPerFrame, false,
-                          "ChaCha20 needs less CPU than AES-CBC, AES-CTR and RC4: at the drone, by the agent."));
-    out.push_back(memory(contextBytes));
-    out.push_back(unharmed(results, place));
+    out.push_back(judged(results, "packets-best",
+                         "ChaCha20 performs better than AES-CBC, AES-CTR and RC4: more packets in the same time.",
+                         Metric::Packets, isHigher, chacha));
+    out.push_back(judged(results, "cpu-least-station", "ChaCha20 needs less CPU than AES-CBC, AES-CTR and RC4: at the station.",
+                         Metric::CpuPerFrame, isLower, chacha));
+    out.push_back(judged(results, "cpu-least-drone",
+                         "ChaCha20 needs less CPU than AES-CBC, AES-CTR and RC4: at the drone, by the agent.",
+                         Metric::AgentCpuPerFrame, isLower, chacha));
     out.push_back(
-        {"Less CPU and memory save the drone's battery.", Finding::CannotBeSaid,
-         wasMeasured(results, Metric::EnergyPerFrame)
-             ? "The measurement (energy_per_frame) covers the whole processor of this machine, including idle power; it "
-               "does not apply to a drone."
-             : "Energy was not measured, and that of a desktop processor would not apply to a drone."});
-    out.push_back({"Encryption with ChaCha20 guarantees confidentiality.", Finding::CannotBeSaid,
+        judgedMemory(results, "memory-least", "ChaCha20 occupies less memory than AES-CBC, AES-CTR and RC4.", isLower, chacha));
+    out.push_back(judged(results, "packets-unharmed",
+                         "Integrating ChaCha20 does not affect the performance of MAVLink: as many packets as without "
+                         "encryption.",
+                         Metric::Packets, isAsHigh, chachaToPlain));
+    if (out.back().finding == Finding::Confirmed && judgedFraming(results.plan) == channel::Framing::Sealed)
+        out.back().reason += " Sealing puts several frames into a record, and sending fewer datagrams makes it faster.";
+    out.push_back(judged(results, "packets-plain-above",
+                         "Without encryption slightly more packets than with ChaCha20 (by however little).", Metric::Packets,
+                         isAbove, eachAgainst(SuiteId::None, {SuiteId::ChaCha20})));
+    std::vector<Pair> streams = eachAgainst(SuiteId::ChaCha20, {SuiteId::Aes256Cbc, SuiteId::Rc4});
+    for (const Pair &pair : eachAgainst(SuiteId::Aes256Ctr, {SuiteId::Aes256Cbc, SuiteId::Rc4}))
+        streams.push_back(pair);
+    out.push_back(judged(results, "packets-streams", "ChaCha20 and AES-CTR transmit more packets than AES-CBC and RC4.",
+                         Metric::Packets, isHigher, streams));
+    out.push_back(judged(results, "rc4-cpu-station", "RC4 needs the most CPU of the four ciphers: at the station.",
+                         Metric::CpuPerFrame, isHigher, rc4));
+    out.push_back(judged(results, "rc4-cpu-drone", "RC4 needs the most CPU of the four ciphers: at the drone, by the agent.",
+                         Metric::AgentCpuPerFrame, isHigher, rc4));
+    out.push_back(judgedMemory(results, "rc4-memory", "RC4 occupies the most memory of the four ciphers.", isHigher, rc4));
+    out.push_back(judged(results, "cpu-plain-station", "ChaCha20 needs as much CPU as no encryption: at the station.",
+                         Metric::CpuPerFrame, isEqual, chachaToPlain));
+    out.push_back(judged(results, "cpu-plain-drone", "ChaCha20 needs as much CPU as no encryption: at the drone, by the agent.",
+                         Metric::AgentCpuPerFrame, isEqual, chachaToPlain));
+    out.push_back(
+        judgedMemory(results, "memory-plain", "ChaCha20 occupies as much memory as no encryption.", isEqual, chachaToPlain));
+    out.push_back({"battery", "Less CPU and memory save the drone's battery.", Finding::NotDecided,
+                   wasMeasured(results, Metric::EnergyPerFrame)
+                       ? "The measurement (energy_per_frame) covers the whole processor of this machine, including idle power; "
+                         "it does not apply to a drone."
+                       : "Energy was not measured, and that of a desktop processor would not apply to a drone."});
+    out.push_back({"confidentiality", "Encryption with ChaCha20 guarantees confidentiality.", Finding::NotDecided,
                    "A measurement of costs cannot show it. Every suite is also authenticated here, unlike in the paper, so "
                    "the cost of the four classic ciphers includes HMAC-SHA-256."});
+    return out;
+}
+
+std::vector<Ordering> orderings(const Results &results)
+{
+    std::vector<Ordering> out;
+    const auto add = [&](std::string quantity, std::string paper, Metric metric, bool mostFirst) {
+        if (std::string here = orderHere(results, metric, mostFirst); !here.empty())
+            out.push_back({std::move(quantity), std::move(paper), std::move(here)});
+    };
+    add("Packets, the most first", "plain, chacha20; then aes-256-ctr; then aes-256-cbc and rc4", Metric::Packets, true);
+    add("CPU time at the station, the least first", "chacha20 like plain; then the others, rc4 last", Metric::CpuPerFrame,
+        false);
+    add("CPU time at the drone, the least first", "chacha20 like plain; then the others, rc4 last", Metric::AgentCpuPerFrame,
+        false);
     return out;
 }
 

@@ -4,27 +4,40 @@
 
 #include "core/experiment/results.h"
 
-#include <functional>
 #include <string>
 #include <vector>
 
 namespace skyseal::experiment {
 
-enum class Finding : std::uint8_t { Confirmed, NotConfirmed, CannotBeSaid };
-/// "confirmed", "not confirmed", "cannot be said from this data"
+/// By equivalence within Plan::margin: an interval that lies wholly on one side of the margin decides, and one that reaches over
+/// it does not, however the mean lies.
+enum class Finding : std::uint8_t { Confirmed, Refuted, NotDecided };
+/// "confirmed", "refuted", "not decided"
 std::string_view findingText(Finding finding);
 
 struct Claim
 {
-    std::string text; ///< paraphrased
+    std::string_view key; ///< "packets-best"
+    std::string text;     ///< paraphrased
     Finding finding{};
-    std::string reason; ///< with the figures that the finding is based on
+    /// With the ratios and intervals that the finding is based on; where it is not decided, with the margin that these data could
+    /// have decided.
+    std::string reason;
 };
 
-/// `contextBytes` returns the heap bytes of one keyed cipher, NaN if unknown. Claims are judged on the clean link, otherwise
-/// under the first condition; packets and CPU under the saturated load, since the natural one leaves every suite idle; and in
-/// the paper's framing (inline); each as far as it was measured, and stated in the reason. Differences below 2 % do not count,
-/// even if significant.
-std::vector<Claim> paperClaims(const Results &results, const std::function<double(crypto::SuiteId)> &contextBytes);
+/// Claims are judged on the clean link, otherwise under the first condition; packets and CPU under the saturated load, since the
+/// natural one leaves every suite idle; and in the paper's framing (inline); each as far as it was measured, and stated in the
+/// reason.
+std::vector<Claim> paperClaims(const Results &results);
+
+/// The order in which the paper found the ciphers by one quantity, and the one that this sweep found. Only orders are compared:
+/// the paper's values are those of another machine.
+struct Ordering
+{
+    std::string quantity; ///< "Packets, the most first"
+    std::string paper, here;
+};
+/// Empty without plain MAVLink or without comparisons.
+std::vector<Ordering> orderings(const Results &results);
 
 } // namespace skyseal::experiment

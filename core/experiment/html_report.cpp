@@ -2,6 +2,7 @@
 
 #include "core/experiment/analysis.h"
 #include "core/experiment/bar_chart.h"
+#include "core/experiment/contrast.h"
 #include "core/experiment/disturbances.h"
 #include "core/experiment/setting.h"
 #include "core/experiment/sweep_text.h"
@@ -71,106 +72,130 @@ std::string summaryTable(const Results &results, std::size_t condition, std::siz
     return out + "</table>\n";
 }
 
-/// "aes-256-gcm is 12 % lower than chacha20 (p = 0.003)"
-std::string pairText(const Plan &plan, const ArmComparison &pair)
+/// "1.08 (1.05 to 1.11)", bold where it is significant; of shares the difference in per cent.
+std::string contrastCell(const Contrast &contrast)
 {
-    const double second = pair.firstMean + pair.comparison.test.difference;
-    const bool lower = second < pair.firstMean;
-    const double percent = 100 * std::abs(second / pair.firstMean - 1);
-    const auto named = [&plan](std::size_t arm) { return escaped(fullName(plan.arms[arm])); };
-    std::string out = named(pair.second) + (lower ? " lower than " : " higher than ") + named(pair.first);
-    if (std::isfinite(percent))
-        out += " by " + readable(percent) + " %";
-    const double p = pair.comparison.adjusted;
-    return out + (p < 0.001 ? " (p &lt; 0.001)" : " (p = " + readable(p) + ")");
+    const double scale = contrast.relative ? 1 : 100;
+    std::string out = readable(scale * contrast.value());
+    if (std::isfinite(contrast.low()) && std::isfinite(contrast.high()))
+        out += " (" + readable(scale * contrast.low()) + " to " + readable(scale * contrast.high()) + ")";
+    return contrast.significant() ? "<b>" + out + "</b>" : out;
 }
 
-std::string differences(const Results &results, std::size_t condition, std::size_t load)
+std::string contrastTitle(Metric metric)
 {
-    std::string out = "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
-        + row({"metric", "pairs compared", "significant differences (Welch, Holm-corrected, 5 %)"}, "th");
-    for (const Metric metric : metricsShownIn(kDifferences)) {
-        const auto pairs = compareArms(results, condition, load, metric);
-        if (pairs.empty())
-            continue;
-        std::string list;
-        std::size_t unknown = 0;
-        for (const ArmComparison &pair : pairs) {
-            if (pair.comparison.significant())
-                list += (list.empty() ? "" : "; ") + pairText(results.plan, pair);
-            unknown += !pair.comparison.known();
-        }
-        if (unknown > 0)
-            list += (list.empty() ? "" : "; ") + ("of " + std::to_string(unknown))
-                + " it cannot be said, as neither of the two varies";
-        out += "<tr><td>" + escaped(info(metric).title) + "</td><td>" + std::to_string(pairs.size())
-            + "</td><td class=\"text\">" + (list.empty() ? "none" : list) + "</td></tr>\n";
+    return escaped(std::string(info(metric).title) + (info(metric).isShare() ? ", difference in %" : ""));
+}
+
+/// The main result: each arm against the reference by each metric.
+std::string ratioTable(const Results &results, std::size_t condition, std::size_t load)
+{
+    const Plan &plan = results.plan;
+    const auto reference = referenceArm(plan);
+    std::vector<std::size_t> arms;
+    for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
+        if (arm != reference && !plan.arms[arm].again && exists(plan.arms[arm]))
+            arms.push_back(arm);
     }
-    out += "</table>\n";
-    const auto &arms = results.plan.arms;
-    if (std::any_of(arms.begin(), arms.end(), [](const SweepArm &arm) { return arm.suite == crypto::SuiteId::None; }))
-        out +=
-            "<p>A comparison with none shows the whole cost of sealing: in plain MAVLink, too, the agent joins the frames of "
-            "one wake-up into one datagram. Besides the cipher, sealing adds a header and a tag to each record, look-up, "
-            "replay window, counters, and one report per second from each end.</p>\n";
+    std::vector<std::string> head{"metric"}, framings{"framing"};
+    for (const std::size_t arm : arms) {
+        head.push_back(armText(plan.arms[arm]));
+        framings.emplace_back(framingName(plan.arms[arm]));
+    }
+    std::string rows;
+    for (const Metric metric : metricsShownIn(kDifferences)) {
+        const std::vector<Contrast> contrasts = plannedContrasts(results, condition, load, metric);
+        std::vector<std::string> cells{contrastTitle(metric)};
+        bool any = false;
+        for (const std::size_t arm : arms) {
+            const auto found = std::ranges::find_if(
+                contrasts, [&](const Contrast &one) { return one.first == reference && one.second == arm; });
+            cells.push_back(found == contrasts.end() ? "–" : contrastCell(*found));
+            any = any || found != contrasts.end();
+        }
+        if (any)
+            rows += row(cells);
+    }
+    if (rows.empty())
+        return "<p>No two suites were measured twice each under this load.</p>\n";
+    return "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n" + row(head, "th") + row(framings, "th") + rows
+        + "</table>\n";
+}
+
+/// The pairs of the paper's claims.
+std::string pairTable(const Results &results, std::size_t condition, std::size_t load)
+{
+    const Plan &plan = results.plan;
+    std::string rows;
+    for (const Metric metric : metricsShownIn(kRatio)) {
+        for (const Contrast &one : plannedContrasts(results, condition, load, metric)) {
+            if (one.first != referenceArm(plan))
+                rows += row({contrastTitle(metric), escaped(fullName(plan.arms[one.second])),
+                             escaped(fullName(plan.arms[one.first])), contrastCell(one), readable(one.adjusted)});
+        }
+    }
+    return rows.empty()
+        ? rows
+        : "<h3>Pairs that a claim of the paper names</h3>\n<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
+            + row({"metric", "suite", "to", "ratio", "p corrected"}, "th") + rows + "</table>\n";
+}
+
+std::string plainText(const Plan &plan)
+{
+    if (std::ranges::none_of(plan.arms, [](const SweepArm &arm) { return arm.suite == crypto::SuiteId::None; }))
+        return {};
+    return "<p>A comparison with none shows the whole cost of sealing: in plain MAVLink, too, the agent joins the frames of "
+           "one wake-up into one datagram. Besides the cipher, sealing adds a header and a tag to each record, look-up, "
+           "replay window, counters, and one report per second from each end.</p>\n";
+}
+
+const char *verdictText(const Contrast &contrast, bool differs)
+{
+    return !contrast.known() ? "cannot be said" : differs ? "differs" : "no difference";
+}
+
+/// How the ratios came about, and what their intervals hold for.
+std::string methodText(const Results &results)
+{
+    const unsigned launches = results.plan.launches;
+    std::string out = "Ratios to " + escaped(referenceText(results.plan))
+        + " with their 95 % confidence intervals are the result; bold ones differ significantly at 5 % by Holm's method over the "
+          "comparisons of one metric, link and load that were planned: each suite against the reference, and the pairs that "
+          "the paper's claims name. They rest on log(value) = arm + block with the launch as a random effect, so that what a block "
+          "shares cancels; for shares, on differences. Two frames in a run, and a step of the histogram in a percentile, are "
+          "no difference. Under the natural load the vehicle decides how many packets there are; they are not compared.";
+    if (launches == 1)
+        out += " <b>All programs were started once only: the intervals hold for this one start, and another may differ by more "
+               "(--launches).</b>";
+    else
+        out += " All programs started anew " + std::to_string(launches)
+            + " times, and the intervals say what other starts would show.";
     return out;
-}
-
-const char *verdictText(const Comparison &comparison, bool differs)
-{
-    return !comparison.known() ? "cannot be said" : differs ? "differs" : "no difference";
-}
-
-/// "-3.1 to 4.2 %" of the mean.
-std::string intervalText(const NoiseCheck &noise)
-{
-    const WelchTest &test = noise.comparison.test;
-    const double low = 100 * (test.difference - test.halfWidth(0.95)) / noise.mean;
-    const double high = 100 * (test.difference + test.halfWidth(0.95)) / noise.mean;
-    return std::isfinite(low) && std::isfinite(high) ? readable(low) + " to " + readable(high) + " %" : "–";
-}
-
-/// How the report tells a difference from noise; `families`: groups of comparisons that were made.
-std::string criterion(std::size_t families)
-{
-    if (families == 0)
-        return "No two suites were measured twice each under the same conditions, so no difference can be distinguished "
-               "from noise: that takes two runs or more of each.";
-    return "Two suites differ significantly by Welch's t test at 5 %, its p values corrected by Holm's method over all pairs "
-           "of one metric, link and load: of the "
-        + std::to_string(families)
-        + " such families of this sweep (sweep.json has them all) about one in twenty shows a difference by chance. Two frames "
-          "in a run, and a step of the histogram in a percentile, are no difference. Where neither of two suites varies in "
-          "fewer than five runs, it cannot be said.";
 }
 
 std::string noiseTable(const Results &results)
 {
     std::string rows;
     std::size_t tests = 0;
-    for (const NoiseCheck &noise : noiseOf(results)) {
-        const Comparison &pair = noise.comparison;
-        tests += !std::isnan(pair.test.p);
+    for (const Contrast &noise : noiseContrasts(results)) {
+        tests += !std::isnan(noise.p);
         if (!info(noise.metric).isShownIn(kDifferences))
             continue;
-        const double percent = 100 * (noise.meanAgain / noise.mean - 1);
-        rows += row({placeText(results.plan, noise.condition, noise.load) + ": " + escaped(info(noise.metric).title),
-                     readable(noise.mean), readable(noise.meanAgain), readable(percent) + (std::isfinite(percent) ? " %" : ""),
-                     intervalText(noise), readable(pair.test.p), verdictText(pair, pair.significantAlone()),
-                     readable(pair.adjusted), verdictText(pair, noise.differs())});
+        rows += row({placeText(results.plan, noise.condition, noise.load) + ": " + contrastTitle(noise.metric),
+                     readable(noise.firstMean), readable(noise.secondMean), contrastCell(noise), readable(noise.p),
+                     verdictText(noise, noise.significantAlone()), readable(noise.adjusted),
+                     verdictText(noise, noise.significant())});
     }
     if (rows.empty())
         return "<p>No suite was measured under two names, which takes two runs or more of each.</p>\n";
     return "<p>One suite was measured under two names, so that what differs between the two is noise. The 95 % confidence "
-           "interval of the difference, in per cent of the mean, says how large a difference these runs could have missed: a "
-           "smaller one between two suites means nothing. \"As two suites\" is the criterion by which two suites differ above: "
-           "this pair is the only one of its metric, link and load, so its p stays as it is, and about one line in twenty "
-           "differs by chance. The last two columns are corrected by Holm's method over all "
+           "interval of the ratio says how large a difference these runs could have missed: a smaller one between two suites means "
+           "nothing. \"Alone\" is the verdict by p as it is: about one line in twenty differs by chance. The last two columns are "
+           "corrected by Holm's method over all "
         + std::to_string(tests)
         + " A/A tests of the sweep (sweep.json has them all): together they say \"differs\" by chance in one sweep of twenty."
           "</p>\n<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
-        + row({"metric", "mean", "mean again", "difference", "95 % interval", "p", "as two suites", "p corrected", "A/A"}, "th")
-        + rows + "</table>\n";
+        + row({"metric", "mean", "mean again", "ratio", "p", "alone", "p corrected", "A/A"}, "th") + rows + "</table>\n";
 }
 
 /// For the first page; empty if no trend remains.
@@ -223,30 +248,31 @@ std::string meterText(const Results &results)
             + out + " (meter_cpu).</p>\n";
 }
 
-/// Number of combinations of metric, condition and load in which at least one pair of suites was tested.
-std::size_t familiesOf(const Results &results)
-{
-    std::size_t out = 0;
-    forEachPlace(results.plan, [&](std::size_t condition, std::size_t load) {
-        for (const MetricInfo &metric : metrics()) {
-            const auto pairs = compareArms(results, condition, load, metric.metric);
-            out += std::any_of(pairs.begin(), pairs.end(),
-                               [](const ArmComparison &pair) { return !std::isnan(pair.comparison.test.p); });
-        }
-    });
-    return out;
-}
-
-std::string claimsTable(const std::vector<Claim> &claims)
+std::string claimsTable(const Results &results, const std::vector<Claim> &claims)
 {
     std::string out =
         "<p>A. Allouch et al., <i>MAVSec: Securing the MAVLink Protocol for Ardupilot/PX4 Unmanned Aerial Systems</i>, "
-        "2019, arXiv:1905.00265.</p>\n<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
+        "2019, arXiv:1905.00265. Each claim is judged by equivalence within a margin of "
+        + readable(100 * results.plan.margin)
+        + " %: an interval that lies wholly on one side of the margin decides, one that reaches over it does not.</p>\n<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
         + row({"claim", "finding", "because"}, "th");
     for (const Claim &claim : claims)
         out += "<tr><td class=\"text\">" + escaped(claim.text) + "</td><td class=\"text\"><b>"
             + std::string(findingText(claim.finding)) + "</b></td><td class=\"text\">" + escaped(claim.reason) + "</td></tr>\n";
     return out + "</table>\n";
+}
+
+std::string orderingTable(const Results &results)
+{
+    std::string rows;
+    for (const Ordering &ordering : orderings(results))
+        rows += "<tr><td>" + escaped(ordering.quantity) + "</td><td class=\"text\">" + escaped(ordering.paper)
+            + "</td><td class=\"text\">" + escaped(ordering.here) + "</td></tr>\n";
+    return rows.empty() ? rows
+                        : "<h3>The paper's orderings beside these</h3>\n<p>Ratios to plain MAVLink with their 95 % intervals; "
+                          "two neighbours whose intervals overlap widely are in no order.</p>\n<table border=\"1\" "
+                          "cellspacing=\"0\" cellpadding=\"3\">\n"
+            + row({"quantity", "the paper", "here"}, "th") + rows + "</table>\n";
 }
 
 std::string expectationList(const Results &results, const std::vector<Verdict> &verdicts)
@@ -299,15 +325,15 @@ std::string settingTable(const Results &results)
 std::string rawTable(const Results &results)
 {
     const std::vector<Metric> shown = metricsShownIn(kEveryRun);
-    std::vector<std::string> head{"run", "place", "suite", "framing", "repeat"};
+    std::vector<std::string> head{"run", "place", "suite", "framing", "launch", "repeat"};
     for (const Metric metric : shown)
         head.emplace_back(info(metric).key);
     std::string out = "<table border=\"1\" cellspacing=\"0\" cellpadding=\"2\">\n" + row(head, "th");
     for (const Sample &sample : results.samples) {
         std::vector<std::string> cells{
-            std::to_string(sample.order + 1), placeText(results.plan, sample.run.condition, sample.run.load),
+            std::to_string(sample.order + 1),           placeText(results.plan, sample.run.condition, sample.run.load),
             armText(results.plan.arms[sample.run.arm]), std::string(framingName(results.plan.arms[sample.run.arm])),
-            std::to_string(sample.run.repeat + 1)};
+            std::to_string(sample.run.launch + 1),      std::to_string(sample.run.repeat + 1)};
         for (const Metric metric : shown)
             cells.push_back(readable(sample.values[metric]));
         out += row(cells);
@@ -377,18 +403,19 @@ std::string body(const ReportParts &parts, bool inlineFigures)
           "by all frames of these runs together, about 3 divided by their number; * marks outliers by Tukey's fences, which "
           "stay in. Resident memory is that of one process through all suites: its runs are not independent, so it has no "
           "interval, and suites are not compared by it.</p>\n<p>"
-        + criterion(familiesOf(results)) + "</p>\n" + meterText(results) + "<h2>Figures</h2>\n";
+        + methodText(results) + "</p>\n" + meterText(results) + "<h2>Figures</h2>\n";
     out += inlineFigures ? inlined(parts.figures) : inPairs(parts.figures);
     // In the PDF each section begins a page, so that no table head is left alone at the bottom of one.
     const std::string section = inlineFigures ? "<h2>" : "<h2 style=\"page-break-before:always\">";
     forEachPlace(results.plan, [&](std::size_t condition, std::size_t load) {
-        out += section + "Results: " + placeText(results.plan, condition, load) + "</h2>\n<div class=\"wide\">"
-            + summaryTable(results, condition, load) + "</div>\n<h3>Which suites differ</h3>\n"
-            + differences(results, condition, load);
+        out += section + "Results: " + placeText(results.plan, condition, load) + "</h2>\n<h3>Ratios to "
+            + escaped(referenceText(results.plan)) + "</h3>\n<div class=\"wide\">" + ratioTable(results, condition, load)
+            + "</div>\n" + plainText(results.plan) + pairTable(results, condition, load)
+            + "<h3>Means</h3>\n<div class=\"wide\">" + summaryTable(results, condition, load) + "</div>\n";
     });
     out += section + "The machine's noise (A/A)</h2>\n<div class=\"wide\">" + noiseTable(results) + "</div>\n";
     out += "<h2>Trend with the order of the runs</h2>\n<div class=\"wide\">" + trendTable(results) + "</div>\n";
-    out += "<h2>The paper's claims</h2>\n" + claimsTable(parts.claims);
+    out += "<h2>The paper's claims</h2>\n" + claimsTable(results, parts.claims) + orderingTable(results);
     out += expectationList(results, parts.verdicts);
     out += section + "Setting</h2>\n" + settingTable(results);
     out += "<h2>What was measured</h2>\n" + metricList();
@@ -396,24 +423,6 @@ std::string body(const ReportParts &parts, bool inlineFigures)
 }
 
 } // namespace
-
-std::vector<ReportFigure> figuresOf(const Results &results)
-{
-    std::vector<Metric> shown = metricsShownIn(kFigure);
-    std::stable_partition(shown.begin(), shown.end(), [](Metric metric) { return info(metric).isShownIn(kPaperFigure); });
-    std::vector<ReportFigure> out;
-    for (const Metric metric : shown) {
-        if (!wasMeasured(results, metric))
-            continue;
-        forEachPlace(results.plan, [&](std::size_t condition, std::size_t load) {
-            std::string file = std::string(info(metric).key) + "-" + std::string(name(results.plan.loads[load]));
-            if (results.plan.conditions.size() > 1)
-                file += "-" + std::to_string(condition + 1);
-            out.push_back({file, svg(chartOf(results, condition, load, metric))});
-        });
-    }
-    return out;
-}
 
 std::string htmlReport(const ReportParts &parts)
 {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/experiment/claims.h"
+#include "core/experiment/report_figures.h"
 #include "core/experiment/results.h"
 #include "core/experiment/verdicts.h"
 
@@ -10,16 +11,6 @@
 #include <vector>
 
 namespace skyseal::experiment {
-
-struct ReportFigure
-{
-    std::string name; ///< of its files, without extension: "packets-natural"
-    std::string svg;
-};
-
-/// One figure for each metric with kFigure that was measured, condition and load; those of the paper (packets, CPU, memory)
-/// first.
-std::vector<ReportFigure> figuresOf(const Results &results);
 
 struct ReportParts
 {

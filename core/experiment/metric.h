@@ -81,7 +81,8 @@ enum ShownIn : unsigned {
     kPaperFigure = 1 | 2, ///< a figure that the paper has as well; these come first
     kDifferences = 4,     ///< significant differences and the A/A comparison in the report
     kEveryRun = 8,        ///< the report's table of every run
-    kTerminal = 16        ///< the tables on the terminal
+    kTerminal = 16,       ///< the tables on the terminal
+    kRatio = 32           ///< a figure of the ratios to plain MAVLink, and the ratios on the terminal
 };
 
 struct MetricInfo
@@ -99,6 +100,7 @@ struct MetricInfo
     /// True if plain MAVLink has the value 0 by definition. It is not compared then.
     bool zeroInPlain = false;
     bool explains = false;     ///< what may have disturbed a run, and no property of a suite: suites are not compared by it
+    bool setByVehicle = false; ///< under the natural load, which leaves every suite idle: it is not compared there
     bool oncePerSuite = false; ///< measured once for each suite instead of in each run
     unsigned shownIn = 0;      ///< flags of ShownIn
 

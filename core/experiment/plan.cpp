@@ -184,24 +184,38 @@ std::string conditionText(const Condition &condition)
     return out.empty() ? "no impairment" : out;
 }
 
-std::vector<Run> schedule(const Plan &plan)
+static void appendLaunch(std::vector<Run> &out, const Plan &plan, unsigned launch)
 {
-    std::vector<Run> out;
-    std::uint64_t state = plan.seed;
+    std::uint64_t state = seedOf(plan, launch);
     for (std::size_t condition = 0; condition < plan.conditions.size(); ++condition) {
         for (std::size_t load = 0; load < plan.loads.size(); ++load) {
             for (unsigned repeat = 0; repeat < plan.repeats; ++repeat) {
                 std::vector<Run> block;
                 for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
                     if (exists(plan.arms[arm]))
-                        block.push_back({condition, load, arm, repeat});
+                        block.push_back({condition, load, arm, repeat, launch});
                 }
                 shuffle(block, state);
                 out.insert(out.end(), block.begin(), block.end());
             }
         }
     }
+}
+
+std::vector<Run> schedule(const Plan &plan)
+{
+    std::vector<Run> out;
+    for (unsigned launch = 0; launch < plan.launches; ++launch)
+        appendLaunch(out, plan, launch);
     return out;
+}
+
+std::uint64_t seedOf(const Plan &plan, unsigned launch)
+{
+    if (launch == 0)
+        return plan.seed;
+    std::uint64_t state = plan.seed ^ (std::uint64_t(launch) << 32);
+    return splitMix(state) >> 32; // short enough to be typed again
 }
 
 } // namespace skyseal::experiment

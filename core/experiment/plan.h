@@ -66,8 +66,10 @@ struct Plan
     std::vector<Condition> conditions{Condition{}};
     Duration measure = std::chrono::seconds(5); ///< of each run
     Duration warmUp = std::chrono::seconds(2);  ///< before each, not measured; four times as long before the first of a block
-    unsigned repeats = 3;
+    unsigned launches = 1;                      ///< how often all programs start anew
+    unsigned repeats = 3;                       ///< of each arm within each launch, condition and load
     std::uint64_t seed = 1;
+    double margin = 0.03; ///< a smaller relative difference has no practical effect; claims are judged by it
 };
 
 /// The framings of the arms, sealed first; empty if the only arm is plain MAVLink.
@@ -77,12 +79,16 @@ std::vector<channel::Framing> framingsOf(const Plan &plan);
 struct Run
 {
     std::size_t condition = 0, load = 0, arm = 0;
-    unsigned repeat = 0; ///< the first is 0
+    unsigned repeat = 0; ///< within the launch; the first is 0
+    unsigned launch = 0; ///< the first is 0
 };
 
-/// A randomised block design. The blocks are the combinations of condition and load, since changing these restarts programs.
-/// Within a block, each repeat contains every existing arm once, in a random order of its own, so that slow drift affects all
-/// arms alike. The same seed gives the same order on every machine.
+/// A randomised block design, launch after launch. Within a launch, runs of one condition and load follow each other, since
+/// changing these restarts programs as well. There each repeat is a block that contains every existing arm once, in a random order
+/// of its own, so that slow drift affects all arms alike. The same seed gives the same order on every machine.
 std::vector<Run> schedule(const Plan &plan);
+
+/// With this seed, a plan of one launch is that launch of `plan`.
+std::uint64_t seedOf(const Plan &plan, unsigned launch);
 
 } // namespace skyseal::experiment

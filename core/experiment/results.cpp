@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace skyseal::experiment {
 
@@ -14,7 +15,9 @@ std::vector<const Sample *> samplesOf(const Results &results, const Cell &cell)
         if (Cell{sample.run.condition, sample.run.load, sample.run.arm} == cell)
             out.push_back(&sample);
     }
-    std::stable_sort(out.begin(), out.end(), [](const Sample *a, const Sample *b) { return a->run.repeat < b->run.repeat; });
+    std::stable_sort(out.begin(), out.end(), [](const Sample *a, const Sample *b) {
+        return std::pair(a->run.launch, a->run.repeat) < std::pair(b->run.launch, b->run.repeat);
+    });
     return out;
 }
 

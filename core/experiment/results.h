@@ -6,6 +6,7 @@
 #include "core/experiment/metric.h"
 #include "core/experiment/plan.h"
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,11 +51,12 @@ struct Results
     Setting setting;
     std::string placement; ///< which core each program ran on; empty if the sweep started none
     std::vector<Sample> samples;
-    bool complete = false; ///< false: cancelled or given up
-    double seconds = 0;    ///< duration of the sweep
+    std::map<crypto::SuiteId, double> contextBytes; ///< heap of one keyed cipher, for each suite where it was measured
+    bool complete = false;                          ///< false: cancelled or given up
+    double seconds = 0;                             ///< duration of the sweep
 };
 
-/// One cell of the design. Its samples are the repeats of one arm.
+/// One cell of the design. Its samples are the repeats of one arm in all launches.
 struct Cell
 {
     std::size_t condition = 0, load = 0, arm = 0;
@@ -62,7 +64,7 @@ struct Cell
 };
 
 std::vector<Cell> cells(const Plan &plan);
-/// The values of a cell in the order of the repeats; NaN where a value could not be measured, and for runs that are not valid.
+/// The values of a cell in the order of launches and repeats; NaN where a value could not be measured, and for runs that are not valid.
 std::vector<double> valuesOf(const Results &results, const Cell &cell, Metric metric);
 /// Sample::order of each value of valuesOf().
 std::vector<unsigned> ordersOf(const Results &results, const Cell &cell);

@@ -1,5 +1,6 @@
 #include "core/experiment/run_queue.h"
 
+#include <tuple>
 #include <utility>
 
 namespace skyseal::experiment {
@@ -28,7 +29,7 @@ double RunQueue::remaining() const
 
 bool RunQueue::beginsBlock(std::size_t run) const
 {
-    const auto blockOf = [](const Run &one) { return std::pair(one.condition, one.load); };
+    const auto blockOf = [](const Run &one) { return std::tuple(one.launch, one.condition, one.load); };
     return run == 0 || blockOf(m_runs[run]) != blockOf(m_runs[run - 1]);
 }
 

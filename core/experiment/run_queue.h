@@ -17,7 +17,7 @@ public:
     bool atEnd() const { return m_position == m_runs.size(); }
     /// Must not be called at the end.
     const Run &current() const { return m_runs[m_position]; }
-    /// True if the current run is the first of its condition and load. The programs of a lab are started for it.
+    /// True if the current run is the first of its launch, condition and load. The programs of a lab are started for it.
     bool atBlockStart() const { return beginsBlock(m_position); }
     /// Ends the current run. `now`: seconds since the sweep began.
     void finishRun(double now);

@@ -62,6 +62,16 @@ std::string cryptoFeatures()
     return out.empty() ? "none" : out;
 }
 
+/// Whether the cores may run faster than their nominal frequency.
+std::string turbo()
+{
+    if (const std::string off = firstLine("/sys/devices/system/cpu/intel_pstate/no_turbo"); !off.empty())
+        return off == "0" ? "on" : "off";
+    if (const std::string on = firstLine("/sys/devices/system/cpu/cpufreq/boost"); !on.empty())
+        return on == "1" ? "on" : "off";
+    return "unknown";
+}
+
 std::string compiler()
 {
 #if defined(__clang__)
@@ -165,6 +175,10 @@ Setting machineSetting()
         out.emplace_back("openssl_ia32cap", mask);
     const std::string governor = firstLine("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
     out.emplace_back("frequency_governor", governor.empty() ? "unknown" : governor);
+    const std::string microcode = valueIn("/proc/cpuinfo", "microcode", ':');
+    out.emplace_back("microcode", microcode.empty() ? "unknown" : microcode);
+    out.emplace_back("turbo", turbo());
+    out.emplace_back("clock_source", firstLine("/sys/devices/system/clocksource/clocksource0/current_clocksource"));
     out.emplace_back("hypervisor",
                      valueIn("/proc/cpuinfo", "flags", ':').find(" hypervisor") != std::string::npos ? "yes" : "no");
     out.emplace_back("architecture", system.machine);

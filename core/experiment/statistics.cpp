@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kFence = 1.5;
-constexpr std::size_t kLeastForFences = 5, kLeastUnvaried = 5;
+constexpr std::size_t kLeastForFences = 5;
 
 /// The continued fraction of the incomplete beta function (DLMF 8.17.22) by Lentz's method.
 double betaFraction(double a, double b, double x)
@@ -152,37 +152,6 @@ double boundOfNone(double trials)
     return trials > 0 ? -std::expm1(std::log(0.05) / trials) : 1;
 }
 
-double WelchTest::halfWidth(double confidence) const
-{
-    return degrees > 0 ? studentQuantile((1 + confidence) / 2, degrees) * error : std::numeric_limits<double>::infinity();
-}
-
-WelchTest welch(std::span<const double> first, std::span<const double> second)
-{
-    const std::vector<double> a = finiteOf(first), b = finiteOf(second);
-    WelchTest out;
-    if (a.size() < 2 || b.size() < 2)
-        return out;
-    const double meanA = meanOf(a), meanB = meanOf(b);
-    const auto na = static_cast<double>(a.size()), nb = static_cast<double>(b.size());
-    const double errorA = varianceOf(a, meanA) / na, errorB = varianceOf(b, meanB) / nb;
-    out.difference = meanB - meanA;
-    const double error = errorA + errorB;
-    out.error = std::sqrt(error);
-    if (error == 0 && std::min(a.size(), b.size()) < kLeastUnvaried)
-        return out;
-    if (error == 0) { // counts that never vary: any difference is one
-        out.t = out.difference == 0 ? 0 : std::copysign(std::numeric_limits<double>::infinity(), out.difference);
-        out.degrees = na + nb - 2;
-        out.p = out.difference == 0 ? 1 : 0;
-        return out;
-    }
-    out.t = out.difference / out.error;
-    out.degrees = error * error / (errorA * errorA / (na - 1) + errorB * errorB / (nb - 1));
-    out.p = studentTwoSided(out.t, out.degrees);
-    return out;
-}
-
 Trend trendOf(std::span<const double> places, std::span<const double> residuals, std::size_t groups)
 {
     Trend out;
@@ -225,25 +194,6 @@ std::vector<double> holm(std::span<const double> p)
         highest = std::max(highest, std::min(1.0, static_cast<double>(order.size() - i) * p[order[i]]));
         out[order[i]] = highest;
     }
-    return out;
-}
-
-std::vector<Comparison> compareAll(std::span<const std::vector<double>> groups)
-{
-    std::vector<Comparison> out;
-    std::vector<double> p;
-    const auto comparable = [](const std::vector<double> &group) { return finiteOf(group).size() >= 2; };
-    for (std::size_t a = 0; a < groups.size(); ++a) {
-        for (std::size_t b = a + 1; b < groups.size(); ++b) {
-            if (!comparable(groups[a]) || !comparable(groups[b]))
-                continue;
-            out.push_back({a, b, welch(groups[a], groups[b]), 1});
-            p.push_back(out.back().test.p);
-        }
-    }
-    const std::vector<double> adjusted = holm(p);
-    for (std::size_t i = 0; i < out.size(); ++i)
-        out[i].adjusted = adjusted[i];
     return out;
 }
 

@@ -1,8 +1,7 @@
-// Statistics of repeated measurements: mean, deviation and 95 % confidence interval of a few samples, outliers, and significant
-// differences between groups. No sample is dropped.
+// Statistics of repeated measurements: mean, deviation and 95 % confidence interval of a few samples, outliers, and Holm's
+// step-down correction of many tests (Holm 1979). No sample is dropped.
 //
-// Intervals and tests assume roughly normal samples of unknown variance, as means over a few seconds are: Student's t for
-// one group, Welch's unequal-variances t for two (Welch 1947), Holm's step-down correction for many pairs (Holm 1979).
+// Intervals assume roughly normal samples of unknown variance, as means over a few seconds are (Student's t).
 #pragma once
 
 #include <cmath>
@@ -48,25 +47,6 @@ Summary summarise(std::span<const double> samples);
 /// 3/n (Hanley and Lippman-Hand 1983); 1 without trials.
 double boundOfNone(double trials);
 
-/// Tests whether two groups have different means.
-///
-/// There is no test (NaN) if a group has fewer than two samples, or if neither group varies and one has fewer than five: a
-/// count that was the same two or three times may still vary by one, and the test would rule that out.
-struct WelchTest
-{
-    double difference = 0;                                     ///< mean of the second less that of the first
-    double t = std::numeric_limits<double>::quiet_NaN();       ///< NaN without a test; infinite if neither group varies
-    double degrees = std::numeric_limits<double>::quiet_NaN(); ///< Welch–Satterthwaite; NaN without a test
-    double p = std::numeric_limits<double>::quiet_NaN();       ///< two-sided; NaN without a test
-    double error = 0;                                          ///< standard error of the difference
-
-    /// Half width of the confidence interval of the difference, for 0 < `confidence` < 1; infinite without a test. If the whole
-    /// 90 % interval lies within a margin, the groups are equivalent within that margin by two one-sided tests at 5 %
-    /// (Schuirmann 1987).
-    double halfWidth(double confidence) const;
-};
-WelchTest welch(std::span<const double> first, std::span<const double> second);
-
 /// A straight line through residuals, whose groups' means were taken from them: least squares, and the test of Student's t
 /// whether its slope is zero.
 struct Trend
@@ -81,24 +61,5 @@ Trend trendOf(std::span<const double> places, std::span<const double> residuals,
 /// Corrects p values by Holm's method, so that the probability of any false positive among all of them is that of a single
 /// test. Same order as given; NaN (no test) stays NaN.
 std::vector<double> holm(std::span<const double> p);
-
-/// The comparison of one pair of groups.
-struct Comparison
-{
-    std::size_t first = 0, second = 0; ///< indices of the groups
-    WelchTest test;
-    double adjusted = 1; ///< p after Holm's correction over all pairs
-    double step = 0;     ///< resolution of the instrument; a difference up to this is not significant
-
-    bool beyondStep() const { return std::abs(test.difference) > step; }
-    bool significant() const { return adjusted < 0.05 && beyondStep(); }
-    /// The same without the correction, as if no other pair were compared.
-    bool significantAlone() const { return test.p < 0.05 && beyondStep(); }
-    /// False if nothing can be said, since there is no test.
-    bool known() const { return !std::isnan(test.p) || !beyondStep(); }
-};
-
-/// Compares every pair of groups with at least two samples each, with a common correction.
-std::vector<Comparison> compareAll(std::span<const std::vector<double>> groups);
 
 } // namespace skyseal::experiment

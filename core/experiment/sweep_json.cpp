@@ -2,10 +2,12 @@
 
 #include "core/base/json_writer.h"
 #include "core/experiment/analysis.h"
+#include "core/experiment/claims.h"
+#include "core/experiment/contrast.h"
+#include "core/experiment/csv.h"
 #include "core/experiment/disturbances.h"
 
 #include <cmath>
-#include <charconv>
 
 namespace skyseal::experiment {
 
@@ -21,10 +23,10 @@ void number(JsonWriter &json, std::string_view key, double value)
 }
 
 /// Null without a test.
-void verdict(JsonWriter &json, std::string_view key, const Comparison &comparison, bool holds)
+void verdict(JsonWriter &json, std::string_view key, const Contrast &contrast, bool holds)
 {
     json.key(key);
-    if (comparison.known())
+    if (contrast.known())
         json.value(holds);
     else
         json.null();
@@ -56,6 +58,7 @@ void writePlan(JsonWriter &json, const Plan &plan)
         json.value(name(framing));
     json.endArray();
     json.field("seconds", seconds(plan.measure)).field("warm_up_seconds", seconds(plan.warmUp));
+    json.field("launches", std::uint64_t(plan.launches)).field("margin", plan.margin);
     json.field("repeats", std::uint64_t(plan.repeats)).field("seed", std::to_string(plan.seed));
     json.key("arms").beginArray();
     for (const SweepArm &one : plan.arms) {
@@ -97,6 +100,7 @@ void writeSample(JsonWriter &json, const Plan &plan, const Sample &sample)
     json.field("order", std::uint64_t(sample.order));
     place(json, plan, sample.run.condition, sample.run.load);
     arm(json, plan.arms[sample.run.arm]);
+    json.field("launch", std::uint64_t(sample.run.launch));
     json.field("repeat", std::uint64_t(sample.run.repeat)).field("start", sample.start).field("seconds", sample.seconds);
     if (!sample.problem.empty())
         json.field("problem", sample.problem);
@@ -137,46 +141,27 @@ void writeSummary(JsonWriter &json, const Results &results, const Cell &cell, Me
     json.endArray().endObject();
 }
 
-void writeComparison(JsonWriter &json, const Plan &plan, const ArmComparison &pair)
+void writeContrast(JsonWriter &json, const Plan &plan, const Contrast &contrast)
 {
+    const SweepArm &first = plan.arms[contrast.first], &second = plan.arms[contrast.second];
     json.beginObject();
-    place(json, plan, pair.condition, pair.load);
-    json.field("metric", info(pair.metric).key);
-    json.field("first", crypto::suiteInfo(plan.arms[pair.first].suite).name);
-    json.field("first_framing", framingName(plan.arms[pair.first]));
-    json.field("second", crypto::suiteInfo(plan.arms[pair.second].suite).name);
-    json.field("second_framing", framingName(plan.arms[pair.second]));
-    number(json, "difference", pair.comparison.test.difference);
-    number(json, "ratio", (pair.firstMean + pair.comparison.test.difference) / pair.firstMean);
-    if (std::isinf(pair.comparison.test.t))
-        json.field("t", pair.comparison.test.t); // "Infinity": a difference between counts that never vary
-    else
-        number(json, "t", pair.comparison.test.t);
-    number(json, "df", pair.comparison.test.degrees);
-    number(json, "p", pair.comparison.test.p);
-    number(json, "p_holm", pair.comparison.adjusted);
-    number(json, "step", pair.comparison.step);
-    verdict(json, "significant", pair.comparison, pair.comparison.significant());
-    json.endObject();
-}
-
-void writeNoise(JsonWriter &json, const Plan &plan, const NoiseCheck &noise)
-{
-    json.beginObject();
-    place(json, plan, noise.condition, noise.load);
-    json.field("metric", info(noise.metric).key).field("suite", crypto::suiteInfo(plan.arms[noise.arm].suite).name);
-    json.field("framing", framingName(plan.arms[noise.arm]));
-    number(json, "mean", noise.mean);
-    number(json, "mean_again", noise.meanAgain);
-    const WelchTest &test = noise.comparison.test;
-    number(json, "difference", test.difference);
-    number(json, "ci95_low", test.difference - test.halfWidth(0.95));
-    number(json, "ci95_high", test.difference + test.halfWidth(0.95));
-    number(json, "p", test.p);
-    number(json, "p_holm", noise.comparison.adjusted);
-    number(json, "step", noise.comparison.step);
-    verdict(json, "differs", noise.comparison, noise.differs());
-    verdict(json, "differs_alone", noise.comparison, noise.comparison.significantAlone());
+    place(json, plan, contrast.condition, contrast.load);
+    json.field("metric", info(contrast.metric).key);
+    json.field("first", crypto::suiteInfo(first.suite).name).field("first_framing", framingName(first));
+    json.field("second", crypto::suiteInfo(second.suite).name).field("second_framing", framingName(second));
+    json.field("first_mean", contrast.firstMean).field("second_mean", contrast.secondMean);
+    number(json, contrast.relative ? "ratio" : "difference", contrast.value());
+    number(json, "ci95_low", contrast.low());
+    number(json, "ci95_high", contrast.high());
+    number(json, contrast.relative ? "log_ratio" : "estimate", contrast.estimate);
+    number(json, "error", contrast.error);
+    number(json, "df", contrast.degrees);
+    json.field("units", std::uint64_t(contrast.units)).field("unit", contrast.ofLaunches ? "launch" : "block");
+    number(json, "p", contrast.p);
+    number(json, "p_holm", contrast.adjusted);
+    number(json, "step", contrast.step);
+    verdict(json, "significant", contrast, contrast.significant());
+    verdict(json, "significant_alone", contrast, contrast.significantAlone());
     json.endObject();
 }
 
@@ -202,23 +187,6 @@ template<typename Write> void forEachPlace(const Plan &plan, Write write)
     }
 }
 
-std::string csvNumber(double value)
-{
-    if (!std::isfinite(value))
-        return {};
-    char out[32];
-    return {out, std::to_chars(out, out + sizeof out, value).ptr};
-}
-
-/// Quoted, since conditions contain commas.
-std::string csvText(const std::string &text)
-{
-    std::string out = "\"";
-    for (const char c : text)
-        out += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return out + "\"";
-}
-
 } // namespace
 
 std::string sweepJson(const Results &results, const std::vector<Verdict> &verdicts)
@@ -231,9 +199,17 @@ std::string sweepJson(const Results &results, const std::vector<Verdict> &verdic
     for (const auto &[key, value] : results.setting)
         json.field(key, value);
     json.endObject();
+    json.key("setting_keys").beginArray();
+    for (const auto &[key, value] : results.setting)
+        json.value(key);
+    json.endArray();
     if (!results.placement.empty())
         json.field("placement", results.placement);
     writePlan(json, plan);
+    json.key("context_bytes").beginObject();
+    for (const auto &[suite, bytes] : results.contextBytes)
+        json.field(crypto::suiteInfo(suite).name, bytes);
+    json.endObject();
     json.key("metrics").beginArray();
     for (const MetricInfo &metric : metrics()) {
         json.beginObject().field("key", metric.key).field("title", metric.title).field("unit", metric.unit);
@@ -252,12 +228,12 @@ std::string sweepJson(const Results &results, const std::vector<Verdict> &verdic
     }
     json.endArray().key("comparisons").beginArray();
     forEachPlace(plan, [&](std::size_t condition, std::size_t load, Metric metric) {
-        for (const ArmComparison &pair : compareArms(results, condition, load, metric))
-            writeComparison(json, plan, pair);
+        for (const Contrast &contrast : plannedContrasts(results, condition, load, metric))
+            writeContrast(json, plan, contrast);
     });
     json.endArray().key("noise").beginArray();
-    for (const NoiseCheck &noise : noiseOf(results))
-        writeNoise(json, plan, noise);
+    for (const Contrast &noise : noiseContrasts(results))
+        writeContrast(json, plan, noise);
     json.endArray().key("trends").beginArray();
     for (const OrderTrend &trend : orderTrends(results)) {
         json.beginObject();
@@ -273,12 +249,43 @@ std::string sweepJson(const Results &results, const std::vector<Verdict> &verdic
         writeVerdict(json, plan, verdict);
         json.endObject();
     }
+    json.endArray().key("claims").beginArray();
+    for (const Claim &claim : paperClaims(results)) {
+        json.beginObject().field("key", claim.key).field("claim", claim.text);
+        json.field("finding", findingText(claim.finding)).field("because", claim.reason).endObject();
+    }
     return json.endArray().endObject().text();
+}
+
+std::string ratiosCsv(const Results &results)
+{
+    const Plan &plan = results.plan;
+    std::string out = "condition,load,metric,first,first_framing,second,second_framing,again,scale,value,ci95_low,ci95_high,p,"
+                      "p_holm,df,units,unit\n";
+    const auto add = [&](const Contrast &contrast) {
+        const SweepArm &first = plan.arms[contrast.first], &second = plan.arms[contrast.second];
+        out += csvText(plan.conditions[contrast.condition].name) + ",";
+        out.append(name(plan.loads[contrast.load])).append(",").append(info(contrast.metric).key);
+        for (const SweepArm *arm : {&first, &second})
+            out.append(",").append(crypto::suiteInfo(arm->suite).name).append(",").append(framingName(*arm));
+        out.append(second.again ? ",1," : ",0,").append(contrast.relative ? "ratio" : "difference");
+        for (const double value : {contrast.value(), contrast.low(), contrast.high(), contrast.p, contrast.adjusted,
+                                   contrast.degrees, static_cast<double>(contrast.units)})
+            out += "," + csvNumber(value);
+        out.append(contrast.ofLaunches ? ",launch\n" : ",block\n");
+    };
+    forEachPlace(plan, [&](std::size_t condition, std::size_t load, Metric metric) {
+        for (const Contrast &contrast : plannedContrasts(results, condition, load, metric))
+            add(contrast);
+    });
+    for (const Contrast &noise : noiseContrasts(results))
+        add(noise);
+    return out;
 }
 
 std::string sweepCsv(const Results &results)
 {
-    std::string out = "order,condition,load,suite,framing,again,repeat,start,seconds";
+    std::string out = "order,condition,load,suite,framing,again,launch,repeat,start,seconds";
     for (const MetricInfo &metric : metrics())
         out.append(",").append(metric.key);
     out += ",valid,attempts,invalid,disturbances,problem\n";
@@ -288,8 +295,8 @@ std::string sweepCsv(const Results &results)
         out += std::to_string(sample.order) + "," + csvText(plan.conditions[sample.run.condition].name) + ",";
         out.append(name(plan.loads[sample.run.load])).append(",").append(crypto::suiteInfo(one.suite).name);
         out.append(",").append(framingName(one));
-        out += std::string(one.again ? ",1," : ",0,") + std::to_string(sample.run.repeat) + "," + csvNumber(sample.start) + ","
-            + csvNumber(sample.seconds);
+        out += std::string(one.again ? ",1," : ",0,") + std::to_string(sample.run.launch) + ","
+            + std::to_string(sample.run.repeat) + "," + csvNumber(sample.start) + "," + csvNumber(sample.seconds);
         for (const MetricInfo &metric : metrics())
             out += "," + csvNumber(sample.values[metric.metric]);
         out += std::string(sample.isValid() ? ",1," : ",0,") + std::to_string(sample.attempts);
@@ -308,6 +315,18 @@ std::string runEvent(const Plan &plan, const Sample &sample, std::size_t runs, d
     JsonWriter json;
     json.beginObject().field("event", "run").field("runs", std::uint64_t(runs)).field("remaining", remaining);
     writeSample(json, plan, sample);
+    return json.endObject().text();
+}
+
+std::string endEvent(const Results &results, bool opened, const std::string &problem)
+{
+    JsonWriter json;
+    json.beginObject().field("event", "end").field("opened", opened).field("complete", results.complete);
+    json.field("duration", results.seconds);
+    if (!results.placement.empty())
+        json.field("placement", results.placement);
+    if (!problem.empty())
+        json.field("problem", problem);
     return json.endObject().text();
 }
 

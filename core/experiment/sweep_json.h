@@ -10,14 +10,18 @@
 
 namespace skyseal::experiment {
 
-inline constexpr unsigned kSweepSchemaVersion = 3;
+inline constexpr unsigned kSweepSchemaVersion = 4;
 
 std::string sweepJson(const Results &results, const std::vector<Verdict> &verdicts);
 /// The samples: one line per run, one column per metric; empty where a value could not be measured.
 std::string sweepCsv(const Results &results);
+/// The comparisons, which are the result of a sweep: one line each, the A/A ones last.
+std::string ratiosCsv(const Results &results);
 
-/// JSON objects with "event" for a finished run and for a verdict, one line each.
+/// JSON objects with "event" for a finished run, the end of the runs and a verdict, one line each. `problem`: a sentence if the
+/// plan was not carried out completely.
 std::string runEvent(const Plan &plan, const Sample &sample, std::size_t runs, double remaining);
+std::string endEvent(const Results &results, bool opened, const std::string &problem);
 std::string expectEvent(const Plan &plan, const Verdict &verdict);
 
 } // namespace skyseal::experiment

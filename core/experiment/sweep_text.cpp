@@ -1,6 +1,7 @@
 #include "core/experiment/sweep_text.h"
 
 #include "core/experiment/analysis.h"
+#include "core/experiment/contrast.h"
 #include "core/experiment/disturbances.h"
 
 #include <algorithm>
@@ -22,6 +23,38 @@ std::string padded(const std::string &text, std::size_t width, bool right)
         characters += (static_cast<unsigned char>(c) & 0xC0) != 0x80;
     const std::string space(characters < width ? width - characters : 0, ' ');
     return right ? space + text : text + space;
+}
+
+/// The ratios of one condition and load: a line of metrics, then one for each arm. Empty without any.
+std::vector<std::string> ratioLines(const Results &results, std::size_t condition, std::size_t load)
+{
+    const auto reference = referenceArm(results.plan);
+    std::string head = padded("ratio to " + referenceText(results.plan), kNameWidth, false);
+    std::vector<std::string> lines(results.plan.arms.size());
+    for (const Metric metric : metricsShownIn(kRatio)) {
+        const std::vector<Contrast> contrasts = plannedContrasts(results, condition, load, metric);
+        if (contrasts.empty())
+            continue;
+        head += padded(std::string(info(metric).key), kWidth, true);
+        for (const Contrast &one : contrasts) {
+            if (one.first != reference)
+                continue;
+            char text[64];
+            std::snprintf(text, sizeof text, "%.3f (%.3f–%.3f)", one.value(), one.low(), one.high());
+            lines[one.second] += padded(std::isfinite(one.low()) ? text : readable(one.value()), kWidth, true);
+        }
+    }
+    std::vector<std::string> out;
+    for (std::size_t arm = 0; arm < lines.size(); ++arm) {
+        if (lines[arm].empty())
+            continue;
+        if (out.empty())
+            out.push_back(head);
+        out.push_back(padded(fullName(results.plan.arms[arm]) + (isInsecure(results.plan.arms[arm]) ? " (insecure)" : ""),
+                             kNameWidth, false)
+                      + lines[arm]);
+    }
+    return out;
 }
 
 /// Two lines: the metrics and their units.
@@ -47,6 +80,14 @@ std::string leftText(double time)
 }
 
 } // namespace
+
+std::string referenceText(const Plan &plan)
+{
+    const auto reference = referenceArm(plan);
+    if (!reference)
+        return "nothing";
+    return plan.arms[*reference].suite == crypto::SuiteId::None ? "plain MAVLink" : fullName(plan.arms[*reference]);
+}
 
 const char *missingText(const SweepArm &arm)
 {
@@ -162,6 +203,8 @@ std::vector<std::string> sweepText(const Results &results)
                 }
                 out.push_back(line);
             }
+            for (std::string &line : ratioLines(results, condition, load))
+                out.push_back(std::move(line));
         }
     }
     out.push_back("mean ± half of the 95 % confidence interval (from two runs on) over " + runsText(results) + " of "
@@ -186,6 +229,8 @@ std::string runText(const Plan &plan, const Sample &sample, std::size_t runs, do
     std::string out = "[" + std::to_string(sample.order + 1) + "/" + std::to_string(runs) + "] ";
     if (plan.conditions.size() > 1)
         out += plan.conditions[sample.run.condition].name + ", ";
+    if (plan.launches > 1)
+        out += "launch " + std::to_string(sample.run.launch + 1) + ", ";
     out += std::string(name(plan.loads[sample.run.load])) + ", " + fullName(plan.arms[sample.run.arm]) + ": ";
     if (sample.problem.empty())
         out += readable(sample.values[Metric::Packets]) + " packets, " + lossText(sample.values) + ", CPU "

@@ -8,6 +8,9 @@
 
 namespace skyseal::experiment {
 
+/// What ratios are to: "plain MAVLink", or an arm's name.
+std::string referenceText(const Plan &plan);
+
 /// Shown in place of a value: "not measured", or "not in this framing" for an arm that does not exist.
 const char *missingText(const SweepArm &arm);
 
@@ -29,7 +32,7 @@ std::string failedRuns(const Results &results);
 /// empty if all are valid.
 std::string invalidRuns(const Results &results);
 
-/// One table for each condition and load, then the notes below them.
+/// For each condition and load the means and the ratios to the reference, then the notes below them.
 std::vector<std::string> sweepText(const Results &results);
 
 /// One line for a finished run.

@@ -61,7 +61,7 @@ private Q_SLOTS:
             QFile file(folder.filePath(QStringLiteral("sweep.json")));
             QVERIFY(file.open(QIODevice::WriteOnly) && file.write(sweep) == sweep.size());
         }
-        const SweepFiles files = writeSweepFiles(folder.path(), oneRun(), {}, {});
+        const SweepFiles files = writeSweepFiles(folder.path(), oneRun(), {});
         QVERIFY2(files.written, files.problem.c_str());
         QVERIFY(QFile::exists(folder.filePath(QStringLiteral("figures/packets-natural.svg"))));
         for (const QString &name : figures)

@@ -79,7 +79,7 @@ void CpuShareTest::suitesShareIsWhatPerfFinds()
         QSKIP(qPrintable(problem));
     QProcess sweep;
     sweep.start(QStringLiteral(SKYSEAL_BIN_DIR "/skyseal-cli"),
-                words("sweep --load saturated --seconds 15 --repeats 1 --no-noise --json --suites") << suite);
+                words("sweep --launches 1 --load saturated --seconds 15 --repeats 1 --no-noise --json --suites") << suite);
     QVERIFY(sweep.waitForStarted());
     EVENTUALLY(ioThreadOf(sweep.processId()) != 0);
     // Its user and its kernel time, as the thread's own clock counts both.

@@ -42,7 +42,7 @@ void MeterShareTest::meterIsNoPartOfTheMeasurement()
         QSKIP(qPrintable(problem));
     QProcess sweep;
     sweep.start(QStringLiteral(SKYSEAL_BIN_DIR "/skyseal-cli"),
-                words("sweep --load natural --suites chacha20-poly1305 --repeats 1 --no-noise --json --seconds")
+                words("sweep --launches 1 --load natural --suites chacha20-poly1305 --repeats 1 --no-noise --json --seconds")
                     << QString::number(kRunSeconds));
     QVERIFY(sweep.waitForStarted());
     EVENTUALLY(ioThreadOf(sweep.processId()) != 0);

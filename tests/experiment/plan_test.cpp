@@ -17,6 +17,7 @@ class PlanTest : public QObject
 
 private Q_SLOTS:
     void everyRepeatHoldsEveryArmOnce();
+    void launchesAreSweepsOfOneLaunch();
     void theSeedDecidesTheOrder();
     void everyArmComesFirstSometimes();
     void conditions();
@@ -55,6 +56,29 @@ void PlanTest::everyRepeatHoldsEveryArmOnce()
         return std::pair(a.condition, a.load) < std::pair(b.condition, b.load);
     });
     QVERIFY(grouped); // programs are restarted as rarely as can be
+}
+
+/// With the seed of a launch, a sweep of one launch repeats it.
+void PlanTest::launchesAreSweepsOfOneLaunch()
+{
+    Plan plan = planWith(5);
+    plan.launches = 3;
+    const std::vector<Run> all = schedule(plan);
+    QCOMPARE(all.size(), 3 * schedule(planWith(5)).size());
+    std::set<std::uint64_t> seeds;
+    for (unsigned launch = 0; launch < 3; ++launch) {
+        Plan one = planWith(seedOf(plan, launch));
+        seeds.insert(one.seed);
+        const std::vector<Run> runs = schedule(one);
+        for (std::size_t i = 0; i < runs.size(); ++i) {
+            const Run &run = all[launch * runs.size() + i];
+            QCOMPARE(run.launch, launch);
+            QVERIFY(run.arm == runs[i].arm && run.repeat == runs[i].repeat && run.load == runs[i].load
+                    && run.condition == runs[i].condition);
+        }
+    }
+    QCOMPARE(seeds.size(), std::size_t(3));
+    QCOMPARE(seedOf(plan, 0), plan.seed);
 }
 
 void PlanTest::theSeedDecidesTheOrder()

@@ -32,6 +32,20 @@ private Q_SLOTS:
         QCOMPARE(queue.remaining(), 0.0);
     }
 
+    void blocksBeginWithEachLaunch()
+    {
+        Plan plan;
+        plan.arms = {{crypto::SuiteId::Aes256Gcm}, {crypto::SuiteId::Aes256Ctr}};
+        plan.launches = 3;
+        plan.repeats = 1;
+        RunQueue queue(plan);
+        QCOMPARE(queue.size(), std::size_t(6));
+        for (std::size_t i = 0; i < queue.size(); ++i) {
+            QCOMPARE(queue.atBlockStart(), i % 2 == 0);
+            queue.finishRun(static_cast<double>(i));
+        }
+    }
+
     void startOfABlockIsEstimatedForTheNext()
     {
         Plan plan;

@@ -41,13 +41,9 @@ private Q_SLOTS:
     void nothingAndOne();
     void outliersAreMarkedAndKept();
     void quartilesAsSpreadsheetsHaveThem();
-    void welchAgreesWithR_data();
-    void welchAgreesWithR();
-    void constantGroups();
     void noneSeenIsNotNone();
     void holmsExample();
     void holmIsBetweenNothingAndBonferroni();
-    void pairsOfOneSourceDoNotDiffer();
     void trendIsThatOfALine();
 };
 
@@ -174,55 +170,6 @@ void StatisticsTest::quartilesAsSpreadsheetsHaveThem()
     QCOMPARE(quantile(samples, 1), 16.0);
 }
 
-void StatisticsTest::welchAgreesWithR_data()
-{
-    // Samples and R's p values as collected at Rosetta Code, "Welch's t-test".
-    QTest::addColumn<std::vector<double>>("first");
-    QTest::addColumn<std::vector<double>>("second");
-    QTest::addColumn<double>("p");
-    using Samples = std::vector<double>;
-    QTest::newRow("equal sizes, equal variances")
-        << Samples{27.5, 21.0, 19.0, 23.6, 17.0, 17.9, 16.9, 20.1, 21.9, 22.6, 23.1, 19.6, 19.0, 21.7, 21.4}
-        << Samples{27.1, 22.0, 20.8, 23.4, 23.4, 23.5, 25.8, 22.0, 24.8, 20.2, 21.9, 22.1, 22.9, 20.5, 24.4}
-        << 0.021378001462867;
-    QTest::newRow("the smaller one varies more") << Samples{17.2, 20.9, 22.6, 18.1, 21.7, 21.4, 23.5, 24.2, 14.7, 21.8}
-                                                 << Samples{21.5, 22.8, 21.0, 23.0, 21.6, 23.6, 22.5, 20.7, 23.4, 21.8,
-                                                            20.7, 21.7, 21.5, 22.5, 23.6, 21.5, 22.5, 23.5, 21.5, 21.8}
-                                                 << 0.148841696605327;
-    QTest::newRow("the larger one varies more") << Samples{19.8, 20.4, 19.6, 17.8, 18.5, 18.9, 18.3, 18.9, 19.5, 22.0}
-                                                << Samples{28.2, 26.6, 20.1, 23.3, 25.2, 22.1, 17.7, 27.6, 20.6, 13.7,
-                                                           23.2, 17.5, 20.6, 18.0, 23.9, 21.6, 24.3, 20.4, 24.0, 13.2}
-                                                << 0.0359722710297968;
-    QTest::newRow("pairs") << Samples{30.02, 29.99, 30.11, 29.97, 30.01, 29.99}
-                           << Samples{29.89, 29.93, 29.72, 29.98, 30.02, 29.98} << 0.090773324285671;
-    QTest::newRow("far apart") << Samples{3.0, 4.0, 1.0, 2.1} << Samples{490.2, 340.0, 433.9} << 0.0107515611497845;
-}
-
-void StatisticsTest::welchAgreesWithR()
-{
-    QFETCH(std::vector<double>, first);
-    QFETCH(std::vector<double>, second);
-    QFETCH(double, p);
-    QVERIFY(near(welch(first, second).p, p, 1e-13));
-    QVERIFY(near(welch(second, first).p, p, 1e-13));
-    QCOMPARE(welch(second, first).t, -welch(first, second).t);
-}
-
-void StatisticsTest::constantGroups()
-{
-    const std::vector<double> zeros{0, 0, 0}, ones{1, 1, 1};
-    QVERIFY(std::isnan(welch(zeros, zeros).p) && std::isnan(welch(zeros, ones).p)); // too few to say that they never vary
-    QVERIFY(std::isnan(welch(zeros, ones).t) && std::isinf(welch(zeros, ones).halfWidth(0.95)));
-    QCOMPARE(welch(zeros, ones).difference, 1.0);
-    QVERIFY(std::isnan(welch(zeros, std::vector<double>{1}).p)); // one sample says nothing
-    const std::vector<double> manyZeros(5, 0), manyOnes(5, 1);
-    QVERIFY(std::isnan(welch(zeros, manyOnes).p));
-    QCOMPARE(welch(manyZeros, manyZeros).p, 1.0);
-    QCOMPARE(welch(manyZeros, manyOnes).p, 0.0);
-    QCOMPARE(welch(manyZeros, manyOnes).halfWidth(0.95), 0.0);
-    QVERIFY(std::isfinite(welch(zeros, std::vector<double>{1, 1, 2}).p)); // one that varies is enough
-}
-
 void StatisticsTest::noneSeenIsNotNone()
 {
     // Hanley and Lippman-Hand, JAMA 249 (1983) 1743: the exact bounds beside 3/n.
@@ -259,30 +206,6 @@ void StatisticsTest::holmIsBetweenNothingAndBonferroni()
                 RC_ASSERT(p[i] > p[j] || adjusted[i] <= adjusted[j]);
         }
     }));
-}
-
-void StatisticsTest::pairsOfOneSourceDoNotDiffer()
-{
-    // Four groups of one source: with the correction, one false alarm in twenty families at most.
-    int families = 0, alarms = 0;
-    std::uint64_t state = 20191;
-    const auto next = [&state] { // sum of twelve uniforms: normal enough
-        double sum = 0;
-        for (int i = 0; i < 12; ++i) {
-            state = state * 6364136223846793005u + 1442695040888963407u;
-            sum += static_cast<double>(state >> 11) * 0x1p-53;
-        }
-        return sum;
-    };
-    for (; families < 2000; ++families) {
-        std::vector<std::vector<double>> groups(4, std::vector<double>(5));
-        for (auto &group : groups)
-            std::generate(group.begin(), group.end(), next);
-        const auto pairs = compareAll(groups);
-        QCOMPARE(pairs.size(), std::size_t(6));
-        alarms += std::any_of(pairs.begin(), pairs.end(), [](const Comparison &pair) { return pair.significant(); });
-    }
-    QVERIFY2(alarms <= 120 && alarms >= 30, qPrintable(QString::number(alarms))); // 100 expected at the most
 }
 
 /// By hand: slope 0.425, residual sum of squares 2.79075, and Student's t in closed form for three degrees of freedom.

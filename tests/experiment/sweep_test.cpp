@@ -31,7 +31,7 @@ QString q(const char *text)
 
 QStringList sweep(const char *more)
 {
-    return QStringList{q("sweep")} + q(more).split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    return QStringList{q("sweep"), q("--launches"), q("1")} + q(more).split(QLatin1Char(' '), Qt::SkipEmptyParts);
 }
 
 /// On somebody else's agent.
@@ -84,6 +84,8 @@ private Q_SLOTS:
     void initTestCase() { qunsetenv("XDG_RUNTIME_DIR"); } // as in a service or a container
     void filesAgree();
     void everySuiteIsMeasured();
+    void launchesStartAnew();
+    void cancelEndsTheLaunch();
     void lossIsThatOfTheLink();
     void radioSetsThePace();
     void cancelKeepsWhatThereIs();
@@ -300,7 +302,7 @@ void SweepTest::filesAgree()
     const QByteArray json = contentOf(folder.filePath(q("out/sweep.json")));
     const QJsonObject report = QJsonDocument::fromJson(json).object();
     QCOMPARE(report[QLatin1String("schema")].toString(), q("skyseal-sweep"));
-    QCOMPARE(report[QLatin1String("schema_version")].toInt(), 3);
+    QCOMPARE(report[QLatin1String("schema_version")].toInt(), 4);
     const QString seed = report[QLatin1String("plan")][QLatin1String("seed")].toString();
     QVERIFY(report[QLatin1String("setting")][QLatin1String("command_line")].toString().endsWith(q(" --seed ") + seed));
     QVERIFY(!m_seeds.contains(seed));
@@ -377,6 +379,90 @@ void SweepTest::everySuiteIsMeasured()
     }
     QCOMPARE(suites, all);
     QCOMPARE(runs.size(), 2 * all.size()); // each once under each load
+}
+
+/// Each launch is a process of its own, in the order that the seed decides; the report is written again from sweep.json with the
+/// same bytes.
+void SweepTest::launchesStartAnew()
+{
+    QTemporaryDir folder;
+    const QString first = folder.filePath(q("first")), again = folder.filePath(q("again")),
+                  joined = folder.filePath(q("joined"));
+    const RunResult run = runProgram("skyseal-cli",
+                                     q("sweep --launches 3 --repeats 1 --suites none,aes-256-gcm --load natural --seconds 0.5 "
+                                       "--warm-up 0.2 --seed 11 --json --expect packets(none)>=1 --out")
+                                             .split(QLatin1Char(' '))
+                                         << first,
+                                     {}, 240000);
+    QVERIFY2(run.status == 0, run.err.constData());
+    const QJsonObject report = QJsonDocument::fromJson(contentOf(first + q("/sweep.json"))).object();
+    QCOMPARE(report[QLatin1String("plan")][QLatin1String("launches")].toInt(), 3);
+    const QJsonArray samples = report[QLatin1String("samples")].toArray();
+    QCOMPARE(samples.size(), 3 * 3); // two suites, and one of them again
+    QCOMPARE(events(run.out, "run").size(), 9);
+    QCOMPARE(events(run.out, "end").size(), 1);
+    double last = -1;
+    for (qsizetype i = 0; i < samples.size(); ++i) {
+        QCOMPARE(samples[i][QLatin1String("launch")].toInt(), int(i) / 3);
+        QCOMPARE(samples[i][QLatin1String("order")].toInt(), int(i));
+        QVERIFY(samples[i][QLatin1String("start")].toDouble() > last);
+        last = samples[i][QLatin1String("start")].toDouble();
+        // Counters begin anew with the programs.
+        if (i % 3 == 0)
+            QVERIFY(
+                samples[i][QLatin1String("counted")][QLatin1String("begin")][QLatin1String("mavlink")][QLatin1String("frames")]
+                    .toDouble()
+                < 3000);
+    }
+    bool compared = false;
+    for (const QJsonValue pair : report[QLatin1String("comparisons")].toArray()) {
+        if (pair[QLatin1String("metric")] != q("cpu_per_frame"))
+            continue;
+        QCOMPARE(pair[QLatin1String("unit")].toString(), q("launch"));
+        QCOMPARE(pair[QLatin1String("units")].toInt(), 3);
+        QVERIFY(pair[QLatin1String("ci95_low")].toDouble() < pair[QLatin1String("ratio")].toDouble());
+        compared = true;
+    }
+    QVERIFY(compared);
+    QVERIFY(!report[QLatin1String("context_bytes")].toObject().isEmpty());
+    for (const char *program : {"sha256_skyseal-cli", "sha256_skyseal-air", "sha256_skyseal-sim"})
+        QCOMPARE(report[QLatin1String("setting")][QLatin1String(program)].toString().size(), 64);
+
+    const RunResult written = runProgram("skyseal-cli", {q("report"), first, q("--out"), again}, {}, 120000);
+    QVERIFY2(written.status == 0, written.err.constData());
+    QStringList names{q("sweep.json"), q("sweep.csv"), q("ratios.csv"), q("report.html")};
+    for (const QString &figure : QDir(first + q("/figures")).entryList({q("*.svg")}))
+        names << q("figures/") + figure;
+    QVERIFY(names.size() > 8);
+    for (const QString &name : names) {
+        const QByteArray content = contentOf(first + QLatin1Char('/') + name);
+        QVERIFY(!content.isEmpty());
+        QVERIFY2(content == contentOf(again + QLatin1Char('/') + name), qPrintable(name));
+    }
+    const RunResult two = runProgram("skyseal-cli", {q("report"), first, again, q("--out"), joined}, {}, 120000);
+    QVERIFY2(two.status == 0, two.err.constData());
+    QVERIFY(contentOf(joined + q("/report.html")).contains("each stands alone"));
+    const RunResult none = runProgram("skyseal-cli", {q("report"), folder.path(), q("--out"), joined}, {}, 120000);
+    QCOMPARE(none.status, 3);
+    QVERIFY(none.err.contains("sweep.json"));
+}
+
+void SweepTest::cancelEndsTheLaunch()
+{
+    QTemporaryDir folder;
+    Program process(
+        q("skyseal-cli"),
+        q("sweep --launches 20 --repeats 1 --suites none,aes-256-gcm --load natural --seconds 0.5 --warm-up 0.2 --json "
+          "--out")
+                .split(QLatin1Char(' '))
+            << folder.path());
+    QVERIFY2(!process.waitFor(q("run")).isEmpty(), process.errors().constData());
+    process.terminate();
+    QCOMPARE(process.waitForExit(), 1);
+    QVERIFY(process.errors().contains("cancelled"));
+    const QJsonObject report = QJsonDocument::fromJson(contentOf(folder.filePath(q("sweep.json")))).object();
+    QVERIFY(!report[QLatin1String("complete")].toBool());
+    QVERIFY(!report[QLatin1String("samples")].toArray().isEmpty());
 }
 
 void SweepTest::lossIsThatOfTheLink()

@@ -217,7 +217,8 @@ void LossAccountingTest::sweepsLossIsExact()
     Program impair(q("skyseal-cli"), relayArguments(relay, flight.groundPort, impairment.constData()));
     Program sim(q("skyseal-sim"), flight.simArguments());
     Program air(q("skyseal-air"), flight.airArguments(relay, inPlace ? words("--allow-inline") : QStringList()));
-    QStringList arguments = words("sweep --allow-research --seconds 1.5 --warm-up 1 --repeats 2 --no-noise --json --suites")
+    QStringList arguments =
+        words("sweep --launches 1 --allow-research --seconds 1.5 --warm-up 1 --repeats 2 --no-noise --json --suites")
         + words(inPlace ? "chacha20,aes-256-ctr,rc4 --framing inline --identity"
                         : "chacha20-poly1305,aes-256-gcm,rc4 --identity");
     arguments << flight.path(q("ground.key")) << q("--peers") << flight.path(q("ground.peers")) << q("--link")

@@ -1,0 +1,89 @@
+// skyseal-cli report: writes the report of a finished sweep again, or one over the sweeps of several machines.
+#include "app/cli/commands.h"
+#include "app/common/exit_status.h"
+#include "app/common/options.h"
+#include "app/common/output.h"
+#include "app/common/sweep_files.h"
+#include "core/experiment/pooled_report.h"
+#include "core/experiment/sweep_reader.h"
+
+#include <QtCore/QDir>
+#include <QtCore/QFile>
+
+namespace skyseal::app {
+
+namespace {
+
+const QString kName = QStringLiteral("skyseal-cli report");
+
+Result<experiment::ReadSweep, InputError> readFolder(const QString &folder)
+{
+    QFile file(QDir(folder).filePath(QStringLiteral("sweep.json")));
+    if (!file.open(QIODevice::ReadOnly))
+        return tl::unexpected(InputError{file.errorString().toStdString(), file.fileName().toStdString()});
+    auto out = experiment::readSweep(file.readAll());
+    if (!out)
+        return tl::unexpected(InputError{out.error().message, file.fileName().toStdString()});
+    return out;
+}
+
+int conclude(const SweepFiles &files, const QString &folder)
+{
+    if (!files.problem.empty())
+        complain(kName, files.problem);
+    if (!files.written)
+        return kCannotOpen;
+    remark("written to " + folder.toStdString());
+    return kDone;
+}
+
+/// The same files as the sweep itself wrote.
+int reportOne(const experiment::ReadSweep &sweep, const QString &folder)
+{
+    std::vector<experiment::Verdict> verdicts;
+    for (const std::string &text : sweep.expectations) {
+        const auto parsed = experiment::Expectation::parse(text);
+        if (!parsed || !experiment::fits(*parsed, sweep.results.plan))
+            continue;
+        const auto judged = experiment::judge(*parsed, sweep.results);
+        verdicts.insert(verdicts.end(), judged.begin(), judged.end());
+    }
+    return conclude(writeSweepFiles(folder, sweep.results, verdicts), folder);
+}
+
+} // namespace
+
+int runReport(const QStringList &arguments)
+{
+    Options options(kName,
+                    QStringLiteral("Writes the report of a finished sweep again, or one over the sweeps of several machines, "
+                                   "autopilots or days."));
+    options.addArgument("DIR", "Folders that sweep --out wrote; their names stand for the machines.");
+    options.addValue("out", "DIR", "Folder for the report and its figures.");
+    if (const auto status = options.parse(arguments))
+        return *status;
+    constexpr int kMostMachines = 100;
+    const QStringList folders = options.arguments(1, kMostMachines);
+    const QString out = QString::fromStdString(options.required("out"));
+    if (const auto status = options.finish())
+        return *status;
+    std::vector<experiment::Machine> machines;
+    for (const QString &folder : folders) {
+        auto read = readFolder(folder);
+        if (!read) {
+            complain(kName, read.error().text());
+            return kCannotOpen;
+        }
+        if (folders.size() == 1)
+            return reportOne(*read, out);
+        machines.push_back(
+            {QDir(QDir(folder).absolutePath()).dirName().toStdString(), read->schemaVersion, std::move(read->results)});
+    }
+    if (const std::string mismatch = experiment::mismatchOf(machines); !mismatch.empty()) {
+        complain(kName, mismatch);
+        return kNotReached;
+    }
+    return conclude(writePooledFiles(out, machines), out);
+}
+
+} // namespace skyseal::app

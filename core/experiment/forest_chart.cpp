@@ -1,0 +1,173 @@
+#include "core/experiment/forest_chart.h"
+
+#include "core/experiment/bar_chart.h"
+#include "core/experiment/metric.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+
+namespace skyseal::experiment {
+
+namespace {
+
+/// Pixels of 1/96 inch: 333 are 88 mm, and 9.4 are 7 pt.
+constexpr int kWidth = 333, kLeft = 126, kRight = 100, kRow = 17, kLine = 13;
+constexpr double kText = 9.4;
+constexpr std::size_t kCharacters = 58; ///< of a line of text, at this size
+
+__attribute__((format(printf, 2, 3))) void put(std::string &out, const char *pattern, ...)
+{
+    char line[512];
+    va_list arguments;
+    va_start(arguments, pattern);
+    std::vsnprintf(line, sizeof line, pattern, arguments);
+    va_end(arguments);
+    out += line;
+}
+
+void putText(std::string &out, double x, double y, const char *anchor, const std::string &text, const char *more = "")
+{
+    put(out, "<text x=\"%.1f\" y=\"%.1f\" font-size=\"%.1f\" text-anchor=\"%s\" fill=\"#111111\"%s>", x, y, kText, anchor,
+        more);
+    out += escaped(text) + "</text>\n";
+}
+
+void putLine(std::string &out, double x1, double y1, double x2, double y2, const char *colour, double width)
+{
+    put(out, "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" stroke-width=\"%.1f\"/>\n", x1, y1, x2, y2,
+        colour, width);
+}
+
+std::vector<std::string> wrapped(const std::string &text)
+{
+    std::vector<std::string> out;
+    for (std::size_t begin = 0; begin < text.size();) {
+        std::size_t end = std::min(begin + kCharacters, text.size());
+        if (end < text.size()) {
+            const std::size_t space = text.rfind(' ', end);
+            end = space == std::string::npos || space <= begin ? end : space;
+        }
+        out.push_back(text.substr(begin, end - begin));
+        begin = text.find_first_not_of(' ', end);
+    }
+    return out;
+}
+
+struct RatioAxis
+{
+    double low, high;
+    double x(double value) const
+    {
+        const double share = std::log(value / low) / std::log(high / low);
+        return kLeft + (kWidth - kLeft - kRight) * std::clamp(share, 0.0, 1.0);
+    }
+};
+
+/// Of everything that is drawn, and of 1.
+RatioAxis axisOf(const ForestChart &chart)
+{
+    double low = 1 / (1 + chart.margin), high = 1 + chart.margin;
+    for (const ForestRow &row : chart.rows) {
+        for (const double value : {row.value, row.low, row.high, row.expectedLow, row.expectedHigh}) {
+            if (std::isfinite(value) && value > 0) {
+                low = std::min(low, value);
+                high = std::max(high, value);
+            }
+        }
+    }
+    const double space = std::max(std::pow(high / low, 0.05), 1.005);
+    return {low / space, high * space};
+}
+
+void drawRow(std::string &out, const RatioAxis &axis, const ForestRow &row, double y)
+{
+    putText(out, kLeft - 6, y + 3.3, "end", row.label, row.isSummary ? " font-weight=\"bold\"" : "");
+    if (!std::isfinite(row.value)) {
+        putText(out, kLeft + 4, y + 3.3, "start", row.missing, " font-style=\"italic\"");
+        return;
+    }
+    if (std::isfinite(row.expectedLow) && std::isfinite(row.expectedHigh))
+        putLine(out, axis.x(row.expectedLow), y + 4, axis.x(row.expectedHigh), y + 4, "#888888", 1);
+    const bool hasInterval = std::isfinite(row.low) && std::isfinite(row.high);
+    if (hasInterval) {
+        putLine(out, axis.x(row.low), y, axis.x(row.high), y, "#111111", row.isSummary ? 2.4 : 1.2);
+        for (const double end : {row.low, row.high})
+            putLine(out, axis.x(end), y - 3, axis.x(end), y + 3, "#111111", 1.2);
+    }
+    put(out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3\" fill=\"%s\" stroke=\"#111111\"/>\n", axis.x(row.value), y,
+        row.hollow ? "#ffffff" : "#111111");
+    char text[64];
+    if (hasInterval)
+        std::snprintf(text, sizeof text, "%.3f (%.3f–%.3f)", row.value, row.low, row.high);
+    else
+        std::snprintf(text, sizeof text, "%.3f", row.value);
+    putText(out, kWidth - 3, y + 3.3, "end", text);
+}
+
+} // namespace
+
+std::vector<double> ratioTicks(double low, double high)
+{
+    for (const double step : {0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5}) {
+        std::vector<double> out;
+        for (double i = std::ceil(low / step - 1e-9); i * step <= high * (1 + 1e-9) && out.size() < 6; ++i)
+            out.push_back(i * step);
+        if (out.size() <= 5)
+            return out;
+    }
+    std::vector<double> out; // far apart: 1, 2, 5 of each decade, or decades alone
+    const bool decades = high / low > 100;
+    for (double decade = std::pow(10, std::floor(std::log10(low))); decade <= high && out.size() < 12; decade *= 10) {
+        for (const double part : {1.0, 2.0, 5.0}) {
+            const double tick = part * decade;
+            if (tick >= low * (1 - 1e-9) && tick <= high * (1 + 1e-9) && (part == 1 || !decades))
+                out.push_back(tick);
+        }
+    }
+    return out;
+}
+
+std::string svg(const ForestChart &chart)
+{
+    const std::vector<std::string> notes = wrapped(chart.legend), place = wrapped(chart.subtitle);
+    const double top = 24 + kLine * static_cast<double>(notes.size() + place.size());
+    const double bottom = top + kRow * static_cast<double>(chart.rows.size());
+    const double height = bottom + 2 * kLine + 8;
+    const RatioAxis axis = axisOf(chart);
+    std::string out;
+    put(out,
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%.0f\" viewBox=\"0 0 %d %.0f\" "
+        "font-family=\"DejaVu Sans, Verdana, sans-serif\">\n",
+        kWidth, height, kWidth, height);
+    put(out, "<rect x=\"0\" y=\"0\" width=\"%d\" height=\"%.0f\" fill=\"#ffffff\"/>\n", kWidth, height);
+    put(out, "<text x=\"3\" y=\"13\" font-size=\"10.5\" font-weight=\"bold\" fill=\"#111111\">");
+    out += escaped(chart.title) + "</text>\n";
+    double y = 13;
+    for (const std::vector<std::string> &lines : {place, notes}) {
+        for (const std::string &line : lines)
+            putText(out, 3, y += kLine, "start", line);
+    }
+    if (chart.margin > 0) {
+        const double left = axis.x(1 / (1 + chart.margin)), right = axis.x(1 + chart.margin);
+        put(out, "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"#e4e4e4\"/>\n", left, top, right - left,
+            bottom - top);
+    }
+    for (const double tick : ratioTicks(axis.low, axis.high)) {
+        putLine(out, axis.x(tick), bottom, axis.x(tick), bottom + 3, "#111111", 1);
+        putText(out, axis.x(tick), bottom + 13, "middle", readable(tick));
+    }
+    putLine(out, kLeft, bottom, kWidth - kRight, bottom, "#111111", 1);
+    putLine(out, axis.x(1), top, axis.x(1), bottom, "#555555", 1);
+    putText(out, kLeft + (kWidth - kLeft - kRight) / 2.0, bottom + 26, "middle", chart.axis);
+    for (std::size_t i = 0; i < chart.rows.size(); ++i) {
+        const double middle = top + kRow * (static_cast<double>(i) + 0.5);
+        if (chart.rows[i].isSummary && i > 0 && !chart.rows[i - 1].isSummary)
+            putLine(out, 3, middle - kRow / 2.0, kWidth - 3, middle - kRow / 2.0, "#111111", 0.6);
+        drawRow(out, axis, chart.rows[i], middle);
+    }
+    return out + "</svg>\n";
+}
+
+} // namespace skyseal::experiment

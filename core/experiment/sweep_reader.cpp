@@ -1,0 +1,237 @@
+#include "core/experiment/sweep_reader.h"
+
+#include "core/experiment/expectation.h"
+#include "core/experiment/sweep_json.h"
+
+#include <QtCore/QJsonArray>
+#include <QtCore/QJsonDocument>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace skyseal::experiment {
+
+namespace {
+
+constexpr qsizetype kMostBytes = 256 << 20, kMostSamples = 1'000'000, kMostArms = 64, kMostPlaces = 64,
+                    kMostExpectations = 1000;
+
+QLatin1String q(const char *key)
+{
+    return QLatin1String(key);
+}
+
+std::string textOf(const QJsonValue &value)
+{
+    return value.toString().toStdString();
+}
+
+double numberOf(const QJsonValue &value)
+{
+    return value.toDouble(std::numeric_limits<double>::quiet_NaN());
+}
+
+std::uint64_t countOf(const QJsonValue &value)
+{
+    return static_cast<std::uint64_t>(std::max<qint64>(value.toInteger(), 0));
+}
+
+Duration durationOf(const QJsonValue &value)
+{
+    constexpr double kMost = 1e7;
+    return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(std::clamp(value.toDouble(), 0.0, kMost)));
+}
+
+std::optional<SweepArm> armOf(const QJsonObject &object)
+{
+    const auto suite = crypto::suiteFromName(textOf(object[q("suite")]));
+    if (!suite)
+        return std::nullopt;
+    SweepArm out{*suite, object[q("again")].toBool(), channel::Framing::Sealed};
+    const std::string framing = textOf(object[q("framing")]);
+    if (framing == name(channel::Framing::Inline))
+        out.framing = channel::Framing::Inline;
+    if (framing != framingName(out))
+        return std::nullopt;
+    return out;
+}
+
+std::optional<Load> loadOf(const QJsonValue &value)
+{
+    for (const Load load : {Load::Natural, Load::Saturated}) {
+        if (textOf(value) == name(load))
+            return load;
+    }
+    return std::nullopt;
+}
+
+InputError wrong(const std::string &what)
+{
+    return InputError{"not the sweep.json of a sweep: " + what, {}};
+}
+
+Result<Plan, InputError> planOf(const QJsonObject &object)
+{
+    Plan out;
+    out.loads.clear();
+    out.conditions.clear();
+    for (const QJsonValue one : object[q("arms")].toArray()) {
+        const auto arm = armOf(one.toObject());
+        if (!arm)
+            return tl::unexpected(wrong("an arm of the plan is unknown"));
+        out.arms.push_back(*arm);
+    }
+    for (const QJsonValue one : object[q("loads")].toArray()) {
+        const auto load = loadOf(one);
+        if (!load)
+            return tl::unexpected(wrong("a load of the plan is unknown"));
+        out.loads.push_back(*load);
+    }
+    for (const QJsonValue one : object[q("conditions")].toArray()) {
+        auto condition = parseCondition(textOf(one));
+        if (!condition)
+            return tl::unexpected(wrong("condition " + condition.error().text()));
+        out.conditions.push_back(std::move(*condition));
+    }
+    for (const auto &[size, most] : {std::pair(out.arms.size(), kMostArms), std::pair(out.loads.size(), qsizetype(2)),
+                                     std::pair(out.conditions.size(), kMostPlaces)}) {
+        if (size == 0 || size > static_cast<std::size_t>(most))
+            return tl::unexpected(wrong("its plan has no arms, loads or conditions, or too many"));
+    }
+    constexpr qint64 kMostRepeats = 100000;
+    out.measure = durationOf(object[q("seconds")]);
+    out.warmUp = durationOf(object[q("warm_up_seconds")]);
+    out.repeats = static_cast<unsigned>(std::clamp<qint64>(object[q("repeats")].toInteger(), 1, kMostRepeats));
+    out.launches = static_cast<unsigned>(std::clamp<qint64>(object[q("launches")].toInteger(1), 1, kMostRepeats));
+    if (out.measure <= Duration::zero() || qint64(out.repeats) * out.launches > kMostSamples)
+        return tl::unexpected(wrong("its plan has no duration, or too many runs"));
+    if (const double margin = object[q("margin")].toDouble(out.margin); margin > 0 && margin < 1)
+        out.margin = margin;
+    const std::string seed = textOf(object[q("seed")]);
+    std::from_chars(seed.data(), seed.data() + seed.size(), out.seed);
+    return out;
+}
+
+channel::ReceiveCounters receivedOf(const QJsonObject &object)
+{
+    channel::ReceiveCounters out;
+    out.good = countOf(object[q("good")]);
+    out.late = countOf(object[q("late")]);
+    out.lost = countOf(object[q("lost")]);
+    out.replayed = countOf(object[q("replayed")]);
+    out.forged = countOf(object[q("forged")]);
+    out.malformed = countOf(object[q("malformed")]);
+    return out;
+}
+
+Counted countedOf(const QJsonObject &object)
+{
+    Counted out;
+    const QJsonObject frames = object[q("mavlink")].toObject();
+    out.mavlink.taken = countOf(frames[q("frames")]);
+    out.mavlink.lost = countOf(frames[q("lost")]);
+    out.mavlink.late = countOf(frames[q("late")]);
+    out.mavlink.duplicate = countOf(frames[q("duplicate")]);
+    out.rx = receivedOf(object[q("rx")].toObject());
+    out.tx = receivedOf(object[q("tx")].toObject());
+    return out;
+}
+
+/// An object loses the order of its keys, which the report shows; so the keys are listed as well.
+Setting settingOf(const QJsonObject &report)
+{
+    Setting out;
+    const QJsonObject setting = report[q("setting")].toObject();
+    QStringList keys;
+    for (const QJsonValue key : report[q("setting_keys")].toArray())
+        keys << key.toString();
+    if (keys.isEmpty())
+        keys = setting.keys();
+    for (const QString &key : keys)
+        out.emplace_back(key.toStdString(), textOf(setting[key]));
+    return out;
+}
+
+} // namespace
+
+std::optional<Sample> readSample(const QJsonObject &object, const Plan &plan)
+{
+    Sample out;
+    const auto arm = armOf(object);
+    const auto load = loadOf(object[q("load")]);
+    if (!arm || !load)
+        return std::nullopt;
+    const auto foundArm = std::ranges::find(plan.arms, *arm);
+    const auto foundLoad = std::ranges::find(plan.loads, *load);
+    const auto foundCondition = std::ranges::find(plan.conditions, textOf(object[q("condition")]), &Condition::name);
+    const qint64 repeat = object[q("repeat")].toInteger(), launch = object[q("launch")].toInteger(0);
+    if (foundArm == plan.arms.end() || foundLoad == plan.loads.end() || foundCondition == plan.conditions.end() || repeat < 0
+        || repeat >= plan.repeats || launch < 0 || launch >= plan.launches)
+        return std::nullopt;
+    out.run = {static_cast<std::size_t>(foundCondition - plan.conditions.begin()),
+               static_cast<std::size_t>(foundLoad - plan.loads.begin()), static_cast<std::size_t>(foundArm - plan.arms.begin()),
+               static_cast<unsigned>(repeat), static_cast<unsigned>(launch)};
+    out.order = static_cast<unsigned>(std::clamp<qint64>(object[q("order")].toInteger(), 0, kMostSamples));
+    out.start = object[q("start")].toDouble();
+    out.seconds = object[q("seconds")].toDouble();
+    out.problem = textOf(object[q("problem")]);
+    out.invalid = textOf(object[q("invalid")]);
+    out.attempts = static_cast<unsigned>(std::clamp<qint64>(object[q("attempts")].toInteger(1), 1, 1000));
+    const QJsonObject values = object[q("values")].toObject();
+    for (const MetricInfo &metric : metrics())
+        out.values[metric.metric] = numberOf(values[QLatin1String(metric.key.data(), qsizetype(metric.key.size()))]);
+    out.begin = countedOf(object[q("counted")][q("begin")].toObject());
+    out.end = countedOf(object[q("counted")][q("end")].toObject());
+    return out;
+}
+
+Result<ReadSweep, InputError> readSweep(const QByteArray &json)
+{
+    if (json.size() > kMostBytes)
+        return tl::unexpected(wrong("it is larger than 256 MB"));
+    const QJsonObject report = QJsonDocument::fromJson(json).object();
+    if (textOf(report[q("schema")]) != "skyseal-sweep")
+        return tl::unexpected(wrong("it has another schema, or is damaged"));
+    ReadSweep out;
+    out.schemaVersion = static_cast<unsigned>(std::clamp<qint64>(report[q("schema_version")].toInteger(), 0, 1000));
+    if (out.schemaVersion < kOldestReadableSweep || out.schemaVersion > kSweepSchemaVersion)
+        return tl::unexpected(wrong("its version is " + std::to_string(out.schemaVersion) + ", and versions "
+                                    + std::to_string(kOldestReadableSweep) + " to " + std::to_string(kSweepSchemaVersion)
+                                    + " can be read"));
+    auto plan = planOf(report[q("plan")].toObject());
+    if (!plan)
+        return tl::unexpected(plan.error());
+    Results &results = out.results;
+    results.plan = std::move(*plan);
+    results.setting = settingOf(report);
+    results.placement = textOf(report[q("placement")]);
+    results.complete = report[q("complete")].toBool();
+    results.seconds = report[q("duration")].toDouble();
+    const QJsonObject contexts = report[q("context_bytes")].toObject();
+    for (auto at = contexts.begin(); at != contexts.end(); ++at) {
+        if (const auto suite = crypto::suiteFromName(at.key().toStdString()); suite && at.value().isDouble())
+            results.contextBytes[*suite] = at.value().toDouble();
+    }
+    const QJsonArray samples = report[q("samples")].toArray();
+    if (samples.size() > kMostSamples)
+        return tl::unexpected(wrong("it has too many runs"));
+    for (const QJsonValue one : samples) {
+        auto sample = readSample(one.toObject(), results.plan);
+        if (!sample)
+            return tl::unexpected(wrong("a run is not one of its plan"));
+        results.samples.push_back(std::move(*sample));
+    }
+    for (const QJsonValue one : report[q("expectations")].toArray()) {
+        const std::string text = textOf(one[q("expectation")]);
+        const auto parsed = Expectation::parse(text);
+        if (!parsed || qsizetype(out.expectations.size()) > kMostExpectations)
+            return tl::unexpected(wrong("an assertion cannot be read"));
+        if (std::ranges::find(out.expectations, text) == out.expectations.end())
+            out.expectations.push_back(text);
+    }
+    return out;
+}
+
+} // namespace skyseal::experiment

@@ -1,0 +1,32 @@
+// Reads sweep.json, also of older versions, for reports over finished sweeps, and the runs that a sweep in another process
+// prints. The content is not trusted: whatever does not fit the plan that it states is an error in words.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/experiment/results.h"
+
+#include <QtCore/QByteArray>
+#include <QtCore/QJsonObject>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace skyseal::experiment {
+
+struct ReadSweep
+{
+    unsigned schemaVersion = 0;
+    Results results;
+    std::vector<std::string> expectations; ///< texts, each once, in their order
+};
+
+/// The oldest version that has what a report needs.
+inline constexpr unsigned kOldestReadableSweep = 2;
+
+Result<ReadSweep, InputError> readSweep(const QByteArray &json);
+
+/// A run as sweep.json and the event "run" have it; nullopt if it does not fit the plan.
+std::optional<Sample> readSample(const QJsonObject &object, const Plan &plan);
+
+} // namespace skyseal::experiment

@@ -1,0 +1,276 @@
+// A sweep that was written and read is the same one, to the last byte of its report; what does not fit its plan is refused; sweeps
+// of several machines are joined only where they are of one setting.
+#include "core/experiment/sweep_reader.h"
+#include "core/experiment/analysis.h"
+#include "core/experiment/html_report.h"
+#include "core/experiment/pooled_report.h"
+#include "core/experiment/random_effects.h"
+#include "core/experiment/sweep_json.h"
+#include "tests/support/test_runner.h"
+
+#include <QtCore/QJsonArray>
+#include <QtCore/QJsonDocument>
+#include <QtTest/QTest>
+
+#include <cmath>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+using namespace skyseal;
+using namespace skyseal::experiment;
+using crypto::SuiteId;
+
+namespace {
+
+/// Three arms and the first suite again, in three launches; RC4 costs `rc4` times what the others do.
+Results sweepOf(double rc4, unsigned seed)
+{
+    Results out;
+    out.plan.arms = armsOf({SuiteId::None, SuiteId::ChaCha20, SuiteId::Rc4}, {channel::Framing::Sealed}, true);
+    out.plan.loads = {Load::Natural, Load::Saturated};
+    out.plan.launches = 3;
+    out.plan.repeats = 2;
+    out.plan.seed = seed;
+    out.setting = {
+        {"processor", "of test " + std::to_string(seed)}, {"commit", "abc"}, {"a key", "<b>\"&"}, {"message_mix", "one"}};
+    out.placement = "left to the system";
+    out.contextBytes = {{SuiteId::ChaCha20, 400.5}, {SuiteId::Rc4, 1100}};
+    out.complete = true;
+    out.seconds = 123.456789012345;
+    std::mt19937 random(seed);
+    std::normal_distribution<double> noise(0, 0.005);
+    for (const Run &run : schedule(out.plan)) {
+        Sample sample;
+        sample.run = run;
+        sample.order = static_cast<unsigned>(out.samples.size());
+        sample.start = 7.1 * sample.order;
+        sample.seconds = 5.000123;
+        for (const Metric metric :
+             {Metric::Packets, Metric::CpuPerFrame, Metric::AgentCpuPerFrame, Metric::Latency, Metric::Memory})
+            sample.values[metric] = 1234.5 * std::exp(noise(random)) * (out.plan.arms[run.arm].suite == SuiteId::Rc4 ? rc4 : 1);
+        sample.values[Metric::Loss] = 0;
+        sample.end.mavlink.taken = 1'000'000'000'000'000 + sample.order;
+        sample.end.rx.good = 55;
+        out.samples.push_back(sample);
+    }
+    out.samples[1].problem = "no vehicle was heard";
+    out.samples[1].values = {};
+    out.samples[2].invalid = "not saturated: nothing reached 95 %";
+    out.samples[2].attempts = 3;
+    out.samples[3].values[Metric::OtherCpu] = 55;
+    return out;
+}
+
+const std::vector<Verdict> kNone;
+
+std::string pageOf(const Results &results)
+{
+    const auto figures = figuresOf(results);
+    return htmlReport({results, figures, kNone, paperClaims(results)});
+}
+
+QByteArray jsonOf(const Results &results)
+{
+    return QByteArray::fromStdString(sweepJson(results, {}));
+}
+
+std::string errorOf(const QJsonObject &report)
+{
+    const auto read = readSweep(QJsonDocument(report).toJson());
+    return read ? std::string() : read.error().text();
+}
+
+} // namespace
+
+class SweepReaderTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void whatWasWrittenIsRead();
+    void olderVersionsAreReadable();
+    void othersAreRefused();
+    void damageIsNoCrash();
+    void randomEffectsAgreeWithSciPy();
+    void machinesAreJoined();
+    void twoMachinesStandAlone();
+    void otherSettingsAreRefused();
+};
+
+void SweepReaderTest::whatWasWrittenIsRead()
+{
+    const Results results = sweepOf(1.2, 7);
+    const auto read = readSweep(jsonOf(results));
+    QVERIFY2(read, read ? "" : read.error().text().c_str());
+    QCOMPARE(read->schemaVersion, kSweepSchemaVersion);
+    QCOMPARE(jsonOf(read->results), jsonOf(results));
+    QCOMPARE(sweepCsv(read->results), sweepCsv(results));
+    QCOMPARE(ratiosCsv(read->results), ratiosCsv(results));
+    QCOMPARE(pageOf(read->results), pageOf(results));
+    const auto figures = figuresOf(results), again = figuresOf(read->results);
+    QCOMPARE(again.size(), figures.size());
+    for (std::size_t i = 0; i < figures.size(); ++i)
+        QVERIFY(figures[i].name == again[i].name && figures[i].svg == again[i].svg);
+}
+
+/// Without what later versions added: launches, validity.
+void SweepReaderTest::olderVersionsAreReadable()
+{
+    for (const int version : {2, 3}) {
+        QJsonObject report = QJsonDocument::fromJson(jsonOf(sweepOf(1.2, 7))).object();
+        report[QLatin1String("schema_version")] = version;
+        QJsonArray samples;
+        for (const QJsonValue value : report[QLatin1String("samples")].toArray()) {
+            QJsonObject sample = value.toObject();
+            if (sample[QLatin1String("launch")].toInt() > 0)
+                continue;
+            for (const char *key : {"launch", "valid", "attempts", "invalid", "disturbances"})
+                sample.remove(QLatin1String(key));
+            samples.append(sample);
+        }
+        report[QLatin1String("samples")] = samples;
+        QJsonObject plan = report[QLatin1String("plan")].toObject();
+        plan.remove(QLatin1String("launches"));
+        plan.remove(QLatin1String("margin"));
+        report[QLatin1String("plan")] = plan;
+        for (const char *key : {"context_bytes", "setting_keys", "claims", "placement"})
+            report.remove(QLatin1String(key));
+        const auto read = readSweep(QJsonDocument(report).toJson());
+        QVERIFY2(read, read ? "" : read.error().text().c_str());
+        QCOMPARE(read->results.plan.launches, 1u);
+        QCOMPARE(read->results.samples.size(), std::size_t(samples.size()));
+        QVERIFY(pageOf(read->results).find("All programs were started once only") != std::string::npos);
+    }
+}
+
+void SweepReaderTest::othersAreRefused()
+{
+    const QJsonObject report = QJsonDocument::fromJson(jsonOf(sweepOf(1.2, 7))).object();
+    QVERIFY(errorOf(report).empty());
+    const auto with = [&report](const char *key, const QJsonValue &value) {
+        QJsonObject changed = report;
+        changed[QLatin1String(key)] = value;
+        return errorOf(changed);
+    };
+    QVERIFY(with("schema", QStringLiteral("other")).find("another schema") != std::string::npos);
+    QVERIFY(with("schema_version", 1).find("version is 1") != std::string::npos);
+    QVERIFY(with("schema_version", 99).find("version is 99") != std::string::npos);
+    QVERIFY(with("plan", QJsonObject()).find("no arms") != std::string::npos);
+    QJsonObject sample = report[QLatin1String("samples")].toArray().first().toObject();
+    for (const auto &[key, value] :
+         {std::pair("suite", QJsonValue(QStringLiteral("aes-256-gcm"))), std::pair("repeat", QJsonValue(2)),
+          std::pair("launch", QJsonValue(3)), std::pair("repeat", QJsonValue(-1)),
+          std::pair("condition", QJsonValue(QStringLiteral("loss=0.1")))}) {
+        QJsonObject changed = sample;
+        changed[QLatin1String(key)] = value;
+        QVERIFY2(with("samples", QJsonArray{changed}).find("not one of its plan") != std::string::npos, key);
+    }
+    QVERIFY(with("expectations", QJsonArray{QJsonObject{{QStringLiteral("expectation"), QStringLiteral("nonsense")}}})
+                .find("assertion")
+            != std::string::npos);
+}
+
+/// Bytes of a real file changed, cut and doubled: an error or a sweep, and in both cases no more.
+void SweepReaderTest::damageIsNoCrash()
+{
+    const QByteArray whole = jsonOf(sweepOf(1.2, 7));
+    std::mt19937 random(20261124);
+    int refused = 0;
+    for (int i = 0; i < 300; ++i) {
+        QByteArray damaged = whole;
+        for (int changes = 0; changes <= i % 4; ++changes)
+            damaged[qsizetype(random() % std::size_t(damaged.size()))] = static_cast<char>(random() % 128);
+        if (i % 10 == 0)
+            damaged.truncate(qsizetype(random() % std::size_t(damaged.size())));
+        const auto read = readSweep(damaged);
+        refused += !read;
+        if (read)
+            QVERIFY(!sweepCsv(read->results).empty());
+    }
+    QVERIFY(refused > 30);
+}
+
+void SweepReaderTest::randomEffectsAgreeWithSciPy()
+{
+    std::ifstream in(SKYSEAL_SOURCE_DIR "/tests/data/vectors/sweep_models.txt");
+    std::vector<MachineEffect> machines;
+    int checked = 0;
+    for (std::string line; std::getline(in, line);) {
+        std::istringstream words(line);
+        std::string kind;
+        words >> kind;
+        if (kind == "effects")
+            machines.clear();
+        if (kind == "machine") {
+            machines.emplace_back();
+            words >> machines.back().estimate >> machines.back().error;
+        }
+        if (kind != "pooled")
+            continue;
+        RandomEffects expected;
+        words >> expected.variance >> expected.mean >> expected.error >> expected.low >> expected.high >> expected.predictionLow
+            >> expected.predictionHigh;
+        const auto found = pooled(machines);
+        QVERIFY(found);
+        QVERIFY2(std::abs(found->variance - expected.variance) < 1e-6 * expected.variance + 1e-12, line.c_str());
+        for (const auto member : {&RandomEffects::mean, &RandomEffects::error, &RandomEffects::low, &RandomEffects::high,
+                                  &RandomEffects::predictionLow, &RandomEffects::predictionHigh})
+            QVERIFY2(std::abs((*found).*member - expected.*member) < 1e-6, line.c_str());
+        ++checked;
+        machines.pop_back();
+        while (machines.size() >= kLeastMachines)
+            machines.pop_back();
+        QVERIFY(!pooled(machines));
+    }
+    QCOMPARE(checked, 3);
+}
+
+void SweepReaderTest::machinesAreJoined()
+{
+    std::vector<Machine> machines;
+    for (const auto &[label, rc4] : {std::pair("desk", 1.2), std::pair("board", 1.3), std::pair("laptop", 1.25)})
+        machines.push_back({label, kSweepSchemaVersion, sweepOf(rc4, 1 + static_cast<unsigned>(machines.size()))});
+    QVERIFY2(mismatchOf(machines).empty(), mismatchOf(machines).c_str());
+    const std::string csv = pooledCsv(machines);
+    const std::size_t at = csv.find("\"clean\",saturated,cpu_per_frame,\"rc4 sealed\",\"all machines\",");
+    QVERIFY(at != std::string::npos);
+    const std::string line = csv.substr(at, csv.find('\n', at) - at);
+    const double ratio = std::stod(line.substr(line.find("machines\",") + 10));
+    QVERIFY2(std::abs(ratio - 1.25) < 0.02, line.c_str());
+    const std::string page = pooledHtml(machines);
+    for (const char *part : {"all machines", ">board<", "of test 2", "prediction interval", "&lt;b&gt;"})
+        QVERIFY2(page.find(part) != std::string::npos, part);
+    QVERIFY(page.find("<b>\"") == std::string::npos);
+    // Reports do not depend on what was computed before.
+    QCOMPARE(pooledHtml(machines), page);
+}
+
+void SweepReaderTest::twoMachinesStandAlone()
+{
+    const std::vector<Machine> machines{{"desk", 4, sweepOf(1.2, 1)}, {"board", 4, sweepOf(1.3, 2)}};
+    const std::string csv = pooledCsv(machines);
+    QVERIFY(csv.find("\"board\"") != std::string::npos && csv.find("all machines") == std::string::npos);
+    QVERIFY(pooledHtml(machines).find("each stands alone") != std::string::npos);
+}
+
+void SweepReaderTest::otherSettingsAreRefused()
+{
+    const Machine one{"desk", 4, sweepOf(1.2, 1)};
+    const auto refused = [&one](const char *what, auto change) {
+        Machine other{"board", 4, sweepOf(1.2, 2)};
+        change(other);
+        const std::string said = mismatchOf({one, other});
+        return said.find(what) != std::string::npos && said.find("desk") != std::string::npos
+            && said.find("board") != std::string::npos;
+    };
+    QVERIFY(refused("schema version", [](Machine &machine) { machine.schemaVersion = 3; }));
+    QVERIFY(refused("framing", [](Machine &machine) { machine.results.plan.arms[1].framing = channel::Framing::Inline; }));
+    QVERIFY(refused("load", [](Machine &machine) { machine.results.plan.loads = {Load::Natural}; }));
+    QVERIFY(refused("link", [](Machine &machine) { machine.results.plan.conditions = {*parseCondition("loss=0.1")}; }));
+    QVERIFY(refused("commit", [](Machine &machine) { machine.results.setting[1].second = "def"; }));
+    QVERIFY(refused("message mix", [](Machine &machine) { machine.results.setting.pop_back(); }));
+}
+
+SKYSEAL_TEST_APPLESS(SweepReaderTest)
+#include "sweep_reader_test.moc"
