@@ -149,6 +149,7 @@ public:
     void remember(const channel::PublicKey &peer, std::uint64_t counter);
     std::string problem() const;
     InputError waitUntilStored();
+    bool storesInTime();
 
     std::thread thread;
 
@@ -227,7 +228,7 @@ std::uint64_t FileCounterStore::lastSeen(const channel::PublicKey &peer)
 bool FileCounterStore::remember(const channel::PublicKey &peer, std::uint64_t counter)
 {
     m_shared->remember(peer, counter);
-    return !weakened(Weakness::StopWithoutDisk) || m_shared->waitUntilStored().message.empty();
+    return !weakened(Weakness::StopWithoutDisk) || m_shared->storesInTime();
 }
 
 std::string FileCounterStore::problem() const
@@ -330,6 +331,12 @@ InputError FileCounterStore::Shared::waitUntilStored()
     std::unique_lock lock(m_mutex);
     m_idle.wait(lock, [this] { return isIdle(); });
     return m_error;
+}
+
+bool FileCounterStore::Shared::storesInTime()
+{
+    std::unique_lock lock(m_mutex);
+    return waitFor(lock, [this] { return isIdle(); }) && m_error.message.empty();
 }
 
 void FileCounterStore::Shared::run()
