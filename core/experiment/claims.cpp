@@ -198,20 +198,24 @@ Claim judged(const Results &results, std::string_view key, std::string text, Met
     return out;
 }
 
-/// What a suite adds to the memory of a process: the heap of a session, or of a keyed cipher where that was not measured.
-double heapOf(const Results &results, SuiteId suite)
+/// What a suite adds to the memory of a process: the heap of a session, or of a keyed cipher. NaN if not measured.
+double heapOf(const Results &results, SuiteId suite, bool ofSession)
 {
+    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
     if (suite == SuiteId::None)
         return 0;
+    if (!ofSession) {
+        const auto found = results.contextBytes.find(suite);
+        return found == results.contextBytes.end() ? kNaN : found->second;
+    }
     for (const Cell &cell : cells(results.plan)) {
         const double mean = results.plan.arms[cell.arm].suite == suite
             ? summarise(valuesOf(results, cell, Metric::SessionMemory)).mean
-            : std::numeric_limits<double>::quiet_NaN();
+            : kNaN;
         if (std::isfinite(mean))
             return mean;
     }
-    const auto found = results.contextBytes.find(suite);
-    return found == results.contextBytes.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+    return kNaN;
 }
 
 /// Of the measuring process, with all suites.
@@ -231,13 +235,17 @@ Claim judgedMemory(const Results &results, std::string_view key, std::string tex
 {
     Claim out{key, std::move(text), Finding::NotDecided, {}};
     const double resident = residentOf(results);
+    // One kind of heap for all suites, since a session has more than its cipher.
+    const bool ofSession = std::ranges::all_of(pairs, [&](const Pair &pair) {
+        return std::isfinite(heapOf(results, pair.first, true)) && std::isfinite(heapOf(results, pair.second, true));
+    });
     Gathered gathered(results, judge);
     std::string heaps;
     for (const Pair &pair : pairs) {
-        const double one = heapOf(results, pair.first), two = heapOf(results, pair.second);
+        const double one = heapOf(results, pair.first, ofSession), two = heapOf(results, pair.second, ofSession);
         const double ratio = (resident + one) / (resident + two);
         if (!std::isfinite(ratio)) {
-            out.reason = "The heap of a session was not measured for each of these suites.";
+            out.reason = "The memory of a session or of a keyed cipher was not measured for each of these suites.";
             return out;
         }
         gathered.add(nameOf(pair.first), nameOf(pair.second), ratio, ratio, ratio);
@@ -246,10 +254,8 @@ Claim judgedMemory(const Results &results, std::string_view key, std::string tex
         heaps += ", " + nameOf(pair.second) + " " + readable(two) + " B";
     }
     out.finding = gathered.finding();
-    out.reason = "The station's process takes " + readable(resident / 1e6)
-        + " MB with any suite; of these a session's heap, by "
-          "which suites differ, is: "
-        + heaps + ". " + gathered.text();
+    out.reason = "The station's process takes " + readable(resident / 1e6) + " MB with any suite; suites differ by the heap of "
+        + (ofSession ? "a session" : "a keyed cipher") + ": " + heaps + ". " + gathered.text();
     return out;
 }
 

@@ -91,6 +91,7 @@ private Q_SLOTS:
     void unharmedNeedsAsManyPackets();
     void unharmedNeedsSureness();
     void smallDifferencesAreNoClaim();
+    void memoryIsOfOneKind();
     void claimsAreOfTheCleanLink();
     void dronesCpuIsJudgedAsWell();
     void residentMemoryHasNoInterval();
@@ -229,6 +230,24 @@ void ReportTest::unharmedNeedsSureness()
     for (Sample &sample : results.samples)
         sample.values[Metric::Packets] = 1000 + 100 * (static_cast<double>((sample.run.repeat * 3 + sample.run.arm) % 5) - 2);
     QCOMPARE(findingOf(results, "packets-unharmed"), Finding::NotDecided);
+}
+
+/// A session has more than its cipher: the two are not mixed where one suite's session was not measured.
+void ReportTest::memoryIsOfOneKind()
+{
+    Results results = resultsWith(Metric::Memory, [](SuiteId) { return 20e6; });
+    for (Sample &sample : results.samples) {
+        results.contextBytes[results.plan.arms[sample.run.arm].suite] = 400;
+        if (results.plan.arms[sample.run.arm].suite != SuiteId::Rc4)
+            sample.values[Metric::SessionMemory] = 5000;
+    }
+    const Claim rc4 = claimOf(results, "rc4-memory");
+    QCOMPARE(rc4.finding, Finding::Refuted);
+    QVERIFY2(rc4.reason.find("5,000") == std::string::npos && rc4.reason.find("keyed cipher") != std::string::npos,
+             rc4.reason.c_str());
+    const Claim plain = claimOf(results, "memory-plain");
+    QCOMPARE(plain.finding, Finding::Confirmed);
+    QVERIFY2(plain.reason.find("chacha20 5,000 B, none 0 B") != std::string::npos, plain.reason.c_str());
 }
 
 void ReportTest::smallDifferencesAreNoClaim()
