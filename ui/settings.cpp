@@ -20,6 +20,17 @@ double inRange(const QSettings &store, const char *key, double low, double high,
     return ok && value >= low && value <= high ? value : otherwise;
 }
 
+MapSource loadMapSource(const QSettings &store)
+{
+    MapSource out;
+    out.kind = static_cast<MapSource::Kind>(inRange(store, "map/source", 0, 2, 0));
+    out.url = store.value(QStringLiteral("map/url")).toString();
+    out.file = store.value(QStringLiteral("map/file")).toString();
+    out.attribution = store.value(QStringLiteral("map/attribution")).toString();
+    out.deepest = inRange(store, "map/deepest", 1, 22, out.deepest);
+    return out;
+}
+
 } // namespace
 
 Settings loadSettings(const QSettings &store)
@@ -44,6 +55,7 @@ Settings loadSettings(const QSettings &store)
     const QString served = store.value(QStringLiteral("gateway/url")).toString();
     if (!served.isEmpty())
         s.serving.url = served;
+    s.map = loadMapSource(store);
     s.serving.write = store.value(QStringLiteral("gateway/write"), s.serving.write).toBool();
     return s;
 }
@@ -66,6 +78,11 @@ void storeSettings(QSettings &store, const Settings &settings)
     store.setValue(QStringLiteral("gateway/on"), settings.serving.on);
     store.setValue(QStringLiteral("gateway/url"), settings.serving.url);
     store.setValue(QStringLiteral("gateway/write"), settings.serving.write);
+    store.setValue(QStringLiteral("map/source"), static_cast<int>(settings.map.kind));
+    store.setValue(QStringLiteral("map/url"), settings.map.url);
+    store.setValue(QStringLiteral("map/file"), settings.map.file);
+    store.setValue(QStringLiteral("map/attribution"), settings.map.attribution);
+    store.setValue(QStringLiteral("map/deepest"), settings.map.deepest);
 }
 
 } // namespace skyseal::ui

@@ -26,6 +26,21 @@ struct Serving
     bool operator==(const Serving &) const = default;
 };
 
+/// Where the pictures of the map come from: nowhere, until the operator has chosen a source. A tile server learns where its
+/// maps are looked at.
+struct MapSource
+{
+    enum class Kind : int { None, Server, File };
+
+    Kind kind = Kind::None;
+    QString url;         ///< of the server: "https://tile.example.org/{z}/{x}/{y}.png"
+    QString file;        ///< MBTiles
+    QString attribution; ///< of the server, shown on the map
+    int deepest = 19;    ///< level of the server's largest pictures
+
+    bool operator==(const MapSource &) const = default;
+};
+
 struct Settings
 {
     Theme theme = Theme::Desktop;
@@ -40,6 +55,7 @@ struct Settings
     double takeOffAltitude = 10;                                 ///< metres above home, last used
     QString defaultLink = QStringLiteral("udpin:0.0.0.0:14550");
     Serving serving;
+    MapSource map;
 
     bool operator==(const Settings &) const = default;
 };

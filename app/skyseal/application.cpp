@@ -11,6 +11,7 @@
 #include "ui/text/command_permits.h"
 
 #include <QtCore/QCoreApplication>
+#include <QtCore/QStandardPaths>
 #include <QtCore/QTimer>
 #include <QtGui/QPixmap>
 #include <QtWidgets/QApplication>
@@ -184,6 +185,7 @@ void Application::makeWindow()
     ui::ProgramFacts facts;
     facts.version = QCoreApplication::applicationVersion();
     facts.recordFolder = defaultRecordFolder();
+    facts.cacheFolder = QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/tiles");
     facts.demoAvailable = Demo::isAvailable();
     facts.sessionBytes = [heap = m_heap](crypto::SuiteId suite) { return heap ? heap->session(suite) : std::nullopt; };
     m_window = std::make_unique<ui::MainWindow>(*m_station, m_store, std::move(facts));

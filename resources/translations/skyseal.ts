@@ -2387,6 +2387,97 @@ Fingerprint %3</source>
         <source>N</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Map: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::MapSourceDialog</name>
+    <message>
+        <source>Map source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;No pictures: lines of latitude and longitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A tile &amp;server</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A tile server</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An &amp;MBTiles file on this computer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An MBTiles file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Address of the tiles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attribution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>© who made the map; most servers require it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deepest level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Address</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A&amp;ttribution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Deepest level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The server learns which places you look at and when, and so where you fly, together with the address of this computer. With http:// everyone on the way learns it too. Nothing is requested before you press OK; what was received is kept on this computer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MBTiles file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Browse for an MBTiles file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MBTiles (*.mbtiles);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No file is chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tiles will be requested of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::MapView</name>
@@ -2396,6 +2487,52 @@ Fingerprint %3</source>
     </message>
     <message>
         <source>Arrow keys move it, plus and minus zoom, Home follows the vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::MbtilesFile</name>
+    <message>
+        <source>%1 cannot be opened: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be shown: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>out of memory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not an MBTiles file (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has vector tiles, and only pictures (PNG, JPEG, WebP) can be shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a tile is larger than %1 kB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file takes too long to search</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::MbtilesWriter</name>
+    <message>
+        <source>%1 cannot be written: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is in the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be written</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3317,6 +3454,144 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>From the kernel&apos;s energy counters, over the last second: the whole processor and everything that runs on it, not this program alone (%1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::RegionDialog</name>
+    <message>
+        <source>Choose a tile server as the map source first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fetch the area in view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>area.mbtiles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Browse for the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Fetch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fetch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Use as the map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use the file as the map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Levels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F&amp;ile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One tile after the other, two at a time. Whether the server permits it is for you to know.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first level is deeper than the last</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%L1 tiles: at most %L2 can be fetched at a time. Zoom in, or choose fewer levels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No file is chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%L1 tiles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fetch the area into</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MBTiles (*.mbtiles)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%L1 of %L2 tiles, %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> of about %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; %L1 failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not fetched: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancelled; no file was written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2, without %L3 tiles that failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::RegionFetch</name>
+    <message>
+        <source>the server has no tiles there</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4312,6 +4587,67 @@ with a pre-shared key</source>
     </message>
 </context>
 <context>
+    <name>skyseal::ui::TileImage</name>
+    <message>
+        <source>a tile is larger than %1 kB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a tile is neither PNG, JPEG nor WebP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a tile cannot be read as %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a tile has %1×%2 pixels, more than %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::TileTemplate</name>
+    <message>
+        <source>The address needs {z}, {x} and {y}, where the server expects level, column and row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only {z}, {x} and {y} (or {-y}) can be filled in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The address must begin with https:// or http:// and name a server</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The name of the server must not depend on the tile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rules of openstreetmap.org forbid to fetch areas for later use; choose a server that permits it</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::TileWorker</name>
+    <message>
+        <source>the source of the map was changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a tile is larger than %1 kB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the server does not answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the map has no tile server</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>skyseal::ui::TrafficBar</name>
     <message>
         <source>Links</source>
@@ -4752,6 +5088,18 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
     </message>
     <message>
         <source>No demo runs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Map source…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fetch the &amp;area in view…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The &amp;map</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -70,7 +70,9 @@ const QHash<QString, QStringList> &allowedInUi()
         {QStringLiteral("parameters"), kBottom},
         {QStringLiteral("status"), kBottom},
         {kSecurity, kBottom},
-        {QStringLiteral("map"), kBottom + QStringList{kSecurity}}, // the empty state asks to allow plain MAVLink
+        {QStringLiteral("tiles"), {}},
+        // The empty state asks to allow plain MAVLink.
+        {QStringLiteral("map"), kBottom + QStringList{kSecurity, QStringLiteral("tiles")}},
         {kSweep, kBottom + QStringList{kSecurity}},                // a sweep takes over the choice of the suite
         {QStringLiteral("charts"), kBottom + QStringList{kSweep}}, // the diagnostics show the page of the sweep
         {QStringLiteral("window"), kEverything},

@@ -5,12 +5,18 @@
 #include "scripted_snapshots.h"
 #include "ui/charts/diagnostics_panel.h"
 #include "ui/flight/vehicle_commands.h"
+#include "ui/map/map_view.h"
+#include "ui/tiles/mbtiles_writer.h"
 #include "ui/window/main_window.h"
 #include "ui/security/suite_actions.h"
 
+#include <QtCore/QBuffer>
 #include <QtCore/QDir>
+#include <QtCore/QEventLoop>
 #include <QtCore/QSettings>
 #include <QtCore/QTemporaryDir>
+#include <QtCore/QTimer>
+#include <QtGui/QPainter>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QDockWidget>
 
@@ -37,6 +43,38 @@ engine::Snapshot replaySnapshot(double time)
     out.vehicles.front().state.mode = "AUTO";
     out.links.front().url = "tlog:/logs/2026-05-02 field.tlog";
     out.links.front().recording = true;
+    return out;
+}
+
+/// A file of drawn tiles around the place of the flight, each with its number.
+MapSource drawnTiles(const QString &path)
+{
+    auto writer = MbtilesWriter::create(path);
+    const QPointF place = mercator::project({47.3977, 8.5456});
+    for (int level = 15; level <= 18; ++level) {
+        const TileRange range = tilesIn(QRectF(place - QPointF(1500, 1500), QSizeF(3000, 3000)), level);
+        for (int row = range.top; writer && row <= range.bottom; ++row) {
+            for (int column = range.left; column <= range.right; ++column) {
+                QImage image(256, 256, QImage::Format_RGB32);
+                image.fill(QColor((row + column) % 2 ? 0xd8e2c8 : 0xc4d6b0));
+                QPainter painter(&image);
+                painter.setPen(QColor(0x60705a));
+                painter.drawRect(0, 0, 256, 256);
+                painter.drawText(image.rect(), Qt::AlignCenter, QStringLiteral("%1/%2/%3").arg(level).arg(column).arg(row));
+                painter.end();
+                QByteArray bytes;
+                QBuffer buffer(&bytes);
+                buffer.open(QIODevice::WriteOnly);
+                image.save(&buffer, "png");
+                (void)(*writer)->add(range.at(column, row), bytes);
+            }
+        }
+    }
+    if (writer)
+        (void)(*writer)->finish({{QStringLiteral("attribution"), QStringLiteral("© the gallery")}});
+    MapSource out;
+    out.kind = MapSource::Kind::File;
+    out.file = path;
     return out;
 }
 
@@ -67,6 +105,18 @@ std::shared_ptr<const std::vector<vehicle::MissionItem>> routeMission()
     out[9].parameters[0] = 5;
     out[9].parameters[1] = 2;
     return std::make_shared<const std::vector<vehicle::MissionItem>>(std::move(out));
+}
+
+void waitForTiles(MapView &map)
+{
+    QEventLoop loop;
+    QTimer quiet; // since the last tile
+    quiet.setSingleShot(true);
+    QObject::connect(&quiet, &QTimer::timeout, &loop, &QEventLoop::quit);
+    QObject::connect(&map.tiles(), &TileLayer::changed, &quiet, [&] { quiet.start(300); });
+    quiet.start(2000);
+    map.repaint();
+    loop.exec();
 }
 
 /// Brings the window into a state by the same signals that the engine would send.
@@ -192,6 +242,8 @@ int main(int argc, char **argv)
                     : theme == QLatin1String("contrast")        ? Theme::HighContrast
                                                                 : Theme::Light;
                 settings.serving.on = state == QLatin1String("served");
+                if (state == QLatin1String("tiles"))
+                    settings.map = drawnTiles(folder.filePath(QStringLiteral("drawn.mbtiles")));
                 storeSettings(store, settings);
                 FakeStation station;
                 ProgramFacts facts;
@@ -211,6 +263,8 @@ int main(int argc, char **argv)
                 }
                 play(station, window, state, dock);
                 window.findChild<DiagnosticsPanel *>()->refresh();
+                if (state == QLatin1String("tiles"))
+                    waitForTiles(*window.findChild<MapView *>());
                 QCoreApplication::processEvents();
                 window.grab().save(out.filePath(QStringLiteral("%1-%2-%3.png").arg(state, size, theme)));
             }

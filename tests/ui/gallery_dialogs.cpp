@@ -7,6 +7,7 @@
 #include "ui/keys/passphrase_dialog.h"
 #include "ui/keys/peer_dialog.h"
 #include "ui/links/link_dialog.h"
+#include "ui/map/map_source_dialog.h"
 
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QLineEdit>
@@ -141,6 +142,14 @@ const std::map<QString, Open> &dialogs()
          [](const Stage &stage) -> QWidget * { return new LinkDialog(QStringLiteral("udpin:0.0.0.0:14550"), &stage.window); }},
         {QStringLiteral("settings"),
          [](const Stage &stage) -> QWidget * { return new SettingsDialog(stage.window.settings(), &stage.window); }},
+        {QStringLiteral("map-source"),
+         [](const Stage &stage) -> QWidget * {
+             MapSource source;
+             source.kind = MapSource::Kind::Server;
+             source.url = QStringLiteral("https://tile.example.org/{z}/{x}/{y}.png");
+             source.attribution = QStringLiteral("© Example maps");
+             return new MapSourceDialog(source, &stage.window);
+         }},
         {QStringLiteral("link-mavsec"),
          [](const Stage &stage) -> QWidget * {
              auto *dialog = new LinkDialog(QStringLiteral("udpin:0.0.0.0:14550"), &stage.window);

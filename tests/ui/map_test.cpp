@@ -1,8 +1,10 @@
 // The parts of the map: the viewport's arithmetic, and the content that view states change.
 #include "scripted_snapshots.h"
 #include "tests/support/test_runner.h"
+#include "ui/map/graticule.h"
 #include "ui/map/map_content.h"
 #include "ui/map/map_viewport.h"
+#include "ui/tiles/tile_range.h"
 
 #include <QtTest/QTest>
 
@@ -43,6 +45,58 @@ private Q_SLOTS:
         QCOMPARE(viewport.metresPerPixel(), MapViewport::kFarthest);
     }
 
+    void projectionIsWebMercator()
+    {
+        QVERIFY((mercator::project({0, 180}) - QPointF(20037508.342789, 0)).manhattanLength() < 1e-5);
+        QVERIFY((mercator::project({mercator::kLastLatitude, 0}) - QPointF(0, 20037508.342789)).manhattanLength() < 1e-3);
+        for (const GeoPoint place : {GeoPoint{47.3977, 8.5456}, GeoPoint{-35.363261, 149.165230}, GeoPoint{0, -179.9999}}) {
+            const GeoPoint back = mercator::unproject(mercator::project(place));
+            QVERIFY(qAbs(back.latitude - place.latitude) < 1e-10 && qAbs(back.longitude - place.longitude) < 1e-10);
+        }
+        // A metre on the ground at 60° is two on the map.
+        QVERIFY(qAbs(mercator::stretch(mercator::project({60, 0}).y()) - 2) < 1e-9);
+        QCOMPARE(mercator::unproject({1.5 * mercator::kHalfWorld, 0}).longitude, -90.0);
+    }
+
+    void tilesCoverThePicture()
+    {
+        MapViewport viewport;
+        viewport.setSize({500, 500});
+        viewport.setMetresPerPixel(2 * mercator::kHalfWorld / 256 / 8); // level 3
+        QCOMPARE(viewport.zoomLevel(), 3.0);
+        const TileRange middle = tilesIn(viewport.visible(), 3);
+        QCOMPARE(middle.left, 3);
+        QCOMPARE(middle.right, 4);
+        viewport.setCentre({-mercator::kHalfWorld, 0}); // across the date line
+        const TileRange around = tilesIn(viewport.visible(), 3);
+        QCOMPARE(around.at(around.left, 0).column, 7);
+        QCOMPARE(around.at(around.left + 1, 0).column, 0);
+        QCOMPARE(tilesIn(QRectF(-1e9, -1e9, 2e9, 2e9), 2).bottom, 3);
+    }
+
+    void graticuleHasRoundDegrees()
+    {
+        MapViewport viewport;
+        viewport.setSize({800, 600});
+        viewport.setCentre(mercator::project({47.3977, 8.5456}));
+        const Graticule lines = graticuleOf(viewport);
+        QVERIFY(lines.meridians.size() > 3 && lines.parallels.size() > 3);
+        QStringList labels;
+        for (const GraticuleLine &line : lines.meridians)
+            labels << line.label;
+        QVERIFY2(labels.contains(QStringLiteral("8.5450° E")), qPrintable(labels.join(QLatin1Char(' '))));
+        viewport.setCentre(mercator::project({-0.0001, -0.0001}));
+        labels.clear();
+        for (const GraticuleLine &line : graticuleOf(viewport).parallels)
+            labels << line.label;
+        QVERIFY2(labels.first().endsWith(QLatin1Char('S')) && labels.last().endsWith(QLatin1Char('N')),
+                 qPrintable(labels.join(QLatin1Char(' '))));
+        viewport.setMetresPerPixel(MapViewport::kFarthest);
+        QVERIFY(graticuleOf(viewport).meridians.size() < 100);
+        viewport.setMetresPerPixel(MapViewport::kNearest);
+        QVERIFY(graticuleOf(viewport).meridians.size() < 100);
+    }
+
     void panMovesThePicture()
     {
         MapViewport viewport;
@@ -58,7 +112,7 @@ private Q_SLOTS:
         QVERIFY(!content.show(ViewState{}, 0.5).ground);
         MapContent::Changes changes = content.show(viewAt(0), 0.5);
         QVERIFY(changes.ground && changes.vehicle && changes.moved);
-        QVERIFY(content.frame() && content.vehicle() && content.home());
+        QVERIFY(content.vehicle() && content.home());
         changes = content.show(viewAt(0), 0.5);
         QVERIFY(!changes.ground && !changes.vehicle && !changes.moved);
         const QPointF before = *content.vehicle();

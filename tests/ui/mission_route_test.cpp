@@ -16,13 +16,13 @@ using vehicle::MissionItem;
 
 namespace {
 
-const LocalFrame kFrame{48, 11};
-const QPointF kHome(-100, 0);
+// On the equator, where metres of the map are metres on the ground.
+const QPointF kOrigin = mercator::project({0, 11});
+const QPointF kHome = kOrigin + QPointF(-100, 0);
 
 MissionItem at(std::uint16_t sequence, std::uint16_t command, double north, std::vector<float> parameters = {})
 {
-    MissionItem item{
-        .sequence = sequence, .command = command, .latitude = 48 + north / LocalFrame::kMetresPerDegree, .longitude = 11};
+    MissionItem item{.sequence = sequence, .command = command, .latitude = north / mercator::kMetresPerDegree, .longitude = 11};
     std::copy(parameters.begin(), parameters.end(), item.parameters);
     return item;
 }
@@ -37,7 +37,7 @@ MissionItem order(std::uint16_t sequence, std::uint16_t command, std::vector<flo
 
 MissionRoute route(const std::vector<MissionItem> &items, bool firstIsHome = true)
 {
-    return routeOf(items, kFrame, kHome, firstIsHome);
+    return routeOf(items, kHome, firstIsHome);
 }
 
 QList<int> sequences(const MissionRoute &route)
@@ -104,7 +104,7 @@ private Q_SLOTS:
     void splinesBend()
     {
         MissionItem aside = at(2, MAV_CMD_NAV_SPLINE_WAYPOINT, 100);
-        aside.longitude += 100 / LocalFrame::kMetresPerDegree;
+        aside.longitude += 100 / mercator::kMetresPerDegree;
         const auto made = route({at(1, MAV_CMD_NAV_WAYPOINT, 0), aside, at(3, MAV_CMD_NAV_WAYPOINT, 200)});
         const RouteStop &spline = made.stops[1];
         QVERIFY(spline.spline && !made.stops[2].spline);
@@ -164,7 +164,7 @@ private Q_SLOTS:
         QPainter painter(&picture);
         MapViewport viewport;
         viewport.setSize({200, 200});
-        viewport.setCentre({0, 0}); // 0.5 m per pixel
+        viewport.setCentre(kOrigin); // 0.5 m per pixel
         QPalette palette;
         palette.setColor(QPalette::Base, Qt::white);
         MissionPainter(painter, viewport, palette)

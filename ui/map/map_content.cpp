@@ -14,7 +14,6 @@ bool MapContent::startOver(std::uint8_t systemId)
         return false;
     m_systemId = systemId;
     m_track.clear();
-    m_frame.reset();
     m_vehicle.reset();
     m_home.reset();
     m_mission.reset();
@@ -31,7 +30,7 @@ bool MapContent::showMission(const engine::VehicleSnapshot &vehicle, bool homeMo
     m_missionCurrent = vehicle.state.missionCurrent;
     m_mission = vehicle.mission;
     const bool firstIsHome = vehicle.state.autopilot == mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA;
-    m_route = m_mission ? std::optional(routeOf(*m_mission, *m_frame, m_home, firstIsHome)) : std::nullopt;
+    m_route = m_mission ? std::optional(routeOf(*m_mission, m_home, firstIsHome)) : std::nullopt;
     return true;
 }
 
@@ -40,7 +39,7 @@ bool MapContent::isJump(const QPointF &now, double time) const
 {
     constexpr double kFastest = 350, kLeast = 50; // metres a second, metres
     const QPointF way = now - m_lastKnown;
-    const double apart = std::hypot(way.x(), way.y());
+    const double apart = std::hypot(way.x(), way.y()) / mercator::stretch(now.y());
     return apart > kLeast && apart > kFastest * (time - m_positionAt);
 }
 
@@ -51,25 +50,19 @@ MapContent::Changes MapContent::show(const ViewState &view, double metresPerPixe
         return changes;
     const auto &state = view.vehicle->state;
     changes.ground = startOver(state.systemId);
-    const vehicle::Position &origin = state.home.known() ? state.home : state.position;
-    if (!m_frame && origin.known())
-        m_frame = LocalFrame{origin.latitude, origin.longitude};
-    if (!m_frame)
-        return changes;
-
     changes.vehicle = view.stale() != m_stale;
     m_stale = view.stale();
     m_suite = view.session ? view.session->info.suite : crypto::SuiteId::None;
     bool homeMoved = false;
     if (state.home.known()) {
-        const QPointF home = m_frame->toMetres(state.home.latitude, state.home.longitude);
+        const QPointF home = mercator::project({state.home.latitude, state.home.longitude});
         homeMoved = m_home != home;
         m_home = home;
     }
     changes.ground |= homeMoved;
     changes.ground |= showMission(*view.vehicle, homeMoved);
     if (state.position.known()) {
-        const QPointF now = m_frame->toMetres(state.position.latitude, state.position.longitude);
+        const QPointF now = mercator::project({state.position.latitude, state.position.longitude});
         if (m_stale || isJump(now, view.snapshot->time))
             m_track.interrupt();
         if (!m_stale) {

@@ -1,7 +1,8 @@
-// Contents of the map for the selected vehicle, in metres: vehicle, home, mission and the track. Built from view states.
+// Contents of the map for the selected vehicle: vehicle, home, mission and the track. Built from view states. Positions are in
+// metres of the projection (see mercator.h).
 #pragma once
 
-#include "ui/map/local_frame.h"
+#include "ui/tiles/mercator.h"
 #include "ui/map/mission_route.h"
 #include "ui/map/track.h"
 #include "ui/view_state.h"
@@ -28,8 +29,6 @@ public:
     Changes show(const ViewState &view, double metresPerPixel);
     void clearTrack() { m_track.clear(); }
 
-    /// Origin of all positions: home, or the first position. nullopt until one of them is known.
-    const std::optional<LocalFrame> &frame() const { return m_frame; }
     const std::optional<QPointF> &vehicle() const { return m_vehicle; }
     const std::optional<QPointF> &home() const { return m_home; }
     double heading() const { return m_heading; } ///< degrees
@@ -46,7 +45,6 @@ private:
     bool showMission(const engine::VehicleSnapshot &vehicle, bool homeMoved);
 
     std::uint8_t m_systemId = 0;
-    std::optional<LocalFrame> m_frame;
     std::optional<QPointF> m_vehicle, m_home;
     double m_heading = 0;
     bool m_stale = false;

@@ -1,6 +1,8 @@
 #include "ui/map/map_painter.h"
 
 #include "ui/map/mission_painter.h"
+#include "ui/map/nice_step.h"
+#include "ui/map/tile_painter.h"
 #include "ui/text/units.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
@@ -14,16 +16,6 @@
 namespace skyseal::ui {
 
 namespace {
-
-/// 1, 2 or 5 times a power of ten, at least `least`.
-double niceStep(double least)
-{
-    const double power = std::pow(10, std::floor(std::log10(least)));
-    for (const double factor : {1.0, 2.0, 5.0})
-        if (power * factor >= least)
-            return power * factor;
-    return power * 10;
-}
 
 /// A length for the scale bar: its text and its metres.
 struct ScaleBar
@@ -52,35 +44,57 @@ MapPainter::MapPainter(QPainter &painter, const MapContent &content, const MapVi
     : m_painter(painter), m_content(content), m_viewport(viewport), m_palette(palette)
 {}
 
-void MapPainter::paintGround(UnitSystem units)
+void MapPainter::paintGround(const TileLayer &tiles, UnitSystem units, bool moving)
 {
-    paintGrid();
+    const Graticule graticule = graticuleOf(m_viewport);
+    paintGraticule(graticule);
+    if (tiles.isOn()) {
+        m_painter.setRenderHint(QPainter::SmoothPixmapTransform, !moving);
+        TilePainter(m_painter, tiles, m_viewport).paint();
+    } else {
+        paintCoordinates(graticule);
+    }
     m_painter.setRenderHint(QPainter::Antialiasing);
     paintMission();
     paintTrack();
     paintHome();
     paintScale(units);
     paintNorth();
+    paintAttribution(tiles);
 }
 
-void MapPainter::paintGrid()
+void MapPainter::paintGraticule(const Graticule &graticule)
 {
     const StateColors &colors = stateColors(m_palette);
     const double width = m_viewport.size().width(), height = m_viewport.size().height();
-    const double metres = m_viewport.metresPerPixel();
-    const double step = niceStep(64 * metres);
-    const double left = m_viewport.centre().x() - width / 2 * metres, bottom = m_viewport.centre().y() - height / 2 * metres;
-    const auto inkAt = [&](double place) { return std::lround(place / step) % 5 == 0 ? colors.line : colors.grid; };
-    for (double x = std::floor(left / step) * step; m_viewport.toPixels({x, 0}).x() < width; x += step) {
-        m_painter.setPen(inkAt(x));
-        const double at = std::floor(m_viewport.toPixels({x, 0}).x()) + 0.5;
-        m_painter.drawLine(QPointF(at, 0), QPointF(at, height));
+    for (const GraticuleLine &meridian : graticule.meridians) {
+        const double x = std::floor(meridian.pixel) + 0.5;
+        m_painter.setPen(meridian.strong ? colors.line : colors.grid);
+        m_painter.drawLine(QPointF(x, 0), QPointF(x, height));
     }
-    for (double y = std::floor(bottom / step) * step; m_viewport.toPixels({0, y}).y() > 0; y += step) {
-        m_painter.setPen(inkAt(y));
-        const double at = std::floor(m_viewport.toPixels({0, y}).y()) + 0.5;
-        m_painter.drawLine(QPointF(0, at), QPointF(width, at));
+    for (const GraticuleLine &parallel : graticule.parallels) {
+        const double y = std::floor(parallel.pixel) + 0.5;
+        m_painter.setPen(parallel.strong ? colors.line : colors.grid);
+        m_painter.drawLine(QPointF(0, y), QPointF(width, y));
     }
+}
+
+/// Along the upper and the left edge, where nothing else stands.
+void MapPainter::paintCoordinates(const Graticule &graticule)
+{
+    const QFontMetricsF metrics(m_painter.font());
+    m_painter.setPen(stateColors(m_palette).dim);
+    double free = 0;
+    for (const GraticuleLine &meridian : graticule.meridians) {
+        const double left = meridian.pixel + kHalfGrid;
+        if (left < free)
+            continue;
+        m_painter.drawText(QPointF(left, metrics.ascent() + kHalfGrid), meridian.label);
+        free = left + metrics.horizontalAdvance(meridian.label) + kGrid;
+    }
+    for (const GraticuleLine &parallel : graticule.parallels)
+        if (parallel.pixel > 4 * kGrid)
+            m_painter.drawText(QPointF(kHalfGrid, parallel.pixel - kHalfGrid), parallel.label);
 }
 
 void MapPainter::paintTrack()
@@ -153,12 +167,27 @@ void MapPainter::paintVehicle()
     m_painter.restore();
 }
 
+void MapPainter::paintMark(const QPointF &metres)
+{
+    const QPointF at = m_viewport.toPixels(metres);
+    constexpr double kRadius = 9, kArm = 16;
+    for (const bool halo : {true, false}) {
+        m_painter.setPen(halo ? QPen(m_palette.color(QPalette::Base), 5) : QPen(stateColors(m_palette).accent, 2));
+        m_painter.setBrush(Qt::NoBrush);
+        m_painter.drawEllipse(at, kRadius, kRadius);
+        for (const QPointF &arm : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
+            m_painter.drawLine(at + arm * kRadius / 2, at + arm * kArm);
+    }
+}
+
 void MapPainter::paintScale(UnitSystem units)
 {
     const QFontMetricsF metrics(m_painter.font());
-    const auto [text, metres] = scaleBar(60 * m_viewport.metresPerPixel(), units);
-    const double length = metres / m_viewport.metresPerPixel();
+    const double scale = m_viewport.groundMetresPerPixel();
+    const auto [text, metres] = scaleBar(60 * scale, units);
+    const double length = metres / scale;
     const double right = m_viewport.size().width() - 2.0 * kGrid, y = m_viewport.size().height() - 2.0 * kGrid;
+    paintCaption(QRectF(right - length - kGrid, y - metrics.height() - 10, length + 2 * kGrid, metrics.height() + 14), {});
     m_painter.setPen(QPen(m_palette.color(QPalette::WindowText), 1.5));
     m_painter.drawPolyline(
         QPolygonF{QPointF(right - length, y - 5), QPointF(right - length, y), QPointF(right, y), QPointF(right, y - 5)});
@@ -180,6 +209,37 @@ void MapPainter::paintNorth()
     m_painter.drawPath(needle);
     m_painter.setPen(ink);
     m_painter.drawText(QRectF(north.x() - 12, north.y() + 4, 24, 18), Qt::AlignCenter, tr("N"));
+}
+
+/// Where the pictures come from, and why they do not.
+void MapPainter::paintAttribution(const TileLayer &tiles)
+{
+    if (!tiles.isOn())
+        return;
+    const QFontMetricsF metrics(m_painter.font());
+    double bottom = m_viewport.size().height() - kHalfGrid;
+    const double widest = m_viewport.size().width() * 0.6;
+    const QString problem = tiles.problem().isEmpty() ? QString() : tr("Map: %1").arg(tiles.problem());
+    for (const QString &text : {tiles.attribution(), problem}) {
+        if (text.isEmpty())
+            continue;
+        const QString shown = metrics.elidedText(text, Qt::ElideRight, widest);
+        const double height = metrics.height() + kHalfGrid;
+        paintCaption(QRectF(kHalfGrid, bottom - height, metrics.horizontalAdvance(shown) + 2 * kGrid, height), shown);
+        bottom -= height + kHalfGrid;
+    }
+}
+
+/// Text that can be read on any ground.
+void MapPainter::paintCaption(const QRectF &place, const QString &text)
+{
+    QColor ground = m_palette.color(QPalette::Base);
+    ground.setAlpha(200);
+    m_painter.setPen(Qt::NoPen);
+    m_painter.setBrush(ground);
+    m_painter.drawRoundedRect(place, 3, 3);
+    m_painter.setPen(m_palette.color(QPalette::WindowText));
+    m_painter.drawText(place, Qt::AlignCenter, text);
 }
 
 } // namespace skyseal::ui

@@ -1,7 +1,8 @@
-// Paints the content of the map: the ground (grid, mission, track, home, scale bar), and the vehicle above it. Made for one
-// paint event.
+// Paints the content of the map: the ground (graticule, tiles, mission, track, home, scale bar), and the vehicle above it. Made
+// for one paint event.
 #pragma once
 
+#include "ui/map/graticule.h"
 #include "ui/map/map_content.h"
 #include "ui/map/map_viewport.h"
 #include "ui/text/units.h"
@@ -13,6 +14,8 @@ class QPainter;
 
 namespace skyseal::ui {
 
+class TileLayer;
+
 class MapPainter
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::MapPainter)
@@ -21,17 +24,22 @@ public:
     /// References must outlive the painter.
     MapPainter(QPainter &painter, const MapContent &content, const MapViewport &viewport, const QPalette &palette);
 
-    /// Everything except the vehicle. The caller fills the background.
-    void paintGround(UnitSystem units);
+    /// Everything except the vehicle. The caller fills the background. `moving`: quickly rather than finely.
+    void paintGround(const TileLayer &tiles, UnitSystem units, bool moving);
     void paintVehicle();
+    /// A place that the operator is asked about.
+    void paintMark(const QPointF &metres);
 
 private:
-    void paintGrid();
+    void paintGraticule(const Graticule &graticule);
+    void paintCoordinates(const Graticule &graticule);
     void paintTrack();
     void paintMission();
     void paintHome();
     void paintScale(UnitSystem units);
     void paintNorth();
+    void paintAttribution(const TileLayer &tiles);
+    void paintCaption(const QRectF &place, const QString &text);
 
     QPainter &m_painter;
     const MapContent &m_content;

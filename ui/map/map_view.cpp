@@ -2,20 +2,25 @@
 
 #include "ui/map/map_painter.h"
 
+#include <QtGui/QContextMenuEvent>
 #include <QtGui/QKeyEvent>
 #include <QtGui/QMouseEvent>
 #include <QtGui/QPainter>
 #include <QtGui/QWheelEvent>
+#include <QtWidgets/QStyle>
 
 #include <cmath>
 
 namespace skyseal::ui {
 
 namespace {
-constexpr double kKeyStep = 48; ///< pixels
+constexpr double kKeyStep = 96;        ///< pixels
+constexpr double kKeyZoom = 1.5;       ///< factor
+constexpr double kFirstScale = 0.5;    ///< metres on the ground per pixel, when the first vehicle is shown
+constexpr double kWorldScale = 40'000; ///< metres per pixel, until then
 } // namespace
 
-MapView::MapView(QWidget *parent) : QWidget(parent)
+MapView::MapView(const TileConfig &tiles, QWidget *parent) : QWidget(parent), m_tiles(tiles)
 {
     setObjectName(QStringLiteral("map"));
     setAccessibleName(tr("Map"));
@@ -23,12 +28,19 @@ MapView::MapView(QWidget *parent) : QWidget(parent)
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    m_viewport.setMetresPerPixel(kWorldScale);
+    m_motion.setAnimated(style()->styleHint(QStyle::SH_Widget_Animation_Duration, nullptr, this) > 0);
+    connect(&m_motion, &MapMotion::moved, this, &MapView::markGroundDirty);
+    connect(&m_motion, &MapMotion::settled, this, &MapView::markGroundDirty); // finely
+    connect(&m_tiles, &TileLayer::changed, this, &MapView::markGroundDirty);
 }
 
 void MapView::showViewState(const ViewState &view)
 {
     const MapContent::Changes changes = m_content.show(view, m_viewport.metresPerPixel());
     m_groundDirty |= changes.ground;
+    if (changes.moved && !m_placed)
+        showFirst(*m_content.vehicle());
     if (changes.moved && m_follow && !m_dragging) {
         // Follow in steps: the ground is redrawn only when the vehicle leaves the middle of the picture.
         const QPointF off = (*m_content.vehicle() - m_viewport.centre()) / m_viewport.metresPerPixel();
@@ -39,6 +51,14 @@ void MapView::showViewState(const ViewState &view)
     }
     if (changes.vehicle || m_groundDirty)
         update();
+}
+
+void MapView::showFirst(const QPointF &vehicle)
+{
+    m_placed = true;
+    m_viewport.setCentre(vehicle);
+    m_viewport.setMetresPerPixel(kFirstScale * mercator::stretch(vehicle.y()));
+    m_groundDirty = true;
 }
 
 void MapView::markGroundDirty()
@@ -60,6 +80,21 @@ void MapView::startOver()
     markGroundDirty();
 }
 
+void MapView::setMark(const std::optional<GeoPoint> &place)
+{
+    m_mark = place ? std::optional(mercator::project(*place)) : std::nullopt;
+    update();
+}
+
+/// By the key: in the middle of the map.
+void MapView::contextMenuEvent(QContextMenuEvent *event)
+{
+    const bool byKey = event->reason() == QContextMenuEvent::Keyboard;
+    const QPoint pixel = byKey ? rect().center() : event->pos();
+    Q_EMIT menuRequested(mercator::unproject(m_viewport.toMetres(pixel)), mapToGlobal(pixel));
+    event->accept();
+}
+
 void MapView::setUnits(UnitSystem units)
 {
     if (m_units == units)
@@ -71,6 +106,7 @@ void MapView::setUnits(UnitSystem units)
 void MapView::followVehicle()
 {
     m_follow = true;
+    m_motion.stop();
     if (m_content.vehicle())
         m_viewport.setCentre(*m_content.vehicle());
     markGroundDirty();
@@ -83,15 +119,13 @@ void MapView::zoomBy(double factor)
 
 void MapView::zoomAt(const QPointF &pixel, double factor)
 {
-    m_viewport.zoomAt(pixel, factor);
-    markGroundDirty();
+    m_motion.zoom(pixel, factor);
 }
 
-void MapView::pan(const QPointF &pixels)
+void MapView::leaveVehicle()
 {
     m_follow = false;
-    m_viewport.pan(pixels);
-    markGroundDirty();
+    m_placed = true;
 }
 
 void MapView::paintEvent(QPaintEvent *)
@@ -101,7 +135,10 @@ void MapView::paintEvent(QPaintEvent *)
     QPainter painter(this);
     painter.drawPixmap(0, 0, m_ground);
     painter.setRenderHint(QPainter::Antialiasing);
-    MapPainter(painter, m_content, m_viewport, palette()).paintVehicle();
+    MapPainter map(painter, m_content, m_viewport, palette());
+    map.paintVehicle();
+    if (m_mark)
+        map.paintMark(*m_mark);
     if (hasFocus()) {
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(palette().color(QPalette::Highlight), 1));
@@ -118,9 +155,11 @@ void MapView::paintGround()
         m_ground.setDevicePixelRatio(ratio);
     }
     m_groundDirty = false;
+    m_tiles.show(m_viewport);
     m_ground.fill(palette().color(QPalette::Base));
     QPainter painter(&m_ground);
-    MapPainter(painter, m_content, m_viewport, palette()).paintGround(m_units);
+    painter.setFont(font());
+    MapPainter(painter, m_content, m_viewport, palette()).paintGround(m_tiles, m_units, m_dragging || m_motion.isMoving());
 }
 
 void MapView::resizeEvent(QResizeEvent *)
@@ -141,6 +180,7 @@ void MapView::mousePressEvent(QMouseEvent *event)
     if (event->button() == Qt::LeftButton) {
         m_dragFrom = event->position();
         m_dragging = true;
+        m_motion.stop();
         setCursor(Qt::ClosedHandCursor);
     }
 }
@@ -148,8 +188,10 @@ void MapView::mousePressEvent(QMouseEvent *event)
 void MapView::mouseMoveEvent(QMouseEvent *event)
 {
     if (m_dragging) {
-        pan(event->position() - m_dragFrom);
+        leaveVehicle();
+        m_viewport.pan(event->position() - m_dragFrom);
         m_dragFrom = event->position();
+        markGroundDirty();
     }
 }
 
@@ -157,6 +199,7 @@ void MapView::mouseReleaseEvent(QMouseEvent *)
 {
     m_dragging = false;
     unsetCursor();
+    markGroundDirty(); // finely
 }
 
 void MapView::mouseDoubleClickEvent(QMouseEvent *event)
@@ -166,20 +209,25 @@ void MapView::mouseDoubleClickEvent(QMouseEvent *event)
 
 void MapView::wheelEvent(QWheelEvent *event)
 {
-    zoomAt(event->position(), std::pow(1.0015, event->angleDelta().y()));
+    constexpr double kUnitsPerLevel = 240; // two notches of a usual wheel
+    zoomAt(event->position(), std::exp2(event->angleDelta().y() / kUnitsPerLevel));
     event->accept();
 }
 
 void MapView::keyPressEvent(QKeyEvent *event)
 {
+    const auto pan = [this](double right, double down) {
+        leaveVehicle();
+        m_motion.pan({right * kKeyStep, down * kKeyStep});
+    };
     switch (event->key()) {
-    case Qt::Key_Left: pan({kKeyStep, 0}); break;
-    case Qt::Key_Right: pan({-kKeyStep, 0}); break;
-    case Qt::Key_Up: pan({0, kKeyStep}); break;
-    case Qt::Key_Down: pan({0, -kKeyStep}); break;
+    case Qt::Key_Left: pan(1, 0); break;
+    case Qt::Key_Right: pan(-1, 0); break;
+    case Qt::Key_Up: pan(0, 1); break;
+    case Qt::Key_Down: pan(0, -1); break;
     case Qt::Key_Plus:
-    case Qt::Key_Equal: zoomBy(1.5); break;
-    case Qt::Key_Minus: zoomBy(1 / 1.5); break;
+    case Qt::Key_Equal: zoomBy(kKeyZoom); break;
+    case Qt::Key_Minus: zoomBy(1 / kKeyZoom); break;
     case Qt::Key_Home: followVehicle(); break;
     default: QWidget::keyPressEvent(event);
     }

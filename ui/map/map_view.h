@@ -1,10 +1,12 @@
-// The plan view: north is up, a metric grid and a scale bar, home, mission, the track coloured by suite, and the vehicle.
-// Drag or the arrow keys move it, the wheel or + and − zoom, Home follows the vehicle again. Holds the content, the viewport
-// and a picture of the ground; MapPainter paints.
+// The map: north is up, tiles of the chosen source or a graticule, a scale bar, home, mission, the track coloured by suite, and
+// the vehicle. Drag or the arrow keys move it, the wheel or + and − zoom, Home follows the vehicle again. Holds the content,
+// the viewport and a picture of the ground; MapPainter paints.
 #pragma once
 
 #include "ui/map/map_content.h"
+#include "ui/map/map_motion.h"
 #include "ui/map/map_viewport.h"
+#include "ui/map/tile_layer.h"
 #include "ui/text/units.h"
 
 #include <QtGui/QPixmap>
@@ -17,20 +19,33 @@ class MapView : public QWidget
     Q_OBJECT
 
 public:
-    explicit MapView(QWidget *parent = nullptr);
+    explicit MapView(const TileConfig &tiles = {}, QWidget *parent = nullptr);
 
     void showViewState(const ViewState &view);
     void clearTrack();
     /// Another source of vehicles is shown: forgets everything of the one before.
     void startOver();
     void setUnits(UnitSystem units);
+    void setSource(const MapSource &source) { m_tiles.setSource(source); }
     void followVehicle();
     void zoomBy(double factor);
 
     bool isFollowing() const { return m_follow; }
+    /// Until a zoom or a movement by keys has ended.
+    bool isMoving() const { return m_motion.isMoving(); }
     const MapContent &content() const { return m_content; }
     const MapViewport &viewport() const { return m_viewport; }
+    TileLayer &tiles() { return m_tiles; }
+    UnitSystem units() const { return m_units; }
+    /// Marks a place that the operator is asked about; nullopt: none.
+    void setMark(const std::optional<GeoPoint> &place);
+    const std::optional<QPointF> &mark() const { return m_mark; }
 
+Q_SIGNALS:
+    /// The operator wants to choose what to do at this place, by the right button or the menu key.
+    void menuRequested(const skyseal::ui::GeoPoint &place, const QPoint &globalPosition);
+
+public:
     QSize minimumSizeHint() const override { return {240, 160}; }
 
 protected:
@@ -43,17 +58,23 @@ protected:
     void mouseDoubleClickEvent(QMouseEvent *event) override;
     void wheelEvent(QWheelEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
+    void contextMenuEvent(QContextMenuEvent *event) override;
 
 private:
     void zoomAt(const QPointF &pixel, double factor);
-    void pan(const QPointF &pixels);
+    void leaveVehicle();
+    void showFirst(const QPointF &vehicle);
     void markGroundDirty();
     void paintGround();
 
     MapContent m_content;
     MapViewport m_viewport;
+    MapMotion m_motion{m_viewport};
+    TileLayer m_tiles;
     UnitSystem m_units = UnitSystem::Metric;
     bool m_follow = true;
+    bool m_placed = false;         ///< a vehicle was shown, or the operator has moved the map
+    std::optional<QPointF> m_mark; ///< metres of the projection
     QPointF m_dragFrom;
     bool m_dragging = false;
     QPixmap m_ground; ///< painted again only when its content or the viewport changes

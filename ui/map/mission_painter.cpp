@@ -105,7 +105,8 @@ void MissionPainter::paintJump(const QPointF &from, const QPointF &to, int times
 void MissionPainter::paintLoiter(const RouteStop &stop)
 {
     const QPointF at = m_viewport.toPixels(stop.at);
-    const double radius = std::max(kLeastLoiter, stop.radius / m_viewport.metresPerPixel());
+    const double onMap = stop.radius * mercator::stretch(stop.at.y());
+    const double radius = std::max(kLeastLoiter, onMap / m_viewport.metresPerPixel());
     m_painter.setPen(QPen(stateColors(m_palette).dim, 1.5, stop.radius > 0 ? Qt::SolidLine : Qt::DotLine));
     m_painter.setBrush(Qt::NoBrush);
     m_painter.drawEllipse(at, radius, radius);

@@ -123,8 +123,7 @@ const RouteStop *MissionRoute::stopOf(int sequence) const
     return found == stops.end() ? nullptr : &*found;
 }
 
-MissionRoute routeOf(const std::vector<vehicle::MissionItem> &items, const LocalFrame &frame, std::optional<QPointF> home,
-                     bool firstIsHome)
+MissionRoute routeOf(const std::vector<vehicle::MissionItem> &items, std::optional<QPointF> home, bool firstIsHome)
 {
     MissionRoute route;
     struct PendingJump
@@ -150,13 +149,13 @@ MissionRoute routeOf(const std::vector<vehicle::MissionItem> &items, const Local
         }
         if (!isFlownTo(item.command)) {
             if (place)
-                route.marks.push_back({frame.toMetres(item.latitude, item.longitude), item.sequence});
+                route.marks.push_back({mercator::project({item.latitude, item.longitude}), item.sequence});
             continue;
         }
         if (!place && route.stops.empty())
             continue;
         // Without a place, the command is executed where the vehicle is.
-        RouteStop stop{.at = place ? frame.toMetres(item.latitude, item.longitude) : route.stops.back().at,
+        RouteStop stop{.at = place ? mercator::project({item.latitude, item.longitude}) : route.stops.back().at,
                        .sequence = item.sequence,
                        .spline = item.command == MAV_CMD_NAV_SPLINE_WAYPOINT};
         describeLoiter(stop, item);

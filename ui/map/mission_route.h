@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/vehicle/mission.h"
-#include "ui/map/local_frame.h"
+#include "ui/tiles/mercator.h"
 
 #include <QtCore/QPointF>
 
@@ -12,7 +12,7 @@
 
 namespace skyseal::ui {
 
-/// A place that the vehicle flies to. Positions are in metres, see LocalFrame.
+/// A place that the vehicle flies to. Positions are in metres of the projection, see mercator.h.
 struct RouteStop
 {
     enum class Loiter : std::uint8_t { None, Unlimited, Turns, Time, ToAltitude };
@@ -22,7 +22,7 @@ struct RouteStop
     bool spline = false;                     ///< the leg to this stop is a spline
     QPointF controlIn = {}, controlOut = {}; ///< control points of that spline, after its beginning and before `at`
     Loiter loiter = Loiter::None;
-    double radius = 0; ///< metres; 0: the one that the vehicle is configured for
+    double radius = 0; ///< metres on the ground; 0: the one that the vehicle is configured for
     double amount = 0; ///< turns or seconds
 };
 
@@ -51,7 +51,6 @@ struct MissionRoute
 
 /// `home` is where take-offs without a place begin and returns to launch end. With `firstIsHome`, item 0 is home and no stop,
 /// as ArduPilot keeps it.
-MissionRoute routeOf(const std::vector<vehicle::MissionItem> &items, const LocalFrame &frame, std::optional<QPointF> home,
-                     bool firstIsHome);
+MissionRoute routeOf(const std::vector<vehicle::MissionItem> &items, std::optional<QPointF> home, bool firstIsHome);
 
 } // namespace skyseal::ui

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/crypto/suite.h"
+#include "ui/tiles/mercator.h"
 
 #include <QtCore/QPointF>
 
@@ -11,17 +12,17 @@ namespace skyseal::ui {
 
 struct TrackPoint
 {
-    QPointF metres;
+    QPointF metres; ///< see mercator.h
     crypto::SuiteId suite{};
     bool begins = false; ///< nothing is known of the way from the point before
 };
 
-/// Points at least a metre apart, the newest 4,000.
+/// Points at least a metre on the ground apart, the newest 10,000.
 class Track
 {
 public:
-    static constexpr std::size_t kMost = 4000;
-    static constexpr double kApart = 1.0;
+    static constexpr std::size_t kMost = 10'000;
+    static constexpr double kApart = 1.0; ///< metres
 
     /// The next point does not continue the line.
     void interrupt() { m_begins = true; }
@@ -31,7 +32,8 @@ public:
     {
         if (!m_points.empty() && !m_begins) {
             const QPointF step = metres - m_points.back().metres;
-            if (QPointF::dotProduct(step, step) < kApart * kApart && suite == m_points.back().suite)
+            const double apart = kApart * mercator::stretch(metres.y());
+            if (QPointF::dotProduct(step, step) < apart * apart && suite == m_points.back().suite)
                 return false;
         }
         m_points.push_back({metres, suite, m_begins});

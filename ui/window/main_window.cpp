@@ -61,7 +61,7 @@ MainWindow::MainWindow(StationInterface &station, QSettings &store, const Progra
     setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     makeBars();
-    makeCentre(facts.demoAvailable);
+    makeCentre(facts);
     m_commands->setTakeOffAltitude(m_settings.takeOffAltitude);
     m_docks = new WindowDocks(
         *this, {m_station, *m_commands, *m_suites, *m_selection, *m_dialogs, facts.recordFolder, facts.sessionBytes});
@@ -99,14 +99,14 @@ void MainWindow::makeBars()
     setStatusBar(m_traffic);
 }
 
-void MainWindow::makeCentre(bool demoAvailable)
+void MainWindow::makeCentre(const ProgramFacts &facts)
 {
     auto *centre = new QWidget(this);
     auto *banner = new ProblemBanner(centre);
     m_problems = new ProblemReports(m_station, *banner, *this);
-    m_map = new MapView(centre);
+    m_map = new MapView({QStringLiteral("Skyseal/") + facts.version, facts.cacheFolder}, centre);
     m_empty = new EmptyState(centre);
-    m_empty->setDemoAvailable(demoAvailable);
+    m_empty->setDemoAvailable(facts.demoAvailable);
     m_empty->setAutoFillBackground(true);
     auto *column = new QVBoxLayout(centre);
     column->setContentsMargins(0, 0, 0, 0);
@@ -174,6 +174,11 @@ void MainWindow::connectParts()
     connect(m_dialogs, &WindowDialogs::replayAccepted, this,
             [this](const QString &file) { startReplay(fromStd(link::LinkUrl::ofRecording(file.toStdString()))); });
     connect(m_dialogs, &WindowDialogs::settingsAccepted, this, &MainWindow::applySettings);
+    connect(m_dialogs, &WindowDialogs::mapSourceAccepted, this, [this](const MapSource &source) {
+        m_settings.map = source;
+        storeSettings(m_store, m_settings);
+        m_map->setSource(source);
+    });
     connect(m_problems, &ProblemReports::linkRequested, this, &MainWindow::addLink);
     connect(m_commands, &VehicleCommands::takeOffAltitudeChanged, this, [this](double metres) {
         m_settings.takeOffAltitude = metres;
@@ -303,6 +308,7 @@ void MainWindow::applySettings(const Settings &settings)
     m_settings = settings;
     applyTheme(settings.theme);
     m_map->setUnits(settings.units);
+    m_map->setSource(settings.map);
     m_docks->applySettings(settings);
     m_suites->setResearchAllowed(settings.allowResearch);
     m_suites->setWeakest(settings.weakestSuite);

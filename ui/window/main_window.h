@@ -36,6 +36,7 @@ struct ProgramFacts
 {
     QString version;
     QString recordFolder; ///< folder of the recordings
+    QString cacheFolder;  ///< of map tiles; empty: none are kept
     bool demoAvailable = false;
     /// Heap of one end's session under a suite, for the diagnostics.
     SessionMemory::Measure sessionBytes = experiment::sessionBytes;
@@ -83,7 +84,7 @@ protected:
 
 private:
     void makeBars();
-    void makeCentre(bool demoAvailable);
+    void makeCentre(const ProgramFacts &facts);
     void makeMenus(const ProgramFacts &facts);
     void connectParts();
     void showNumbers(const ViewState &view);

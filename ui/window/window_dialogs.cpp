@@ -7,6 +7,9 @@
 #include "ui/keys/keys_dialog.h"
 #include "ui/keys/pairing_dialog.h"
 #include "ui/links/link_dialog.h"
+#include "ui/map/map_source_dialog.h"
+#include "ui/map/map_view.h"
+#include "ui/map/region_dialog.h"
 #include "ui/modeless.h"
 
 #include <QtWidgets/QFileDialog>
@@ -63,6 +66,7 @@ void WindowDialogs::openSettings()
         Settings changed = dialog->settings();
         changed.takeOffAltitude = m_settings.takeOffAltitude; // set in the panels, perhaps while the dialog was open
         changed.serving = m_settings.serving;
+        changed.map = m_settings.map;
         Q_EMIT settingsAccepted(changed);
     });
     showModeless(*dialog);
@@ -72,6 +76,31 @@ void WindowDialogs::openTakeOff()
 {
     if (!raiseOpen<TakeOffDialog>(m_window))
         showModeless(*make<TakeOffDialog>(m_commands, m_settings.units, &m_window));
+}
+
+void WindowDialogs::openMapSource()
+{
+    if (raiseOpen<MapSourceDialog>(m_window))
+        return;
+    auto *dialog = make<MapSourceDialog>(m_settings.map, &m_window);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] { Q_EMIT mapSourceAccepted(dialog->source()); });
+    showModeless(*dialog);
+}
+
+void WindowDialogs::openRegion(MapView &map)
+{
+    if (raiseOpen<RegionDialog>(m_window))
+        return;
+    const MapViewport &viewport = map.viewport();
+    auto *dialog = make<RegionDialog>(map.tiles().loader(), m_settings.map, viewport.visible(),
+                                      std::max(0, qRound(viewport.zoomLevel())), &m_window);
+    connect(dialog, &RegionDialog::useRequested, this, [this](const QString &file) {
+        MapSource source = m_settings.map;
+        source.kind = MapSource::Kind::File;
+        source.file = file;
+        Q_EMIT mapSourceAccepted(source);
+    });
+    showModeless(*dialog);
 }
 
 void WindowDialogs::openKeys()

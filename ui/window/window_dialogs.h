@@ -12,6 +12,7 @@ namespace skyseal::ui {
 
 class KeyringInterface;
 class LinkDialog;
+class MapView;
 class PairingInterface;
 class VehicleCommands;
 
@@ -33,6 +34,9 @@ public:
     void openSettings();
     void openTakeOff();
     void openKeys();
+    void openMapSource();
+    /// Fetches what `map` shows, for use without a network.
+    void openRegion(MapView &map);
     /// `page` is the name of a help page without its suffix.
     void openHelp(const QString &page);
     void openAbout(const QString &version);
@@ -40,6 +44,7 @@ public:
 Q_SIGNALS:
     void linkAccepted(const skyseal::ui::LinkDialog &dialog);
     void replayAccepted(const QString &file);
+    void mapSourceAccepted(const skyseal::ui::MapSource &source);
     void settingsAccepted(const skyseal::ui::Settings &settings);
 
 private:

@@ -197,6 +197,13 @@ Menu viewMenu(const MenuTargets &on)
         {.id = QStringLiteral("actionClearTrack"),
          .text = Text::tr("&Clear the track"),
          .trigger = [on] { on.map.clearTrack(); }},
+        {.id = QStringLiteral("actionMapSource"),
+         .text = Text::tr("&Map source…"),
+         .trigger = [on] { on.dialogs.openMapSource(); },
+         .shortcut = Qt::CTRL | Qt::Key_M},
+        {.id = QStringLiteral("actionFetchArea"),
+         .text = Text::tr("Fetch the &area in view…"),
+         .trigger = [on] { on.dialogs.openRegion(on.map); }},
         {},
         {.id = QStringLiteral("actionResetView"), .text = Text::tr("&Reset the layout"), .trigger = [on] { on.docks.reset(); }},
         {.id = QStringLiteral("actionFullScreen"),
@@ -243,6 +250,9 @@ Menu helpMenu(const MenuTargets &on)
              {.id = QStringLiteral("actionHelpDiagnostics"),
               .text = Text::tr("&Diagnostics"),
               .trigger = [on] { on.dialogs.openHelp(QStringLiteral("diagnostics")); }},
+             {.id = QStringLiteral("actionHelpMap"),
+              .text = Text::tr("The &map"),
+              .trigger = [on] { on.dialogs.openHelp(QStringLiteral("map")); }},
              {},
              {.id = QStringLiteral("actionAbout"), .text = Text::tr("&About Skyseal"), .trigger = [on] {
                   on.dialogs.openAbout(on.version);
