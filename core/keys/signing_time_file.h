@@ -1,11 +1,11 @@
-// The time up to which frames were signed with one key, on disk: a signer that starts again must not use a time twice, and there
-// may be no clock. Text:
+// The time up to which frames were signed with one key, on disk: a signer that starts again must not use a time twice, and
+// there may be no clock. Text:
 //
 //   skyseal-signing-time-v1
 //   1234567                      units of 10 µs (core/mavlink/signing.h)
 //
-// The caller stores times ahead of need. A thread of the file's own writes, since the thread that signs must not wait for a disk;
-// where the disk fails, it says so (problem()) and tries again. A lost time does no lasting harm: the signer continues from the
+// The caller stores times ahead of need. A thread of the file's own writes, since the thread that signs must not wait for a
+// disk; where the disk fails, it says so (problem()) and tries again. A lost time does no lasting harm: the signer continues from the
 // times in the vehicle's signed frames.
 #pragma once
 
@@ -34,8 +34,8 @@ public:
     static constexpr std::chrono::seconds kRetryAfter{10};
     static constexpr std::chrono::seconds kPatience{5};
 
-    /// A file that does not exist yet stands for 0. Fails if the file is damaged or other users can change it: old frames of the
-    /// vehicle would count as new.
+    /// A file that does not exist yet stands for 0. Fails if the file is damaged or other users can change it: old frames of
+    /// the vehicle would count as new.
     static Result<std::unique_ptr<SigningTimeFile>, InputError> open(const std::string &path);
     /// `write` is called on the other thread, and must own all that it uses. `name` stands in errors.
     SigningTimeFile(std::uint64_t stored, Write write, std::string name);

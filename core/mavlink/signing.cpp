@@ -26,8 +26,8 @@ constexpr std::size_t kFlagsAt = 2; // of the incompatibility flags
 constexpr std::size_t kHeader = 10; // of MAVLink 2
 constexpr std::size_t kChecksum = 2;
 
-/// kFlagEffect[n]: by which bits the checksum of a frame with n bytes of payload changes when kFlagSigned does. A CRC is linear,
-/// so this needs neither the payload nor the CRC_EXTRA of a message that the dialect does not know.
+/// kFlagEffect[n]: by which bits the checksum of a frame with n bytes of payload changes when kFlagSigned does. A CRC is
+/// linear, so this needs neither the payload nor the CRC_EXTRA of a message that the dialect does not know.
 constexpr std::array<std::uint16_t, 256> kFlagEffect = [] {
     std::uint16_t effect = crcStep(0, kFlagSigned);
     for (std::size_t after = kFlagsAt + 1; after < kHeader + 1; ++after) // the rest of the header, and CRC_EXTRA
