@@ -1,5 +1,5 @@
-// skyseal-air --signing: sets up, checks or removes MAVLink signing of the vehicle, over the vehicle's link, while no agent uses
-// that.
+// skyseal-air --signing: sets up, checks or removes MAVLink signing of the vehicle, over the vehicle's link, while no agent
+// uses that.
 #pragma once
 
 #include "app/common/options.h"

@@ -1,5 +1,5 @@
-// A sweep of several launches: each is a sweep of one launch in a process of its own, so that the station starts anew as well as
-// the programs that it measures. Adds the launches up.
+// A sweep of several launches: each is a sweep of one launch in a process of its own, so that the station starts anew as well
+// as the programs that it measures. Adds the launches up.
 #pragma once
 
 #include "core/experiment/results.h"

@@ -1,12 +1,12 @@
 // What one arm costs relative to another, by the blocks in which the runs were randomised.
 //
-// Every block holds each arm once, so that what a block shares (heat, other programs, the programs' start) cancels. How much the
-// difference of two arms varies from one start of the programs to the next is a property of these starts, and repeats within one
-// launch do not show it (Kalibera and Jones 2013): the launch is a random effect on the arms. Within each launch the arms'
-// effects come from value = arm + block; from these effects, one of each arm and launch, the interval comes from
-// effect = arm + launch, with (arms − 1)(launches − 1) degrees of freedom. With equally many runs everywhere that is the exact
-// analysis of the mixed model; a run that is missing costs its block's share of the information and nothing else. One launch
-// alone says nothing about another, so its interval, from the blocks, holds for that launch only.
+// Every block holds each arm once, so that what a block shares (heat, other programs, the programs' start) cancels. How much
+// the difference of two arms varies from one start of the programs to the next is a property of these starts, and repeats
+// within one launch do not show it (Kalibera and Jones 2013): the launch is a random effect on the arms. Within each launch the
+// arms' effects come from value = arm + block; from these effects, one of each arm and launch, the interval comes from effect =
+// arm + launch, with (arms − 1)(launches − 1) degrees of freedom. With equally many runs everywhere that is the exact analysis
+// of the mixed model; a run that is missing costs its block's share of the information and nothing else. One launch alone says
+// nothing about another, so its interval, from the blocks, holds for that launch only.
 #pragma once
 
 #include "core/experiment/two_way_fit.h"

@@ -9,8 +9,8 @@
 
 namespace skyseal::experiment {
 
-/// By equivalence within Plan::margin: an interval that lies wholly on one side of the margin decides, and one that reaches over
-/// it does not, however the mean lies.
+/// By equivalence within Plan::margin: an interval that lies wholly on one side of the margin decides, and one that reaches
+/// over it does not, however the mean lies.
 enum class Finding : std::uint8_t { Confirmed, Refuted, NotDecided };
 /// "confirmed", "refuted", "not decided"
 std::string_view findingText(Finding finding);
@@ -20,14 +20,14 @@ struct Claim
     std::string_view key; ///< "packets-best"
     std::string text;     ///< paraphrased
     Finding finding{};
-    /// With the ratios and intervals that the finding is based on; where it is not decided, with the margin that these data could
-    /// have decided.
+    /// With the ratios and intervals that the finding is based on; where it is not decided, with the margin that these data
+    /// could have decided.
     std::string reason;
 };
 
-/// Claims are judged on the clean link, otherwise under the first condition; packets and CPU under the saturated load, since the
-/// natural one leaves every suite idle; and in the paper's framing (inline); each as far as it was measured, and stated in the
-/// reason.
+/// Claims are judged on the clean link, otherwise under the first condition; packets and CPU under the saturated load, since
+/// the natural one leaves every suite idle; and in the paper's framing (inline); each as far as it was measured, and stated in
+/// the reason.
 std::vector<Claim> paperClaims(const Results &results);
 
 /// The order in which the paper found the ciphers by one quantity, and the one that this sweep found. Only orders are compared:

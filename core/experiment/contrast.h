@@ -1,5 +1,5 @@
-// The comparisons of a sweep that were planned before it began: every arm against the reference, which is plain MAVLink where it
-// was measured, and the pairs that a claim of the paper names. Each is a ratio with its 95 % interval (block_model.h).
+// The comparisons of a sweep that were planned before it began: every arm against the reference, which is plain MAVLink where
+// it was measured, and the pairs that a claim of the paper names. Each is a ratio with its 95 % interval (block_model.h).
 #pragma once
 
 #include "core/experiment/results.h"

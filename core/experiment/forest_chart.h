@@ -1,5 +1,5 @@
-// Ratios with their intervals, one line each, on a logarithmic axis around 1: what an arm costs relative to plain MAVLink, or what
-// several machines found. Written as SVG for a column of 88 mm with text of 7 pt, readable in black and white.
+// Ratios with their intervals, one line each, on a logarithmic axis around 1: what an arm costs relative to plain MAVLink, or
+// what several machines found. Written as SVG for a column of 88 mm with text of 7 pt, readable in black and white.
 #pragma once
 
 #include <limits>

@@ -84,8 +84,8 @@ struct Run
 };
 
 /// A randomised block design, launch after launch. Within a launch, runs of one condition and load follow each other, since
-/// changing these restarts programs as well. There each repeat is a block that contains every existing arm once, in a random order
-/// of its own, so that slow drift affects all arms alike. The same seed gives the same order on every machine.
+/// changing these restarts programs as well. There each repeat is a block that contains every existing arm once, in a random
+/// order of its own, so that slow drift affects all arms alike. The same seed gives the same order on every machine.
 std::vector<Run> schedule(const Plan &plan);
 
 /// With this seed, a plan of one launch is that launch of `plan`.

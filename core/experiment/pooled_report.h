@@ -1,5 +1,6 @@
-// One analysis of several sweeps of one setting on several machines: for each ratio the machines beside each other and, from three
-// on, what they have in common. Launches and seeds are nested in the machine: each machine's interval comes from its own sweep.
+// One analysis of several sweeps of one setting on several machines: for each ratio the machines beside each other and, from
+// three on, what they have in common. Launches and seeds are nested in the machine: each machine's interval comes from its own
+// sweep.
 #pragma once
 
 #include "core/experiment/report_figures.h"

@@ -14,8 +14,8 @@ struct ReportFigure
     std::string svg;
 };
 
-/// The ratios to plain MAVLink by each metric with kRatio; then one figure for each metric with kFigure that was measured, condition and load; those of the paper (packets, CPU, memory)
-/// first.
+/// The ratios to plain MAVLink by each metric with kRatio; then one figure for each metric with kFigure that was measured,
+/// condition and load; those of the paper (packets, CPU, memory) first.
 std::vector<ReportFigure> figuresOf(const Results &results);
 
 } // namespace skyseal::experiment

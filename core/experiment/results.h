@@ -64,7 +64,8 @@ struct Cell
 };
 
 std::vector<Cell> cells(const Plan &plan);
-/// The values of a cell in the order of launches and repeats; NaN where a value could not be measured, and for runs that are not valid.
+/// The values of a cell in the order of launches and repeats; NaN where a value could not be measured, and for runs that are
+/// not valid.
 std::vector<double> valuesOf(const Results &results, const Cell &cell, Metric metric);
 /// Sample::order of each value of valuesOf().
 std::vector<unsigned> ordersOf(const Results &results, const Cell &cell);

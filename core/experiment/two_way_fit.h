@@ -1,5 +1,5 @@
-// The additive model value = row + column + error, by least squares, for any number of values in a cell, none included. Rows are
-// what the values share and nobody asks about (a block of runs, a launch); columns are what is compared (the arms).
+// The additive model value = row + column + error, by least squares, for any number of values in a cell, none included. Rows
+// are what the values share and nobody asks about (a block of runs, a launch); columns are what is compared (the arms).
 #pragma once
 
 #include <cstddef>

@@ -5,8 +5,8 @@
 //   1234567                      units of 10 µs (core/mavlink/signing.h)
 //
 // The caller stores times ahead of need. A thread of the file's own writes, since the thread that signs must not wait for a
-// disk; where the disk fails, it says so (problem()) and tries again. A lost time does no lasting harm: the signer continues from the
-// times in the vehicle's signed frames.
+// disk; where the disk fails, it says so (problem()) and tries again. A lost time does no lasting harm: the signer continues
+// from the times in the vehicle's signed frames.
 #pragma once
 
 #include "core/base/result.h"

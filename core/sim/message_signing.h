@@ -1,7 +1,7 @@
 // MAVLink signing as ArduPilot does it (GCS_Signing.cpp, and the signature check of the MAVLink C library): SETUP_SIGNING gives
 // the key, a key and time of zeros end it. From then on every frame is signed, and others are ignored, except reports of radios
-// and what comes over a trusted link, such as USB. One time serves for sending and receiving; it follows accepted frames and the
-// GPS, is saved every 30 s, and goes on a minute after the saved one when the vehicle starts again.
+// and what comes over a trusted link, such as USB. One time serves for sending and receiving; it follows accepted frames and
+// the GPS, is saved every 30 s, and goes on a minute after the saved one when the vehicle starts again.
 #pragma once
 
 #include "core/base/clock.h"

@@ -9,7 +9,7 @@ using namespace skyseal::test;
 
 namespace {
 
-ReceiveCounters received(const Pair::End &end)
+ReceiveCounters countersOf(const Pair::End &end)
 {
     return end.endpoint->stats(end.session())->rx;
 }
@@ -138,7 +138,7 @@ void InlineSessionTest::stormOfSwitches()
         QCOMPARE(pair.accountFrom(side), std::string());
         QVERIFY(std::is_sorted(pair.ends[side].epochs.begin(), pair.ends[side].epochs.end())
                 || pair.ends[side].epochs.size() > 1000); // late ones of the epoch before are allowed
-        QCOMPARE(received(pair.ends[side]).forged, std::uint64_t(0));
+        QCOMPARE(countersOf(pair.ends[side]).forged, std::uint64_t(0));
     }
     std::size_t committed = 0;
     for (const auto &done : pair.ground().all<SwitchDone>())
@@ -161,7 +161,7 @@ void InlineSessionTest::sendsRecordsUntilThePeerIsHeard()
     QCOMPARE(framingOf(pair.ground()), Framing::Inline);
     QCOMPARE(framingOf(pair.air()), Framing::Inline);
     QCOMPARE(pair.accountFrom(Ground), std::string());
-    QCOMPARE(received(pair.air()).malformed + pair.air().endpoint->unmatched().malformed, std::uint64_t(0));
+    QCOMPARE(countersOf(pair.air()).malformed + pair.air().endpoint->unmatched().malformed, std::uint64_t(0));
 }
 
 void InlineSessionTest::neverMovesTheAddress()
@@ -190,7 +190,7 @@ void InlineSessionTest::replayedReflectedForged()
     const auto owner = inlinePair(static_cast<SuiteId>(suite));
     Pair &pair = *owner;
     const Bytes frame = sealOne(pair, Air, 33);
-    const ReceiveCounters before = received(pair.ground());
+    const ReceiveCounters before = countersOf(pair.ground());
 
     QVERIFY(!offer(pair, Air, frame)); // reflected
     std::uint64_t forged = 0;
@@ -200,13 +200,13 @@ void InlineSessionTest::replayedReflectedForged()
         QVERIFY(!offer(pair, Ground, other));
         ++forged;
     }
-    const ReceiveCounters after = received(pair.ground());
+    const ReceiveCounters after = countersOf(pair.ground());
     QCOMPARE(after.forged + after.malformed + after.replayed - before.forged - before.malformed - before.replayed, forged);
     QCOMPARE(after.lost, before.lost); // no forged counter moved the window
     QVERIFY(offer(pair, Ground, frame));
     for (int i = 0; i < 3; ++i)
         QVERIFY(!offer(pair, Ground, frame));
-    QCOMPARE(received(pair.ground()).replayed, after.replayed + 3);
+    QCOMPARE(countersOf(pair.ground()).replayed, after.replayed + 3);
     for (int i = 0; i < 2049; ++i)
         QVERIFY(offer(pair, Ground, sealOne(pair, Air)));
     QVERIFY(!offer(pair, Ground, frame)); // by now older than the window
@@ -230,7 +230,7 @@ void InlineSessionTest::acrossEpochs()
     ++relabelled[relabelled.size() - kInlineTrailer];
     relabelled[relabelled.size() - kInlineTrailer + 2] = 0xff; // a counter that is fresh there
     QVERIFY(!offer(pair, Ground, relabelled));
-    QCOMPARE(received(pair.ground()).forged, std::uint64_t(1));
+    QCOMPARE(countersOf(pair.ground()).forged, std::uint64_t(1));
 }
 
 void InlineSessionTest::consentWithdrawn()
@@ -243,7 +243,7 @@ void InlineSessionTest::consentWithdrawn()
     pair.ground().endpoint->setPolicy(pair.now, policy);
     QCOMPARE(framingOf(pair.ground()), Framing::Sealed);
     QVERIFY(!offer(pair, Ground, frame));
-    QCOMPARE(received(pair.ground()).malformed, std::uint64_t(1));
+    QCOMPARE(countersOf(pair.ground()).malformed, std::uint64_t(1));
 }
 
 void InlineSessionTest::hardStopExactlyThere()

@@ -46,7 +46,7 @@ LinkModel badLink()
     return link;
 }
 
-void traffic(Pair &pair)
+void exchange(Pair &pair)
 {
     pair.every(20ms, [&pair] {
         pair.sendFrame(Air);
@@ -99,7 +99,7 @@ void SessionTest::carriesFramesInEverySuite()
 {
     Pair pair;
     QVERIFY(pair.run(1s, [&] { return pair.bothUp(); }));
-    traffic(pair);
+    exchange(pair);
     std::uint32_t epoch = 0;
     for (const auto &suite : crypto::suites()) {
         if (suite.id == SuiteId::None || !crypto::suiteAvailable(suite.id) || suite.id == SuiteId::ChaCha20Poly1305)
@@ -132,7 +132,7 @@ void SessionTest::comesUpOverABadLink()
         options.seed = seed;
         options.link = badLink();
         Pair pair(options);
-        traffic(pair);
+        exchange(pair);
         QVERIFY2(pair.run(10s, [&] { return pair.bothUp(); }), qPrintable(QString::number(seed)));
         pair.run(10s);
         pair.stopTraffic();
@@ -144,7 +144,7 @@ void SessionTest::comesUpOverABadLink()
 void SessionTest::stationRestarts()
 {
     Pair pair;
-    traffic(pair);
+    exchange(pair);
     pair.run(5s);
     pair.kill(Ground);
     pair.run(700ms);
@@ -160,7 +160,7 @@ void SessionTest::stationRestarts()
 void SessionTest::agentRestarts()
 {
     Pair pair;
-    traffic(pair);
+    exchange(pair);
     pair.run(5s);
     pair.kill(Air);
     pair.run(700ms);
@@ -179,7 +179,7 @@ void SessionTest::restartsRepeatedly()
         PairOptions options;
         options.seed = seed;
         Pair pair(options);
-        traffic(pair);
+        exchange(pair);
         for (int i = 0; i < 20; ++i) {
             const Side side = (seed + static_cast<std::uint64_t>(i) * 7) % 3 ? Air : Ground;
             pair.run(std::chrono::milliseconds(100 + (seed * 97 + static_cast<std::uint64_t>(i) * 331) % 3000));
@@ -218,7 +218,7 @@ void SessionTest::outageResumesWithoutHandshake()
 void SessionTest::followsTheAddressOfThePeer()
 {
     Pair pair;
-    traffic(pair);
+    exchange(pair);
     pair.run(3s);
     pair.air().port = 50001;
     pair.run(1s);
@@ -255,7 +255,7 @@ void SessionTest::staysAtTheConfirmedAddress()
 void SessionTest::closesOnce()
 {
     Pair pair;
-    traffic(pair);
+    exchange(pair);
     pair.run(3s);
     pair.stopTraffic();
     pair.air().endpoint->close(pair.now, pair.air().session());
@@ -274,7 +274,7 @@ void SessionTest::countersAgreeOnBothEnds()
     options.link = badLink();
     Pair pair(options);
     std::uint64_t recordsDropped[2] = {};
-    traffic(pair);
+    exchange(pair);
     pair.run(20s);
     pair.stopTraffic();
     pair.link.model = {};

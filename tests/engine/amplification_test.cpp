@@ -81,17 +81,17 @@ Bytes withoutPadding(const Bytes &bytes)
 }
 
 /// All kinds of messages as they are on the wire, several of each.
-struct Kind
+struct MessageKind
 {
     std::string name;
     std::vector<Bytes> blocks;
 };
-std::vector<Kind> kindsFor(Carrier carrier, const StrangersKnowledge &knows)
+std::vector<MessageKind> kindsFor(Carrier carrier, const StrangersKnowledge &knows)
 {
     std::mt19937_64 random(1);
-    std::vector<Kind> out;
+    std::vector<MessageKind> out;
     for (const StrangerMessage &message : kStrangerMessages) {
-        Kind kind{message.name, {}}, trimmed{std::string(message.name) + ", without padding", {}};
+        MessageKind kind{message.name, {}}, trimmed{std::string(message.name) + ", without padding", {}};
         const bool isClear = std::string_view(message.name).starts_with("clear");
         for (int i = 0; i < kCopies; ++i) {
             const Bytes bytes = message.make(knows, random);
@@ -125,10 +125,10 @@ private Q_SLOTS:
 
 private:
     /// `counters()`: those of the link. Returns the kinds that were answered.
-    template<typename Counters> void attack(Stranger &stranger, const std::vector<Kind> &kinds, Counters &&counters)
+    template<typename Counters> void attack(Stranger &stranger, const std::vector<MessageKind> &kinds, Counters &&counters)
     {
         m_answered.clear();
-        for (const Kind &kind : kinds) {
+        for (const MessageKind &kind : kinds) {
             for (const Bytes &bytes : kind.blocks) {
                 const auto before = counters();
                 stranger.send(bytes);

@@ -194,7 +194,8 @@ void EventTextTest::numbersAgreeWithTheirNouns()
     QVERIFY(eventText(PlaintextRefused{1, "10.0.0.9:14550", 1, {}}, {})
                 .sentence.startsWith(
                     QStringLiteral("Refused one plain frame from 10.0.0.9:14550 with the system id of this sealed vehicle")));
-    QVERIFY(eventText(SystemRefused{1, "air-2", "", 1}, {}).sentence.startsWith(QStringLiteral("Refused one frame from air-2,")));
+    QVERIFY(
+        eventText(SystemRefused{1, "air-2", "", 1}, {}).sentence.startsWith(QStringLiteral("Refused one frame from air-2,")));
 }
 
 void EventTextTest::vehicleIsNamedInALine()

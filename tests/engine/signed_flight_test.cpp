@@ -1,5 +1,5 @@
-// A flight with MAVLink signing between agent and vehicle, over real sockets: what the vehicle signed reaches the ground byte for
-// byte, what a station commands is signed, and a device without the key is nobody on the vehicle's side.
+// A flight with MAVLink signing between agent and vehicle, over real sockets: what the vehicle signed reaches the ground byte
+// for byte, what a station commands is signed, and a device without the key is nobody on the vehicle's side.
 #include "core/engine/station/snapshot.h"
 #include "core/mavlink/messages.h"
 #include "tests/engine/engine_rigs.h"

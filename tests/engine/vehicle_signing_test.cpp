@@ -1,5 +1,5 @@
-// MAVLink signing on the vehicle's side, in simulated time: the agent's part and the task that sets signing up, against a simulated
-// vehicle that signs as ArduPilot does; devices without the key, and with old frames, beside it.
+// MAVLink signing on the vehicle's side, in simulated time: the agent's part and the task that sets signing up, against a
+// simulated vehicle that signs as ArduPilot does; devices without the key, and with old frames, beside it.
 #include "core/crypto/system_random.h"
 #include "core/engine/agent/signing_task.h"
 #include "core/engine/agent/vehicle_signing.h"
@@ -41,7 +41,7 @@ mavlink::Heartbeat stationHeartbeat()
     return {.type = mavlink::MAV_TYPE_GCS, .autopilot = mavlink::MAV_AUTOPILOT_INVALID};
 }
 
-QByteArray arm(bool on = true)
+QByteArray armRequest(bool on = true)
 {
     return frameOf(mavlink::CommandLong{.target_system = 1,
                                         .target_component = 1,
@@ -196,11 +196,11 @@ void VehicleSigningTest::setUpCheckedAndRemoved()
     QCOMPARE(int(setUp.systemId), 1);
     QVERIFY(bus.run(SigningAction::SetUp, vehicleKey(1)).reached); // and once more
     QVERIFY(bus.run(SigningAction::Check, vehicleKey(1)).reached);
-    bus.deliver(arm());
+    bus.deliver(armRequest());
     QVERIFY(!bus.armed());
     const SigningOutcome removed = bus.run(SigningAction::Remove, vehicleKey(1));
     QVERIFY(removed.reached && removed.finding == Finding::NotSigned);
-    bus.deliver(arm());
+    bus.deliver(armRequest());
     QVERIFY(bus.armed());
 }
 
@@ -215,7 +215,7 @@ void VehicleSigningTest::setUpThroughLosses()
 void VehicleSigningTest::nothingIsChangedInFlight()
 {
     Bus bus;
-    bus.deliver(arm());
+    bus.deliver(armRequest());
     QVERIFY(bus.armed());
     bus.pass(1s);
     QCOMPARE(bus.run(SigningAction::SetUp, vehicleKey(1)).finding, Finding::Armed);
@@ -241,7 +241,7 @@ void VehicleSigningTest::wrongKeyIsSaid()
     QCOMPARE(bus.listen(), std::size_t(0));
     QVERIFY(bus.agent->counters().wrong > 0);
     QCOMPARE(kindsOf(bus.agent->takeReports(bus.now)), std::vector{Kind::Wrong});
-    bus.command(arm());
+    bus.command(armRequest());
     QVERIFY(!bus.armed());
 }
 
@@ -268,7 +268,7 @@ void VehicleSigningTest::signedStationCommands()
     bus.pass(1s);
     QVERIFY(bus.listen() > 0);
     bus.command(frameOf(stationHeartbeat(), 255));
-    bus.command(arm());
+    bus.command(armRequest());
     QVERIFY(bus.armed());
     QCOMPARE(bus.agent->counters().signedFrames, std::uint64_t(2));
     bus.pass(1s);
@@ -282,15 +282,15 @@ void VehicleSigningTest::strangerOnTheVehiclesLinkCommandsNothing()
     SignedBus bus;
     bus.pass(1s);
     bus.listen();
-    bus.deliver(arm());
+    bus.deliver(armRequest());
     VehicleSigning stranger(vehicleKey(2), true);
-    bus.deliver(stranger.sign(viewOf(arm()), true));
+    bus.deliver(stranger.sign(viewOf(armRequest()), true));
     // And what the agent signed, once more, after the pilot disarmed.
-    const QByteArray recorded = bytesOf(bus.agent->sign(viewOf(arm()), true));
+    const QByteArray recorded = bytesOf(bus.agent->sign(viewOf(armRequest()), true));
     QVERIFY(!bus.armed());
     bus.deliver(recorded);
     QVERIFY(bus.armed());
-    bus.command(arm(false));
+    bus.command(armRequest(false));
     QVERIFY(!bus.armed());
     bus.deliver(recorded);
     QVERIFY(!bus.armed());
@@ -302,7 +302,7 @@ void VehicleSigningTest::stationsOwnSignatureIsReplaced()
     bus.pass(1s);
     bus.listen();
     VehicleSigning station(vehicleKey(2), true);
-    const QByteArray own = bytesOf(station.sign(viewOf(arm()), true));
+    const QByteArray own = bytesOf(station.sign(viewOf(armRequest()), true));
     const QByteArray out = bytesOf(bus.agent->sign(viewOf(own), true));
     QCOMPARE(out.size(), own.size());
     QCOMPARE(out.chopped(qsizetype(mavlink::kSignatureLength)), own.chopped(qsizetype(mavlink::kSignatureLength)));
@@ -372,22 +372,22 @@ void VehicleSigningTest::agentStartsAgain()
     bus.restartAgent(stored());
     bus.pass(1s);
     bus.listen();
-    bus.command(arm());
+    bus.command(armRequest());
     QVERIFY(bus.armed());
     bus.agent.reset();
     bus.restartAgent(stored());
-    bus.command(arm(false)); // at once
+    bus.command(armRequest(false)); // at once
     QVERIFY(!bus.armed());
     bus.pass(1s);
     QVERIFY(bus.listen() > 0);
     QCOMPARE(bus.agent->counters().old, std::uint64_t(0));
 
     bus.restartAgent(vehicleKey(1)); // its time is lost
-    bus.command(arm());
+    bus.command(armRequest());
     QVERIFY(!bus.armed());
     bus.pass(1s);
     QVERIFY(bus.listen() > 0);
-    bus.command(arm());
+    bus.command(armRequest());
     QVERIFY(bus.armed());
 }
 
@@ -405,7 +405,7 @@ void VehicleSigningTest::vehicleStartsAgain()
         bus.pass(2s);
         QVERIFY(bus.listen() > 0);
         QCOMPARE(bus.agent->counters().old, std::uint64_t(0));
-        bus.command(arm());
+        bus.command(armRequest());
         QVERIFY(bus.armed());
         bus.disarm();
     }
@@ -433,7 +433,7 @@ void VehicleSigningTest::vehicleThatLostItsTimeCatchesUp()
     QVERIFY(bus.agent->counters().old > 0);
     bus.pass(1s);
     QVERIFY(bus.listen() > 0); // it took the time of the agent's request
-    bus.command(arm());
+    bus.command(armRequest());
     QVERIFY(bus.armed());
 }
 
@@ -444,11 +444,11 @@ void VehicleSigningTest::timeIsStoredAhead()
     mavlink::SigningTime last = 0;
     for (int run = 0; run < 3; ++run) {
         VehicleSigning agent({keyOf(1), std::move(*keys::SigningTimeFile::open(file))}, false);
-        const auto time = mavlink::signatureTime(agent.sign(viewOf(arm()), true));
+        const auto time = mavlink::signatureTime(agent.sign(viewOf(armRequest()), true));
         QVERIFY(time > last);
         last = time;
         for (int i = 0; i < 1000; ++i) {
-            const auto next = mavlink::signatureTime(agent.sign(viewOf(arm()), true));
+            const auto next = mavlink::signatureTime(agent.sign(viewOf(armRequest()), true));
             QCOMPARE(next, last + 1);
             last = next;
         }
@@ -517,7 +517,7 @@ void VehicleSigningTest::askersTakeNoPlaceOfPilots()
     // Two places of the vehicle were left: for the agent's own requests, and for a station on another port.
     mavlink::FrameSigner elsewhere(keyOf(1), 0, mavlink::signatureTime(bus.agent->sign(viewOf(heartbeatOf(1)), false)));
     std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
-    bus.deliver(elsewhere.signCopy(viewOf(arm()), buffer));
+    bus.deliver(elsewhere.signCopy(viewOf(armRequest()), buffer));
     QVERIFY(bus.armed());
 }
 

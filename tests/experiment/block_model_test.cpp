@@ -17,7 +17,7 @@ using namespace skyseal::experiment;
 
 namespace {
 
-constexpr unsigned kSeed = 20261124;
+constexpr unsigned kSeedOfModel = 20261124;
 constexpr std::size_t kArms = 4;
 
 struct Reference
@@ -64,7 +64,7 @@ std::vector<Case> casesOf(const char *path)
     return out;
 }
 
-bool near(double value, double expected, double relative)
+bool agrees(double value, double expected, double relative)
 {
     return std::abs(value - expected) <= relative * std::abs(expected);
 }
@@ -73,7 +73,7 @@ bool near(double value, double expected, double relative)
 /// of the programs to the next.
 double coverage(unsigned launches, unsigned blocks, double launchDeviation, bool asOneLaunch)
 {
-    std::mt19937 random(kSeed);
+    std::mt19937 random(kSeedOfModel);
     std::normal_distribution<double> normal(0, 1);
     constexpr int kSweeps = 2000;
     int held = 0;
@@ -122,10 +122,10 @@ void BlockModelTest::agreesWithStatsmodels()
         QCOMPARE(model.hasLaunches(), one.name.starts_with("five"));
         for (const Reference &expected : one.contrasts) {
             const BlockContrast contrast = model.contrast(expected.first, expected.second);
-            QVERIFY2(near(contrast.estimate, expected.estimate, 1e-9), one.name.c_str());
-            QVERIFY2(near(contrast.error, expected.error, 1e-9), one.name.c_str());
+            QVERIFY2(agrees(contrast.estimate, expected.estimate, 1e-9), one.name.c_str());
+            QVERIFY2(agrees(contrast.error, expected.error, 1e-9), one.name.c_str());
             QCOMPARE(contrast.degrees, expected.degrees);
-            QVERIFY2(near(studentTwoSided(contrast.estimate / contrast.error, contrast.degrees), expected.p, 1e-7),
+            QVERIFY2(agrees(studentTwoSided(contrast.estimate / contrast.error, contrast.degrees), expected.p, 1e-7),
                      one.name.c_str());
             const BlockContrast back = model.contrast(expected.second, expected.first);
             QCOMPARE(back.estimate, -contrast.estimate);
@@ -133,8 +133,8 @@ void BlockModelTest::agreesWithStatsmodels()
         }
         for (const Reference &expected : one.mixed) { // an iteration's result
             const BlockContrast contrast = model.contrast(expected.first, expected.second);
-            QVERIFY(near(contrast.estimate, expected.estimate, 1e-9));
-            QVERIFY(near(contrast.error, expected.error, 1e-4));
+            QVERIFY(agrees(contrast.estimate, expected.estimate, 1e-9));
+            QVERIFY(agrees(contrast.error, expected.error, 1e-4));
             ++mixed;
         }
     }
@@ -146,7 +146,8 @@ void BlockModelTest::intervalsHoldOverLaunches()
     for (const auto &[launches, blocks, deviation] :
          {std::tuple(5u, 1u, 0.03), std::tuple(5u, 3u, 0.03), std::tuple(10u, 2u, 0.0), std::tuple(2u, 3u, 0.01)}) {
         const double held = coverage(launches, blocks, deviation, false);
-        qInfo("seed %u: %u launches of %u blocks: the interval held the truth in %.1f %%", kSeed, launches, blocks, 100 * held);
+        qInfo("seed %u: %u launches of %u blocks: the interval held the truth in %.1f %%", kSeedOfModel, launches, blocks,
+              100 * held);
         QVERIFY(held > 0.935 && held < 0.965);
     }
 }
@@ -169,7 +170,7 @@ void BlockModelTest::blocksCancel()
     const BlockContrast contrast = BlockModel(values, 2).contrast(0, 1);
     QVERIFY(std::abs(contrast.estimate - 1) < 1e-9);
     // The paired t test of four differences: deviation 0.01 sqrt(4 / 3), three degrees of freedom.
-    QVERIFY(near(contrast.error, 0.01 * std::sqrt(4.0 / 3) / 2, 1e-9));
+    QVERIFY(agrees(contrast.error, 0.01 * std::sqrt(4.0 / 3) / 2, 1e-9));
     QCOMPARE(contrast.degrees, 3.0);
     QCOMPARE(contrast.units, std::size_t(4));
 }

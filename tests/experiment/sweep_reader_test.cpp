@@ -1,5 +1,5 @@
-// A sweep that was written and read is the same one, to the last byte of its report; what does not fit its plan is refused; sweeps
-// of several machines are joined only where they are of one setting.
+// A sweep that was written and read is the same one, to the last byte of its report; what does not fit its plan is refused;
+// sweeps of several machines are joined only where they are of one setting.
 #include "core/experiment/sweep_reader.h"
 #include "core/experiment/analysis.h"
 #include "core/experiment/html_report.h"

@@ -381,8 +381,8 @@ void SweepTest::everySuiteIsMeasured()
     QCOMPARE(runs.size(), 2 * all.size()); // each once under each load
 }
 
-/// Each launch is a process of its own, in the order that the seed decides; the report is written again from sweep.json with the
-/// same bytes.
+/// Each launch is a process of its own, in the order that the seed decides; the report is written again from sweep.json with
+/// the same bytes.
 void SweepTest::launchesStartAnew()
 {
     QTemporaryDir folder;

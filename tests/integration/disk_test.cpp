@@ -71,7 +71,7 @@ private:
     bool m_mounted = false;
 };
 
-QStringList with(QStringList arguments, const char *option, const QString &value)
+QStringList withOption(QStringList arguments, const char *option, const QString &value)
 {
     arguments[arguments.indexOf(QLatin1String(option)) + 1] = value;
     return arguments;
@@ -113,8 +113,8 @@ private:
     }
     std::unique_ptr<Program> air(const SmallDisk &disk) const
     {
-        const QStringList arguments = with(with(m_flight->airArguments(), "--identity", disk.path("air.key")), "--peers",
-                                           disk.path("air.peers"));
+        const QStringList arguments = withOption(withOption(m_flight->airArguments(), "--identity", disk.path("air.key")),
+                                                 "--peers", disk.path("air.peers"));
         return std::make_unique<Program>(QStringLiteral("skyseal-air"), arguments);
     }
     /// An agent whose disk fails by `fail` before its first session, and works again after `mend`.
@@ -196,9 +196,9 @@ void DiskTest::stationsDisk()
     QVERIFY(disk.isMounted() && disk.takes(m_flight->path(QStringLiteral("ground.key")))
             && disk.takes(m_flight->path(QStringLiteral("ground.peers"))));
     const Program agent(QStringLiteral("skyseal-air"), m_flight->airArguments());
-    const QStringList arguments = with(
-        with(m_flight->monitorArguments({QStringLiteral("--no-record")}), "--identity", disk.path("ground.key")), "--peers",
-        disk.path("ground.peers"));
+    const QStringList arguments = withOption(
+        withOption(m_flight->monitorArguments({QStringLiteral("--no-record")}), "--identity", disk.path("ground.key")),
+        "--peers", disk.path("ground.peers"));
     {
         Program station(QStringLiteral("skyseal-cli"), arguments);
         QVERIFY(!station.waitFor(QStringLiteral("session"), isUp).isEmpty());

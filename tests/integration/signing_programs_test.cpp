@@ -1,5 +1,5 @@
-// MAVLink signing on the vehicle's side with the real programs: set up, checked, flown with, and removed, while a device without
-// the key talks to the vehicle on another link.
+// MAVLink signing on the vehicle's side with the real programs: set up, checked, flown with, and removed, while a device
+// without the key talks to the vehicle on another link.
 #include "core/mavlink/enums.h"
 #include "core/mavlink/messages.h"
 #include "tests/support/clear_frames.h"

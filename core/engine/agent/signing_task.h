@@ -1,6 +1,6 @@
 // Sets up, checks or removes MAVLink signing of the vehicle at the other end of a link, once: frames and time go in, frames and
-// one outcome come out (https://mavlink.io/en/guide/message_signing.html). SETUP_SIGNING is not answered, so the outcome is read
-// from the signatures of the vehicle's own frames, and from its answers to signed and to unsigned TIMESYNC requests.
+// one outcome come out (https://mavlink.io/en/guide/message_signing.html). SETUP_SIGNING is not answered, so the outcome is
+// read from the signatures of the vehicle's own frames, and from its answers to signed and to unsigned TIMESYNC requests.
 //
 // Sans-I/O. Input: handleFrame(), handleDeadline(). Output, after any input: pollTransmit() until it is empty, then outcome().
 #pragma once

@@ -1,5 +1,6 @@
-// The key of MAVLink signing that the agent shares with its vehicle, and the time up to which it has signed. The key stands in a
-// file of 64 hex digits or 32 bytes, as other MAVLink tools use it, that no other user can read; the time beside it, in FILE.time.
+// The key of MAVLink signing that the agent shares with its vehicle, and the time up to which it has signed. The key stands in
+// a file of 64 hex digits or 32 bytes, as other MAVLink tools use it, that no other user can read; the time beside it, in
+// FILE.time.
 #pragma once
 
 #include "core/base/random_source.h"

@@ -1,7 +1,7 @@
-// MAVLink signing on the vehicle's side (https://mavlink.io/en/guide/message_signing.html): the frames that CommandGate admitted
-// go to the vehicle signed with the vehicle's key, whatever signature a station gave them, and only what the vehicle signed with
-// that key reaches the ground, byte for byte. Signing authenticates this agent to its autopilot, on a bus that other devices
-// share. It is no right: who may command is decided before.
+// MAVLink signing on the vehicle's side (https://mavlink.io/en/guide/message_signing.html): the frames that CommandGate
+// admitted go to the vehicle signed with the vehicle's key, whatever signature a station gave them, and only what the vehicle
+// signed with that key reaches the ground, byte for byte. Signing authenticates this agent to its autopilot, on a bus that
+// other devices share. It is no right: who may command is decided before.
 //
 // No clock: the time of a signature follows the newest verified one of the vehicle and rises by one with each frame. A vehicle
 // that has GPS, or hears a signer with a clock, so sets the time for all. The time is stored ahead (VehicleKey::times).
@@ -49,8 +49,8 @@ public:
     /// vehicle that lost its time takes that of the request, and is accepted from then on. Empty otherwise, and in the second
     /// after the last one. Valid until the next call to this object.
     ByteView catchUp(TimePoint now, ByteView refused);
-    /// A signed copy of a whole frame that CommandGate admitted, valid until the next call to this object. Empty, and counted, if
-    /// the frame cannot be signed, or would change the key. `mayCommand`: its station may.
+    /// A signed copy of a whole frame that CommandGate admitted, valid until the next call to this object. Empty, and counted,
+    /// if the frame cannot be signed, or would change the key. `mayCommand`: its station may.
     ByteView sign(ByteView frame, bool mayCommand);
 
     const SigningCounters &counters() const { return m_counters; }
