@@ -108,6 +108,7 @@ private:
 void correct(std::vector<Contrast> &family)
 {
     std::vector<double> p;
+    p.reserve(family.size());
     for (const Contrast &one : family)
         p.push_back(one.p);
     const std::vector<double> adjusted = holm(p);

@@ -200,6 +200,7 @@ std::string nameOf(const Pooling &pooling, const Plan &plan)
 std::vector<ReportFigure> figuresOf(const std::vector<Pooling> &poolings, const Plan &plan)
 {
     std::vector<ReportFigure> out;
+    out.reserve(poolings.size());
     for (const Pooling &pooling : poolings)
         out.push_back({nameOf(pooling, plan), svg(chartOf(plan, pooling))});
     return out;

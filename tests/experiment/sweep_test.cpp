@@ -228,8 +228,9 @@ void SweepTest::checkPage(const QJsonObject &report, const QString &page)
     int checked = 0;
     for (const char *load : {"natural", "saturated"}) {
         const qsizetype begin = page.indexOf(q("<h2>Results: link clean; %1 load").arg(q(load)));
-        QVERIFY(begin > 0);
-        const QString table = page.mid(begin, page.indexOf(q("</table>"), begin) - begin);
+        const qsizetype means = page.indexOf(q("<h3>Means</h3>"), begin);
+        QVERIFY(begin > 0 && means > begin);
+        const QString table = page.mid(means, page.indexOf(q("</table>"), means) - means);
         for (const QJsonValue metric : report[QLatin1String("metrics")].toArray()) {
             const QString unit = metric[QLatin1String("unit")].toString();
             const QString title = metric[QLatin1String("title")].toString() + (unit.isEmpty() ? QString() : q(", ") + unit);

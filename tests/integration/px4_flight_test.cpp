@@ -26,7 +26,7 @@ void Px4FlightTest::takesOffAndLands()
     Program air(QStringLiteral("skyseal-air"), flight.airArguments());
     Program monitor(QStringLiteral("skyseal-cli"),
                     flight.monitorArguments({QStringLiteral("--switch-to"), allSuites(), QStringLiteral("--switch-every"),
-                                             QStringLiteral("2"), QStringLiteral("--do"),
+                                             QStringLiteral("1"), QStringLiteral("--do"),
                                              QStringLiteral("wait gps_fix>=3 60; wait ekf_ok==1 60; mode POSCTL; mode LOITER; "
                                                             "param NAV_DLL_ACT 1; arm; takeoff 10; wait alt_rel>=9 60; land; "
                                                             "wait armed==0 90")}));
