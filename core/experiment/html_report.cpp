@@ -159,9 +159,11 @@ std::string methodText(const Results &results)
 {
     const unsigned launches = results.plan.launches;
     std::string out = "Ratios to " + escaped(referenceText(results.plan))
-        + " with their 95 % confidence intervals are the result; bold ones differ significantly at 5 % by Holm's method over the "
+        + " with their 95 % confidence intervals are the result; bold ones differ significantly at 5 % by "
+          "Holm's method over the "
           "comparisons of one metric, link and load that were planned: each suite against the reference, and the pairs that "
-          "the paper's claims name. They rest on log(value) = arm + block with the launch as a random effect, so that what a block "
+          "the paper's claims name. They rest on log(value) = arm + block with the launch as a random effect, "
+          "so that what a block "
           "shares cancels; for shares, on differences. Two frames in a run, and a step of the histogram in a percentile, are "
           "no difference. Under the natural load the vehicle decides how many packets there are; they are not compared.";
     if (launches == 1)
@@ -189,8 +191,10 @@ std::string noiseTable(const Results &results)
     if (rows.empty())
         return "<p>No suite was measured under two names, which takes two runs or more of each.</p>\n";
     return "<p>One suite was measured under two names, so that what differs between the two is noise. The 95 % confidence "
-           "interval of the ratio says how large a difference these runs could have missed: a smaller one between two suites means "
-           "nothing. \"Alone\" is the verdict by p as it is: about one line in twenty differs by chance. The last two columns are "
+           "interval of the ratio says how large a difference these runs could have missed: a smaller one "
+           "between two suites means "
+           "nothing. \"Alone\" is the verdict by p as it is: about one line in twenty differs by chance. The "
+           "last two columns are "
            "corrected by Holm's method over all "
         + std::to_string(tests)
         + " A/A tests of the sweep (sweep.json has them all): together they say \"differs\" by chance in one sweep of twenty."
@@ -254,7 +258,8 @@ std::string claimsTable(const Results &results, const std::vector<Claim> &claims
         "<p>A. Allouch et al., <i>MAVSec: Securing the MAVLink Protocol for Ardupilot/PX4 Unmanned Aerial Systems</i>, "
         "2019, arXiv:1905.00265. Each claim is judged by equivalence within a margin of "
         + readable(100 * results.plan.margin)
-        + " %: an interval that lies wholly on one side of the margin decides, one that reaches over it does not.</p>\n<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
+        + " %: an interval that lies wholly on one side of the margin decides, one that reaches over it does not.</p>\n<table "
+          "border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
         + row({"claim", "finding", "because"}, "th");
     for (const Claim &claim : claims)
         out += "<tr><td class=\"text\">" + escaped(claim.text) + "</td><td class=\"text\"><b>"

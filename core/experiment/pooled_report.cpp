@@ -267,7 +267,8 @@ std::string pooledHtml(const std::vector<Machine> &machines)
         + " and its 95 % interval come from the launches of one sweep. "
         + (machines.size() < kLeastMachines
                ? "With fewer than three machines nothing can be said of others: each stands alone."
-               : "All machines are joined by random effects: the variance between machines by REML, the interval of the mean by "
+               : "All machines are joined by random effects: the variance between machines by REML, the "
+                 "interval of the mean by "
                  "Hartung and Knapp, and a prediction interval, in which a further machine lies at 95 %.")
         + "</p>\n<h2>Ratios</h2>\n";
     for (const ReportFigure &figure : figuresOf(poolings, plan))

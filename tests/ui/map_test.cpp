@@ -49,8 +49,8 @@ private Q_SLOTS:
     {
         QVERIFY((mercator::project({0, 180}) - QPointF(20037508.342789, 0)).manhattanLength() < 1e-5);
         QVERIFY((mercator::project({mercator::kLastLatitude, 0}) - QPointF(0, 20037508.342789)).manhattanLength() < 1e-3);
-        for (const GeoPoint place : {GeoPoint{47.3977, 8.5456}, GeoPoint{-35.363261, 149.165230}, GeoPoint{0, -179.9999}}) {
-            const GeoPoint back = mercator::unproject(mercator::project(place));
+        for (const LatLong place : {LatLong{47.3977, 8.5456}, LatLong{-35.363261, 149.165230}, LatLong{0, -179.9999}}) {
+            const LatLong back = mercator::unproject(mercator::project(place));
             QVERIFY(qAbs(back.latitude - place.latitude) < 1e-10 && qAbs(back.longitude - place.longitude) < 1e-10);
         }
         // A metre on the ground at 60° is two on the map.

@@ -80,7 +80,7 @@ void MapView::startOver()
     markGroundDirty();
 }
 
-void MapView::setMark(const std::optional<GeoPoint> &place)
+void MapView::setMark(const std::optional<LatLong> &place)
 {
     m_mark = place ? std::optional(mercator::project(*place)) : std::nullopt;
     update();

@@ -38,12 +38,12 @@ public:
     TileLayer &tiles() { return m_tiles; }
     UnitSystem units() const { return m_units; }
     /// Marks a place that the operator is asked about; nullopt: none.
-    void setMark(const std::optional<GeoPoint> &place);
+    void setMark(const std::optional<LatLong> &place);
     const std::optional<QPointF> &mark() const { return m_mark; }
 
 Q_SIGNALS:
     /// The operator wants to choose what to do at this place, by the right button or the menu key.
-    void menuRequested(const skyseal::ui::GeoPoint &place, const QPoint &globalPosition);
+    void menuRequested(const skyseal::ui::LatLong &place, const QPoint &globalPosition);
 
 public:
     QSize minimumSizeHint() const override { return {240, 160}; }

@@ -11,10 +11,10 @@
 namespace skyseal::ui {
 
 /// A place on the globe, in degrees (WGS84).
-struct GeoPoint
+struct LatLong
 {
     double latitude = 0, longitude = 0;
-    bool operator==(const GeoPoint &) const = default;
+    bool operator==(const LatLong &) const = default;
 };
 
 namespace mercator {
@@ -25,13 +25,13 @@ inline constexpr double kRadians = std::numbers::pi / 180;
 inline constexpr double kMetresPerDegree = kRadius * kRadians; ///< on the equator
 inline constexpr double kLastLatitude = 85.0511287798066;      ///< degrees; there the map is a square
 
-inline QPointF project(const GeoPoint &place)
+inline QPointF project(const LatLong &place)
 {
     const double latitude = std::clamp(place.latitude, -kLastLatitude, kLastLatitude) * kRadians;
     return {place.longitude * kMetresPerDegree, kRadius * std::asinh(std::tan(latitude))};
 }
 
-inline GeoPoint unproject(const QPointF &metres)
+inline LatLong unproject(const QPointF &metres)
 {
     const double turns = std::floor(metres.x() / (2 * kHalfWorld) + 0.5); // around the globe
     return {std::atan(std::sinh(metres.y() / kRadius)) / kRadians, metres.x() / kMetresPerDegree - 360 * turns};

@@ -14,7 +14,7 @@ struct Text
 /// As MBTiles writes bounds: left, bottom, right, top.
 QString boundsText(const QRectF &metres)
 {
-    const GeoPoint southWest = mercator::unproject(metres.topLeft()), northEast = mercator::unproject(metres.bottomRight());
+    const LatLong southWest = mercator::unproject(metres.topLeft()), northEast = mercator::unproject(metres.bottomRight());
     return QStringLiteral("%1,%2,%3,%4")
         .arg(southWest.longitude, 0, 'f', 6)
         .arg(southWest.latitude, 0, 'f', 6)
