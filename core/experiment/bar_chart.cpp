@@ -1,11 +1,11 @@
 #include "core/experiment/bar_chart.h"
 
 #include "core/experiment/analysis.h"
+#include "core/experiment/append_format.h"
 #include "core/experiment/sweep_text.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
 #include <cstdio>
 
 namespace skyseal::experiment {
@@ -36,16 +36,6 @@ Scale scaleFor(Metric metric, double highest)
     if (unit == "ns" && highest >= 1e4)
         return {1e-3, "µs"};
     return {1, std::string(unit)};
-}
-
-__attribute__((format(printf, 2, 3))) void put(std::string &out, const char *pattern, ...)
-{
-    char line[512];
-    va_list arguments;
-    va_start(arguments, pattern);
-    std::vsnprintf(line, sizeof line, pattern, arguments);
-    va_end(arguments);
-    out += line;
 }
 
 double highestOf(const std::vector<Bar> &bars)

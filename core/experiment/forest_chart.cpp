@@ -1,11 +1,11 @@
 #include "core/experiment/forest_chart.h"
 
+#include "core/experiment/append_format.h"
 #include "core/experiment/bar_chart.h"
 #include "core/experiment/metric.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
 #include <cstdio>
 
 namespace skyseal::experiment {
@@ -16,16 +16,6 @@ namespace {
 constexpr int kWidth = 333, kLeft = 126, kRight = 100, kRow = 17, kLine = 13;
 constexpr double kText = 9.4;
 constexpr std::size_t kCharacters = 58; ///< of a line of text, at this size
-
-__attribute__((format(printf, 2, 3))) void put(std::string &out, const char *pattern, ...)
-{
-    char line[512];
-    va_list arguments;
-    va_start(arguments, pattern);
-    std::vsnprintf(line, sizeof line, pattern, arguments);
-    va_end(arguments);
-    out += line;
-}
 
 void putText(std::string &out, double x, double y, const char *anchor, const std::string &text, const char *more = "")
 {
