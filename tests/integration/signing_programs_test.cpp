@@ -32,6 +32,15 @@ public:
         while (m_socket.hasPendingDatagrams())
             take(m_socket.receiveDatagram().data());
     }
+    /// Greets until the vehicle answers: a program that has just been started may not listen yet. False: it never answered.
+    bool findsVehicle()
+    {
+        return eventually([this] {
+            greet();
+            readWaiting();
+            return heartbeats > 0;
+        });
+    }
     void arm(bool on)
     {
         const mavlink::CommandLong command{.target_system = 1,
@@ -46,6 +55,11 @@ public:
     int heartbeats = 0;
 
 private:
+    void greet()
+    {
+        const mavlink::Heartbeat own{.type = mavlink::MAV_TYPE_GCS, .autopilot = mavlink::MAV_AUTOPILOT_INVALID};
+        m_socket.writeDatagram(frameOf(own, 255), QHostAddress::LocalHost, m_vehiclePort);
+    }
     void take(const QByteArray &datagram)
     {
         mavlink::FrameScanner scanner(viewOf(datagram), mavlink::Dialect::builtin());
@@ -53,9 +67,8 @@ private:
             if (!item->frame || item->frame->messageId() != mavlink::Heartbeat::kId)
                 continue;
             ++heartbeats;
-            const mavlink::Heartbeat own{.type = mavlink::MAV_TYPE_GCS, .autopilot = mavlink::MAV_AUTOPILOT_INVALID};
             // So that it is not forgotten; and once signing is off, it is the station without which the failsafe disarms.
-            m_socket.writeDatagram(frameOf(own, 255), QHostAddress::LocalHost, m_vehiclePort);
+            greet();
             armed = mavlink::Heartbeat::decode(item->frame->payload()).base_mode & mavlink::MAV_MODE_FLAG_SAFETY_ARMED;
         }
     }
@@ -114,6 +127,7 @@ void SigningProgramsTest::wholeFlight()
         const int before = stranger.heartbeats;
         return eventually([&] { return stranger.heartbeats >= before + 3 || stranger.armed == on; }) && stranger.armed == on;
     };
+    QVERIFY(stranger.findsVehicle());
     QVERIFY(isArmedFor(true));
     QVERIFY(isArmedFor(false));
 
