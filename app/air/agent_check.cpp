@@ -30,10 +30,10 @@ void checkDevice(const link::LinkUrl &url, Problems &problems)
     const int device = ::open(url.path().c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
     if (device >= 0) {
         if (!::isatty(device))
-            problems.push_back(url.path() + " is no serial port");
+            problems.push_back(url.path() + " is not a serial port");
         ::close(device);
     } else if (errno == EACCES) {
-        problems.push_back(url.path() + ": this user may not open it; add the user to the group dialout");
+        problems.push_back(url.path() + ": this user has no permission to open it; add the user to the group dialout");
     } else {
         problems.push_back(url.path() + ": " + std::strerror(errno));
     }
@@ -50,7 +50,7 @@ void checkPort(const link::LinkUrl &url, Problems &problems)
     if (!free)
         problems.push_back(url.toText() + ": "
                            + (url.traits().isStream ? streams.errorString() : datagrams.errorString()).toStdString()
-                           + "; another program, or an agent that runs, may use the port");
+                           + "; another program, such as a running agent, may use the port");
 }
 
 void checkHost(const link::LinkUrl &url, Problems &problems)
@@ -96,14 +96,14 @@ void checkSigning(const SigningSetup &signing, Problems &problems)
         return;
     if (!QFileInfo::exists(QString::fromStdString(signing.keyFile))) {
         problems.push_back(signing.keyFile
-                           + " does not exist: skyseal-air --signing setup makes the key and gives it to the vehicle");
+                           + " does not exist: skyseal-air --signing setup creates the key and sends it to the vehicle");
         return;
     }
     if (const auto key = engine::readVehicleKey(signing.keyFile); !key)
         problems.push_back(key.error().text());
     const QString folder = QFileInfo(QString::fromStdString(signing.keyFile)).absolutePath();
     if (::access(folder.toLocal8Bit().constData(), W_OK) != 0)
-        problems.push_back(folder.toStdString() + " is not writable: the time of signatures stands there");
+        problems.push_back(folder.toStdString() + " is not writable, but holds the timestamp of the signatures");
 }
 
 } // namespace

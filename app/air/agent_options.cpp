@@ -21,21 +21,21 @@ bool listens(const engine::GroundLink &ground)
 Carrier readCarrier(Options &options, const link::LinkUrl &ground, const std::string &name)
 {
     const bool datagrams = !ground.traits().isStream;
-    const std::string asked = !name.empty() ? name : datagrams ? "datagram" : "serial";
-    if (asked == "tunnel" && ground.traits().isDatagramServer())
-        options.fail("--carrier 'tunnel': behind a router the agent must call, but " + ground.toText() + " only listens");
-    if (asked == "tunnel")
+    const std::string wanted = !name.empty() ? name : datagrams ? "datagram" : "serial";
+    if (wanted == "tunnel" && ground.traits().isDatagramServer())
+        options.fail("--carrier 'tunnel': behind a router the agent must send first, but " + ground.toText() + " only listens");
+    if (wanted == "tunnel")
         return Carrier::Tunnel;
-    if (asked != "datagram" && asked != "serial")
-        options.fail("--carrier '" + asked + "': datagram, serial or tunnel is expected");
-    else if (asked == "datagram" && !datagrams)
+    if (wanted != "datagram" && wanted != "serial")
+        options.fail("--carrier '" + wanted + "': datagram, serial or tunnel is expected");
+    else if (wanted == "datagram" && !datagrams)
         options.fail("--carrier 'datagram': " + ground.toText() + " is a byte stream; use serial or tunnel");
-    else if (asked == "serial" && datagrams)
+    else if (wanted == "serial" && datagrams)
         options.fail("--carrier 'serial': " + ground.toText() + " carries datagrams; use datagram or tunnel");
-    return asked == "serial" ? Carrier::Serial : Carrier::Datagram;
+    return wanted == "serial" ? Carrier::Serial : Carrier::Datagram;
 }
 
-/// Each --ground is a URL, with ",carrier=NAME" behind it where the carrier differs from --carrier.
+/// Each --ground is a URL, followed by ",carrier=NAME" if the carrier differs from --carrier.
 std::vector<engine::GroundLink> readGrounds(Options &options)
 {
     static constexpr std::string_view kCarrier = ",carrier=";
@@ -101,17 +101,19 @@ void declareAgent(Options &options)
     options.addLink(
         "ground",
         "Sealed link to a ground station; the agent announces itself there. May be given up to 8 times: for several "
-        "stations, or for several modems to one, which uses the link that it heard last. With ,carrier=NAME behind "
-        "the URL, that link has a carrier of its own. On udpin the agent announces nothing, and answers stations that "
-        "it knows and that call it with a udpout link.",
+        "stations, or for several modems to one, whose session uses the link on which the station was heard last. "
+        "With ,carrier=NAME after the URL, the link has another carrier than that of --carrier. On a udpin link the agent does "
+        "not announce itself, and answers only known stations, which connect to it with a udpout link.",
         isLive);
-    options.addValue("carrier", "datagram|serial|tunnel",
-                     "How sealed records travel on the ground links: one per datagram; in COBS frames, on a byte stream that "
-                     "only the two ends share; or in MAVLink TUNNEL messages, through MAVLink routers and radios (any link). "
-                     "Default: datagram or serial, depending on the link. The station detects the carrier.");
+    options.addValue(
+        "carrier", "datagram|serial|tunnel",
+        "Encapsulation of sealed records on the ground links: datagram, one record per datagram; serial, COBS frames on a "
+        "byte stream that only the two ends share; tunnel, MAVLink TUNNEL messages through MAVLink routers and "
+        "radios, on any link except udpin. Default: datagram or serial, depending on the link. The station detects the "
+        "carrier.");
     options.addValue("identity", "FILE", "Private key of this agent (skyseal-cli keys new).");
     PassphraseInput::declare(options);
-    options.addValue("peers", "FILE", "Ground stations that may connect; created if missing.");
+    options.addValue("peers", "FILE", "List of the ground stations that may connect; created if missing.");
     options.addValue("suites", "LIST", "Suites to offer, separated by commas, the preferred one first.", "all");
     options.addValue("weakest-suite", "NAME", "Use no suite that is weaker than this one.",
                      crypto::suiteInfo(crypto::weakestSealedSuite()).name.data());
@@ -120,17 +122,18 @@ void declareAgent(Options &options)
         "allow-plain",
         "Forward plain MAVLink while no session is up; anyone can read and forge it. For baseline measurements.");
     options.addResearchFlag("allow-inline",
-                            "Also seal frames in place if the station asks for it: headers are not encrypted, tags are short.");
+                            "Also seal frames in place if the station requests it: headers are not encrypted, tags are short.");
     options.addValue(
         "max-overtaken", "SECONDS",
-        "Obey no command that a newer message overtook longer ago than this: it was withheld on its way. 0.2 to 10.", "1");
-    options.addValue("max-age", "SECONDS|off",
-                     "Obey no command that may be older than this. The agent can only bound the age, by the round trip of the "
-                     "link and the time since: choose more than twice the longest delay. 0.5 to 60.",
-                     "5");
+        "Reject a command if a newer message arrived more than this time before it: it was delayed in transit. 0.2 to 10.",
+        "1");
+    options.addValue(
+        "max-age", "SECONDS|off",
+        "Reject a command that may be older than this. The agent can only bound the age, by the round-trip time of the "
+        "link and the time since then: choose more than twice the longest delay. 0.5 to 60.",
+        "5");
     declareSigning(options);
-    options.addFlag("pair",
-                    "Open the pairing window of the agent that runs with this --identity, and confirm the station there.");
+    options.addFlag("pair", "Open the pairing window of the running agent that has this --identity, and confirm the station.");
     options.addValue(
         "role", "pilot|observer",
         "With --pair: role of the station. Without it a known station keeps its role, and you choose that of a new "
@@ -155,7 +158,7 @@ std::optional<AgentSetup> readAgent(Options &options)
     if (std::none_of(policy.suites.begin(), policy.suites.end(), isSecure))
         options.fail("--suites: a session begins with a secure suite, so the list must contain one");
     if (options.has("allow-plain") && !grounds.empty() && std::ranges::all_of(grounds, listens))
-        options.fail("--allow-plain: plain MAVLink needs a --ground that leads to the station");
+        options.fail("--allow-plain: plain MAVLink requires a --ground that connects to the station, other than udpin");
     if (!vehicle || grounds.empty())
         return std::nullopt;
     return AgentSetup{{*vehicle, std::move(grounds), std::move(policy), options.has("allow-plain"), freshness},

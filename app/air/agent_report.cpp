@@ -79,14 +79,14 @@ void AgentReport::pairing(const PairingStatus &status)
     using State = PairingStatus::State;
     std::string sentence;
     if (status.state == State::Open)
-        sentence = "The window for pairing is open";
+        sentence = "The pairing window is open";
     else if (status.state == State::Paired)
         sentence = engine::pairedText(QString::fromStdString(status.name)).toStdString() + " (" + keys::fingerprint(status.key)
             + ")";
     else if (status.state == State::Refused)
         sentence = engine::notPairedText(QString::fromStdString(status.reason)).toStdString();
     else if (status.state == State::Over)
-        sentence = "The window for pairing is closed" + (status.reason.empty() ? "" : ": " + status.reason);
+        sentence = "The pairing window is closed" + (status.reason.empty() ? "" : ": " + status.reason);
     say(status.toJson(), sentence);
 }
 

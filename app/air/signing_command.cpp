@@ -43,7 +43,7 @@ std::optional<SigningAction> actionNamed(const std::string &name)
     return std::nullopt;
 }
 
-/// Whether the bytes of the link leave this machine over a network. What is behind a serial port cannot be known.
+/// Whether the bytes of the link leave this machine over a network. The other end of a serial port cannot be known.
 bool mayBeOverheard(const link::LinkUrl &url)
 {
     if (url.type().target != link::LinkTarget::HostPort || url.host() == "localhost")
@@ -58,19 +58,20 @@ std::string sentenceOf(SigningAction action, const SigningOutcome &outcome)
     const std::string vehicle = "vehicle " + std::to_string(outcome.systemId);
     switch (outcome.finding) {
     case Finding::Works:
-        return vehicle + " signs with this key and accepts what is signed with it"
+        return vehicle + " signs with this key and accepts messages that are signed with it"
             + (outcome.acceptsUnsigned ? "; it obeys unsigned messages on this link as well, as autopilots do on a USB port"
                                        : "");
     case Finding::Refuses:
         return action == SigningAction::Remove
-            ? vehicle + " still signs: it did not take the change"
+            ? vehicle + " still signs: it did not accept the change"
             : vehicle + " signs with this key, but does not answer messages that are signed with it";
     case Finding::NotSigned:
         if (action == SigningAction::Remove)
             return vehicle + " does not sign";
-        return action == SigningAction::SetUp ? vehicle + " did not take the key: does its firmware support MAVLink signing?"
-                                              : vehicle + " does not sign; skyseal-air --signing setup makes it";
-    case Finding::OtherKey: return vehicle + " signs with another key, which must be removed first by whoever has it";
+        return action == SigningAction::SetUp ? vehicle + " did not accept the key: does its firmware support MAVLink signing?"
+                                              : vehicle + " does not sign; skyseal-air --signing setup sets it up";
+    case Finding::OtherKey:
+        return vehicle + " signs with another key; remove that key first, with --signing remove and its file";
     case Finding::Armed: return vehicle + " is armed: nothing was changed";
     case Finding::SeveralVehicles:
         return "several vehicles are heard on this link: nothing was sent; connect one of them alone";
@@ -122,7 +123,7 @@ public:
         QObject::connect(m_link.get(), &link::Link::stateChanged, m_link.get(), [this](link::LinkState state) {
             if (state == link::LinkState::Failed || state == link::LinkState::Waiting) {
                 complain(kName,
-                         m_link->url().toText() + ": " + m_link->error().sentence() + "; does an agent run that uses it?");
+                         m_link->url().toText() + ": " + m_link->error().sentence() + "; is it in use by a running agent?");
                 QCoreApplication::exit(kCannotOpen);
             }
         });
@@ -189,20 +190,23 @@ bool makeMissingKey(const std::string &file)
 
 void declareSigning(Options &options)
 {
-    options.addValue("vehicle-signing", "FILE",
-                     "Key of MAVLink signing that the autopilot shares with this agent (32 bytes, or 64 hex digits): what goes "
-                     "to the vehicle is signed, and only what the vehicle signed reaches the ground. See --signing.");
-    options.addFlag("accept-unsigned",
-                    "With --vehicle-signing: unsigned messages on the vehicle's side reach the ground as well, as those of "
-                    "gimbals and cameras that cannot sign.");
+    options.addValue(
+        "vehicle-signing", "FILE",
+        "Key of MAVLink signing that the autopilot shares with this agent (32 bytes, or 64 hex digits): messages "
+        "to the vehicle are signed, and only messages that the vehicle signed are forwarded to the ground. See --signing.");
+    options.addFlag(
+        "accept-unsigned",
+        "With --vehicle-signing: also forward unsigned messages of the vehicle side to the ground, such as those of "
+        "gimbals and cameras that cannot sign.");
     options.addValue(
         "signing", "setup|check|remove",
-        "Instead of running: give the vehicle the key of --vehicle-signing (made if the file is missing), say "
-        "whether the vehicle signs with it and accepts what is signed with it, or switch its signing off. Stop the "
-        "agent before, since it needs the link of --vehicle.");
-    options.addFlag("send-key-in-clear",
-                    "With --signing setup: send the key even over a network, where others may read it. Better set up over USB, "
-                    "a serial line or loopback.");
+        "Do not start an agent, but send the key of --vehicle-signing to the vehicle (created if the file is missing), check "
+        "whether the vehicle signs with it and accepts messages that are signed with it, or disable its signing. Stop the "
+        "agent first, since it uses the link of --vehicle.");
+    options.addFlag(
+        "send-key-in-clear",
+        "With --signing setup: send the key even over a network, where others may read it. USB, a serial line or loopback "
+        "is safer.");
 }
 
 int runSigning(Options &options)
@@ -224,7 +228,7 @@ int runSigning(Options &options)
     if (const auto status = options.finish())
         return *status;
     if (sendsKey)
-        remark("warning: the signing key goes over " + plan.vehicle->toText() + " in clear");
+        remark("warning: the signing key is sent in clear over " + plan.vehicle->toText());
     if (!crypto::initCrypto()) {
         complain(kName, "the system provides no randomness");
         return kCannotOpen;

@@ -22,9 +22,9 @@ void declare(Options &options)
 {
     options.addArgument("FILE", "A .tlog or raw MAVLink bytes; - reads standard input.");
     options.addFlag("json", "One JSON object per line on stdout.");
-    options.addValue("dialect", "XML", "Further messages, in MAVLink's XML.");
+    options.addValue("dialect", "XML", "Definition of further messages (MAVLink XML).");
     options.addValue("signing-key", "FILE",
-                     "Key of signed frames: 32 bytes, or 64 hex digits. Frames with another signature are reported as bad.");
+                     "Key of signed frames: 32 bytes, or 64 hex digits. Frames with an invalid signature are reported as bad.");
     options.addResearchValue("framing", "plain|mavsec2019",
                              "Protection of the frames: none, or that of the published code of the MAVSec paper.", "plain");
     MavsecOptions::declare(options);

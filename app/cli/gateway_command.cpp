@@ -1,4 +1,4 @@
-// skyseal-cli gateway: other ground stations and programs use the vehicles through the sealed links of this station.
+// skyseal-cli gateway: serves other ground stations and programs through the sealed links of this station.
 #include "app/cli/commands.h"
 #include "app/cli/control/control_url.h"
 #include "app/cli/metrics_server.h"
@@ -20,12 +20,12 @@ void declare(Options &options)
     declareKeys(options);
     options.addValue(
         "serve", "URL[,OPTION...]",
-        "Serve ground stations and programs there: udpout:127.0.0.1:14550 (a station that listens), udpin:PORT, tcpin:PORT. "
-        "May be given several times. Options: write=none|all|mission,param,command,ftp,rc (default none: questions are "
-        "answered, commands denied); from=ADDRESS/PREFIX; sysid=ID,...; name=NAME. Only the heartbeat of a client that may "
-        "write reaches the vehicle: it arms the failsafe for a lost ground station, and its end triggers it. The gateway "
-        "itself sends none.");
-    declareControl(options, "Local socket on which skyseal-cli status, switch and revoke act on this gateway.");
+        "Serve ground stations and programs on this link: udpout:127.0.0.1:14550 (a station that listens), udpin:PORT, "
+        "tcpin:PORT. May be given several times. Options: write=none|all|mission,param,command,ftp,rc (default none: read-only "
+        "requests are forwarded, commands denied); from=ADDRESS/PREFIX; sysid=ID,...; name=NAME. Only heartbeats of clients "
+        "that may write are forwarded to the vehicle: they arm its failsafe for a lost ground station, which acts when they "
+        "stop. The gateway itself sends none.");
+    declareControl(options, "Local socket for skyseal-cli status, switch and revoke.");
     options.addValue("metrics", "HOST:PORT", "Serve the counters to Prometheus at http://HOST:PORT/metrics (OpenMetrics).");
     declareMqtt(options);
     declareRecording(options);
@@ -48,7 +48,7 @@ std::vector<engine::ServeConfig> readServed(Options &options)
     return out;
 }
 
-/// Clients are not authenticated: whoever reaches the port is served.
+/// Clients are not authenticated: every program that reaches the port is served.
 void warnOfOpenLinks(const QString &program, const std::vector<engine::ServeConfig> &served)
 {
     for (const engine::ServeConfig &config : served) {
@@ -57,7 +57,7 @@ void warnOfOpenLinks(const QString &program, const std::vector<engine::ServeConf
         const std::string who = config.url.isListening() && !config.from ? "anyone who reaches this address can "
                                                                          : "others can ";
         complain(program,
-                 config.name + ": not sealed, and not of this machine alone: " + who
+                 config.name + ": not sealed, and open to other machines: " + who
                      + (config.write.any() ? "see the vehicles and send (write=" + config.write.toText() + ")"
                                            : "see the vehicles"));
     }
@@ -77,7 +77,7 @@ int runGateway(const QStringList &arguments)
     StationRun run{.program = name, .links = options.urls("link"), .json = options.has("json")};
     run.config.secure = engine::SecureMode::Required;
     run.config.ownHeartbeat = false;
-    run.config.componentId = mavlink::MAV_COMP_ID_UDP_BRIDGE; // so that no client takes the answers for its own
+    run.config.componentId = mavlink::MAV_COMP_ID_UDP_BRIDGE; // so that no client mistakes the answers for its own
     run.config.snapshotsPerSecond = 4;
     readKeys(options, run.config);
     readRecording(options, run.config);
@@ -94,7 +94,7 @@ int runGateway(const QStringList &arguments)
         return *status;
     warnOfOpenLinks(name, run.plan.serve);
     if (MetricsServer::isOpenToOthers(run.metrics))
-        complain(name, run.metrics + ": not of this machine alone: anyone who reaches this address can read the counters");
+        complain(name, run.metrics + ": open to other machines: anyone who reaches this address can read the counters");
     if (run.broker)
         warnOfOpenBroker(name, run.broker->config);
     return runStation(std::move(run));

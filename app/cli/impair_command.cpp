@@ -24,18 +24,18 @@ void declare(Options &options)
     options.addLink("to", "The link to the other side, e.g. udpout:127.0.0.1:14550.", isLive);
     options.addValue("loss", "P", "Share of datagrams that are lost, 0 to 1.", "0");
     options.addValue("duplicate", "P", "Share that is duplicated.", "0");
-    options.addValue("reorder", "P", "Share that arrives after later ones.", "0");
+    options.addValue("reorder", "P", "Share that arrives after later datagrams.", "0");
     options.addValue("corrupt", "P", "Share with damaged bits.", "0");
     options.addValue("delay", "MS", "Delay in milliseconds.", "0");
     options.addValue("jitter", "MS", "Random additional delay, up to this many milliseconds.", "0");
     options.addValue("rate", "BAUD", "Bit rate of a simulated serial line (8N1); 0 = no limit.", "0");
-    options.addValue("seed", "N", "Repeats the same impairments for the same traffic.", "1");
+    options.addValue("seed", "N", "Seed, to repeat the same impairments for the same traffic.", "1");
     options.addValue("duration", "S", "Exit after this many seconds.");
     options.addFlag("json", "One JSON object per line on stdout.");
-    options.addFlag("drops", "With --json, a line for every datagram that is dropped.");
+    options.addFlag("drops", "With --json: print a line for each datagram that is dropped.");
     options.addFlag("datagrams",
-                    "With --json, a line for every datagram that comes in, with its fate and its "
-                    "unencrypted content, and one for every copy that goes out.");
+                    "With --json: print a line for each received datagram, with its fate and its "
+                    "unencrypted content, and one for each copy that is sent.");
 }
 
 impair::ImpairmentSettings readSettings(Options &options)

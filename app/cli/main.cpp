@@ -21,25 +21,25 @@ struct Command
 };
 
 constexpr Command kCommands[] = {
-    {"monitor", "follows vehicles, switches ciphers, flies scripts", runMonitor},
+    {"monitor", "monitors vehicles, switches ciphers, runs flight scripts", runMonitor},
     {"gateway", "serves other ground stations and programs through the sealed link", runGateway},
     {"status", "shows the state of a running gateway", runStatus},
     {"switch", "switches the sessions of a running gateway to another suite", runSwitch},
-    {"revoke", "removes a peer of a running gateway", runRevoke},
+    {"revoke", "removes a peer from the list of a running gateway", runRevoke},
     {"param", "reads, writes, saves and restores parameters", runParam},
     {"mission", "reads, writes and clears the mission", runMission},
     {"fence", "reads, writes and clears the fence", runFence},
     {"rally", "reads, writes and clears the rally points", runRally},
     {"ftp", "lists, reads, writes and removes files on a vehicle", runFtp},
     {"logs", "lists, reads and erases the flight logs of a vehicle", runLogs},
-    {"sweep", "measures what each cipher suite costs, and compares", runSweep},
-    {"report", "writes the report of a sweep again, or one over the sweeps of several machines", runReport},
+    {"sweep", "measures and compares the cost of each cipher suite", runSweep},
+    {"report", "writes the report of a sweep again, or a common one of several machines", runReport},
     {"bench", "measures sealing and opening on this machine, with and without AES instructions", runBench},
     {"decode", "decodes MAVLink bytes or a .tlog, one message per line", runDecode},
-    {"impair", "a relay that loses, delays, repeats, reorders and damages datagrams", runImpair},
+    {"impair", "relays datagrams with loss, delay, duplication, reordering and corruption", runImpair},
     {"keys", "manages private keys and files of known peers", runKeys},
-    {"log", "information about, verification and export of .tlog files", runLog},
-    {"selftest", "known-answer tests of the sealed link", runSelfTest},
+    {"log", "summarizes, verifies and exports .tlog files", runLog},
+    {"selftest", "runs known-answer tests of the sealed link", runSelfTest},
 };
 
 void printHelp(std::FILE *out)

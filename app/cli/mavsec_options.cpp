@@ -9,14 +9,15 @@ using crypto::MavsecCipher;
 void MavsecOptions::declare(Options &options)
 {
     options.addResearchValue("cipher", "NAME", "With mavsec2019: chacha20 or aes-256-ctr.", "chacha20");
-    options.addResearchValue("key", "HEX",
-                             "With mavsec2019: the key, if it is not the published one. Every user of this machine can read a "
-                             "command line; use --key-file for a secret key.");
+    options.addResearchValue(
+        "key", "HEX",
+        "With mavsec2019: the key, if it is not the published one. Command lines are visible to all users of this "
+        "machine; use --key-file for a secret key.");
     options.addResearchValue("key-file", "FILE",
                              "With mavsec2019: file of the key, readable by its owner only: 32 bytes, or 64 hex digits.");
     options.addResearchValue("nonce", "HEX",
                              "With mavsec2019: nonce of ChaCha20 (12 bytes) or first counter block of AES-256-CTR (16).");
-    options.addResearchValue("counter", "N", "With mavsec2019: number of ChaCha20's first block.", "1");
+    options.addResearchValue("counter", "N", "With mavsec2019: initial block counter of ChaCha20.", "1");
 }
 
 MavsecOptions MavsecOptions::read(Options &options)
@@ -36,7 +37,7 @@ MavsecOptions MavsecOptions::read(Options &options)
     else if (name != "chacha20")
         options.fail("--cipher '" + name + "': chacha20 or aes-256-ctr is expected");
     if (out.m_settings.kind == MavsecCipher::Kind::Aes256Ctr && options.has("counter"))
-        options.fail("--counter: AES-256-CTR has its counter in --nonce");
+        options.fail("--counter: the counter of AES-256-CTR is part of --nonce");
     out.m_settings.counter = static_cast<std::uint32_t>(options.wholeNumber("counter", 0, UINT32_MAX));
     out.m_settings.keyFile = options.text("key-file");
     out.m_settings.nonceHex = options.text("nonce");

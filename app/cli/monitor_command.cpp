@@ -21,7 +21,7 @@ void declare(Options &options)
 {
     options.addLink("link", "Link to vehicles or their agents, e.g. udpin:0.0.0.0:14550. May be given several times.");
     options.addResearchValue("secure", "required|off",
-                             "required: accept only sealed vehicles (default with --identity); off: no sealed links.");
+                             "required: accept only sealed vehicles (default with --identity); off: use no sealed links.");
     declareKeys(options);
     options.addResearchFlag("allow-research", "Also accept insecure research suites, for comparison.");
     options.addValue("switch-to", "LIST", "Suites to switch through, repeatedly.");
@@ -29,12 +29,13 @@ void declare(Options &options)
     options.addResearchValue(
         "framing", "sealed|inline|mavsec2019",
         "Protection of MAVLink. sealed: whole frames in records; inline: frames sealed in place, headers not "
-        "encrypted; mavsec2019: INSECURE, read-only, as in the published code of the MAVSec paper.",
+        "encrypted; mavsec2019: INSECURE, receive only, as in the published code of the MAVSec paper.",
         "sealed");
     MavsecOptions::declare(options);
-    options.addValue("stream-rate", "HZ", "Request every stream at this rate instead of the default profile.");
+    options.addValue("stream-rate", "HZ", "Request all streams at this rate instead of the default rates.");
     options.addValue("duration", "S", "Exit after this many seconds.");
-    options.addValue("do", "SCRIPT", "A flight: 'mode GUIDED; arm; takeoff 10; wait alt_rel>=9.5 60; land; wait armed==0 90'.");
+    options.addValue("do", "SCRIPT",
+                     "Flight script: 'mode GUIDED; arm; takeoff 10; wait alt_rel>=9.5 60; land; wait armed==0 90'.");
     declareRecording(options);
     options.addFlag("json", "One JSON object per line on stdout.");
 }
@@ -43,13 +44,13 @@ void readFraming(Options &options, engine::StationConfig &config)
 {
     const std::string framing = options.text("framing");
     if (framing == "mavsec2019" && config.secure == engine::SecureMode::Required)
-        options.fail("--framing 'mavsec2019': it is not sealed; use it with --secure off and without --identity");
+        options.fail("--framing 'mavsec2019' is not sealed: use it with --secure off and without --identity");
     if (framing != "sealed" && framing != "inline" && framing != "mavsec2019")
         options.fail("--framing '" + framing + "': sealed, inline or mavsec2019 is expected");
     if (framing != "inline")
         return;
     if (config.secure != engine::SecureMode::Required)
-        return options.fail("--framing 'inline': there is no sealed link; --secure required");
+        return options.fail("--framing 'inline': there is no sealed link; use --secure required");
     config.policy.allowInline = config.policy.preferInline = true;
     // The session must start with a suite that supports the framing.
     std::stable_partition(config.policy.suites.begin(), config.policy.suites.end(), crypto::mayBeInline);

@@ -7,13 +7,12 @@ void declareMqtt(Options &options)
     options.addValue(
         "mqtt", "URL",
         "Publish states and events of the vehicles to an MQTT broker: mqtts://HOST[:PORT][/PREFIX], or mqtt:// without "
-        "TLS. Each gateway needs a PREFIX of its own (default skyseal). No command is taken from there.");
-    options.addValue("mqtt-ca", "FILE",
-                     "Certificates by which the broker has to prove its name (PEM); without it the system's.");
-    options.addValue("mqtt-cert", "FILE", "Certificate of this gateway for the broker (PEM).");
+        "TLS. Each gateway needs a PREFIX of its own (default: skyseal). The gateway never subscribes.");
+    options.addValue("mqtt-ca", "FILE", "Certificates of the authorities of the broker (PEM); default: those of the system.");
+    options.addValue("mqtt-cert", "FILE", "Client certificate of this gateway (PEM).");
     options.addValue("mqtt-key", "FILE", "Private key of --mqtt-cert (PEM, no passphrase), not readable by other users.");
     options.addValue("mqtt-login", "FILE",
-                     "File with the user in its first line and the password in its second, not readable by other users.");
+                     "File with the user name in the first line and the password in the second, not readable by other users.");
     options.addFlag("mqtt-raw", "Also publish the MAVLink frames of the vehicles.");
 }
 
@@ -22,7 +21,7 @@ std::optional<BrokerPlan> readMqtt(Options &options)
     if (!options.has("mqtt")) {
         for (const char *name : {"mqtt-ca", "mqtt-cert", "mqtt-key", "mqtt-login", "mqtt-raw"}) {
             if (options.has(name))
-                options.fail(std::string("--") + name + ": --mqtt names no broker");
+                options.fail(std::string("--") + name + " requires --mqtt");
         }
         return std::nullopt;
     }
@@ -42,7 +41,7 @@ std::optional<BrokerPlan> readMqtt(Options &options)
             options.fail(std::string("--") + name + ": mqtt:// has no TLS; use mqtts://");
     }
     if (out.config.certificateFile.empty() != out.config.keyFile.empty())
-        options.fail("--mqtt-cert and --mqtt-key belong together");
+        options.fail("--mqtt-cert and --mqtt-key require each other");
     return out;
 }
 
@@ -51,7 +50,7 @@ void warnOfOpenBroker(const QString &program, const mqtt::PublisherConfig &confi
     if (config.broker.tls || config.broker.isLoopback())
         return;
     complain(program,
-             config.broker.toText() + ": without TLS: anyone on the way can see and forge the vehicles' states"
+             config.broker.toText() + ": without TLS: anyone on the path can read and forge the states of the vehicles"
                  + (config.loginFile.empty() ? "" : ", and read the password"));
 }
 

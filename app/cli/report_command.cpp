@@ -55,10 +55,11 @@ int reportOne(const experiment::ReadSweep &sweep, const QString &folder)
 
 int runReport(const QStringList &arguments)
 {
-    Options options(kName,
-                    QStringLiteral("Writes the report of a finished sweep again, or one over the sweeps of several machines, "
-                                   "autopilots or days."));
-    options.addArgument("DIR", "Folders that sweep --out wrote; their names stand for the machines.");
+    Options options(
+        kName,
+        QStringLiteral("Writes the report of a finished sweep again, or a common one of the sweeps of several machines, "
+                       "autopilots or days."));
+    options.addArgument("DIR", "Folders written by sweep --out; their names are those of the machines in the report.");
     options.addValue("out", "DIR", "Folder for the report and its figures.");
     if (const auto status = options.parse(arguments))
         return *status;

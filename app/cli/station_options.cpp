@@ -23,8 +23,8 @@ void declareKeys(Options &options)
 {
     options.addValue("identity", "FILE", "Private key of this station.");
     PassphraseInput::declare(options);
-    options.addValue("peers", "FILE", "File of known peers: the agents of the vehicles.");
-    options.addValue("suite", "NAME", "Suite at the start of every session.");
+    options.addValue("peers", "FILE", "File of known peers, the agents of the vehicles.");
+    options.addValue("suite", "NAME", "Suite at the start of each session.");
     options.addValue("weakest-suite", "NAME", "Use no suite that is weaker than this one.",
                      crypto::suiteInfo(crypto::weakestSealedSuite()).name.data());
 }
@@ -46,19 +46,19 @@ void checkSuite(Options &options, const engine::StationConfig &config, const cha
     const crypto::SuiteInfo &info = crypto::suiteInfo(suite);
     const std::string what = std::string("--") + option + " '" + std::string(info.name) + "': ";
     if (config.secure != engine::SecureMode::Required)
-        options.fail(what + "there is no sealed link; --secure required");
+        options.fail(what + "there is no sealed link; use --secure required");
     else if (!info.authenticated)
-        options.fail(what + "a sealed link has no plain suite");
+        options.fail(what + "plain MAVLink is not a suite of a sealed link");
     else if (info.research && !config.policy.allowResearch)
-        options.fail(what + "insecure, for research only; --allow-research");
+        options.fail(what + "insecure, for research only; requires --allow-research");
     else if (std::find(config.policy.suites.begin(), config.policy.suites.end(), suite) == config.policy.suites.end())
-        options.fail(what + "weaker than --weakest-suite allows");
+        options.fail(what + "weaker than --weakest-suite permits");
 }
 
 void declareRecording(Options &options)
 {
-    options.addValue("record", "FOLDER", "Folder of the .tlog files.");
-    options.addFlag("no-record", "Write no .tlog.");
+    options.addValue("record", "FOLDER", "Folder of the .tlog files. Default: skyseal/logs in the data folder of the user.");
+    options.addFlag("no-record", "Do not write .tlog files.");
     options.addAlternatives("record", "no-record");
 }
 

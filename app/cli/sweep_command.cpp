@@ -25,7 +25,7 @@ namespace {
 
 const QString kName = QStringLiteral("skyseal-cli sweep");
 
-/// Says how precise the sweep is and what its goal would take. True if there is none, or if it is reached.
+/// Reports the precision of the sweep and the effort to reach its goal. Returns true if there is no goal, or if it is reached.
 bool tellPrecision(const experiment::Results &results, const SweepOptions &options)
 {
     constexpr double kUsualGoal = 0.03;
@@ -35,7 +35,7 @@ bool tellPrecision(const experiment::Results &results, const SweepOptions &optio
     const std::string wanted = experiment::readable(100 * goal) + " %";
     const auto precision = experiment::precisionOf(results, goal);
     if (!precision) {
-        complain(kName, "too few valid runs to say how precise the ratios to plain MAVLink are");
+        complain(kName, "too few valid runs to estimate the precision of the ratios to plain MAVLink");
         return false;
     }
     const unsigned launches = experiment::launchesIn(results);

@@ -23,42 +23,44 @@ void declare(Options &options)
                     isLive);
     options.addValue("identity", "FILE", "With --link: private key of this station.");
     options.addValue("peers", "FILE", "With --link: file of known peers, the agents of the vehicles.");
-    options.addResearchFlag("allow-research", "With --link: also insecure research suites.");
-    options.addResearchFlag("allow-plain", "With --link: also plain MAVLink ('none'); the agent must consent as well.");
+    options.addResearchFlag("allow-research", "With --link: also measure insecure research suites.");
+    options.addResearchFlag("allow-plain",
+                            "With --link: also measure plain MAVLink ('none'); the agent must allow it as well.");
     options.addValue("suites", "LIST", "Suites to compare, separated by commas; all = every allowed suite.", "all");
     options.addResearchValue(
         "framing", "NAME",
-        "Protection of MAVLink: sealed = whole frames in records, inline = payloads sealed in place (suites "
-        "that are a cipher and an HMAC; an agent of --link must allow it), both.",
+        "Protection of MAVLink: sealed, whole frames in records; inline, payloads sealed in place (only suites "
+        "of a cipher and an HMAC; the agent of --link must allow it); both.",
         "sealed");
     options.addValue("seconds", "S", "Length of each run.", "5");
-    options.addValue("launches", "L",
-                     "How often all programs start anew, this station included (with --link: this station only). What another "
-                     "start would show is seen in launches alone; comparisons need 2 or more.",
-                     "5");
+    options.addValue(
+        "launches", "L",
+        "Number of times that all programs start anew, including this station (with --link: this station only). Only "
+        "launches show how results differ between starts; comparisons need 2 or more.",
+        "5");
     options.addValue("repeats", "R", "Runs of each suite within each launch.", "1");
     options.addValue("warm-up", "S",
-                     "Seconds before each run that are not measured, and four times as many when programs have just started.",
-                     "2");
+                     "Seconds before each run that are not measured; four times as many if programs have just started.", "2");
     options.addValue(
         "seed", "N",
-        "Repeats the order of runs and the impairment of the sweep that names it; without it, each sweep draws another one.");
+        "Seed of the order of runs and of the impairment, to repeat a sweep. Default: drawn at random and recorded.");
     options.addValue(
         "load", "LIST",
-        "natural = the streams that a station requests, saturated = as fast as possible; default without --link: both.");
+        "natural: the streams that a station requests; saturated: as fast as possible. Default: both, with --link natural.");
     options.addValue("impair", "SPEC",
-                     "A link condition: clean, or loss=, duplicate=, reorder=, corrupt=, delay=, jitter=, rate= separated by "
+                     "Link condition: clean, or loss=, duplicate=, reorder=, corrupt=, delay=, jitter=, rate=, separated by "
                      "commas. May be given several times.");
     options.addValue("until", "PERCENT",
-                     "Go on until the ratios to plain MAVLink by CPU time per frame, of both ends, are known to this many per "
-                     "cent, after 10 launches at the earliest. --launches is the most then (default 100).");
-    options.addFlag("plan",
-                    "Run a few launches as a pilot (--launches, default 3) and say how many --until (default 3 %) would "
-                    "take, and how long.");
+                     "Continue until the ratios to plain MAVLink in CPU time per frame, at both ends, are known to this many "
+                     "percent, after 10 launches at the earliest and --launches at the latest (then 100 by default).");
+    options.addFlag(
+        "plan",
+        "Run a few launches as a pilot (--launches, default 3) and estimate how many launches and how much time --until "
+        "(default 3 %) would take.");
     options.addFlag("no-noise", "Do not measure one suite twice to estimate the machine's noise (A/A).");
-    options.addFlag("noise", "Measure it twice also where each suite runs only once.");
-    options.addValue("margin", "PERCENT", "A smaller difference has no practical effect; the paper's claims are judged by it.",
-                     "3");
+    options.addFlag("noise", "Measure one suite twice even if each suite runs only once.");
+    options.addValue("margin", "PERCENT",
+                     "Smallest difference of practical relevance; the claims of the paper are judged by it.", "3");
     options.addValue("out", "DIR",
                      "Folder for sweep.json, sweep.csv, report.html and the figures; PNG and PDF if skyseal-figures is "
                      "installed. The files of an older sweep in it are replaced; its figures and PDF are removed first.");
@@ -95,8 +97,8 @@ double readPercent(Options &options, const char *name, double least)
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size() || !(value >= least && value <= kMost))
-        options.fail("--" + std::string(name) + " '" + options.text(name) + "': per cent from " + experiment::readable(least)
-                     + " to 50 are expected");
+        options.fail("--" + std::string(name) + " '" + options.text(name) + "': a percentage from "
+                     + experiment::readable(least) + " to 50 is expected");
     return value / 100;
 }
 
@@ -115,9 +117,11 @@ std::vector<crypto::SuiteId> readSuites(Options &options, bool ownAgent)
     for (const crypto::SuiteId suite : suites) {
         const std::string what = "--suites '" + std::string(crypto::suiteInfo(suite).name) + "': ";
         if (suite == crypto::SuiteId::None && !plain)
-            options.fail(what + (kResearch ? "plain MAVLink needs consent at both ends; --allow-plain" : "not in this build"));
+            options.fail(
+                what
+                + (kResearch ? "plain MAVLink must be allowed at both ends; requires --allow-plain" : "not in this build"));
         else if (crypto::suiteInfo(suite).research && !research)
-            options.fail(what + "insecure, for research only; --allow-research");
+            options.fail(what + "insecure, for research only; requires --allow-research");
     }
     return suites;
 }
@@ -134,7 +138,7 @@ void readLoads(Options &options, bool ownAgent, experiment::Plan &plan)
     else
         options.fail("--load '" + text + "': natural, saturated or natural,saturated is expected");
     if (!ownAgent && plan.loads != std::vector{Load::Natural})
-        options.fail("--load saturated: not with --link, whose vehicle sets its own rates");
+        options.fail("--load saturated: not with --link, since that vehicle sets its own rates");
 }
 
 void readConditions(Options &options, bool ownAgent, experiment::Plan &plan)
@@ -179,7 +183,7 @@ void readPlan(Options &options, bool ownAgent, experiment::Plan &plan)
         options.fail("--suites: none of them supports this framing");
 }
 
-/// How precise the sweep shall be, and how many launches that may take.
+/// The required precision, and the greatest number of launches for it.
 void readGoal(Options &options, SweepOptions &out)
 {
     out.forecast = options.has("plan");
@@ -190,9 +194,9 @@ void readGoal(Options &options, SweepOptions &out)
     else if (!options.has("launches") && out.until)
         out.plan.launches = kMostLaunchesUntil;
     if (out.until && !out.forecast && out.plan.launches < experiment::kLeastLaunchesUntil)
-        options.fail("--until takes --launches of 10 or more");
+        options.fail("--until requires --launches of 10 or more");
     if (out.forecast && out.plan.launches < 2)
-        options.fail("--plan takes --launches of 2 or more");
+        options.fail("--plan requires --launches of 2 or more");
 }
 
 void readExpectations(Options &options, SweepOptions &out)

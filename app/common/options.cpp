@@ -99,7 +99,8 @@ void Options::declare(const QCommandLineOption &option)
 
 void Options::addConfig()
 {
-    addValue(kConfig, "FILE", "Read further options from a file: NAME = VALUE in each line, yes or no for a flag.");
+    addValue(kConfig, "FILE",
+             "Read further options from a file with one NAME = VALUE per line; a flag has the value yes or no.");
 }
 
 void Options::addAlternatives(const char *one, const char *other)

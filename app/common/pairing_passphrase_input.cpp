@@ -6,7 +6,8 @@ namespace skyseal::app {
 
 void PairingPassphraseInput::declare(Options &options)
 {
-    options.addFlag("pair-passphrase", "Use a passphrase for this pairing, the same at both ends; prompts for it.");
+    options.addFlag("pair-passphrase",
+                    "Use a passphrase for this pairing instead of a code, the same at both ends; prompts for it.");
     PassphraseInput::declare(options, "pair-", "the passphrase of this pairing");
 }
 

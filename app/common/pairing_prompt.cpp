@@ -42,7 +42,7 @@ void PairingPrompt::declare(Options &options)
     options.addFlag("fingerprints", "Also show the fingerprints of both ends.");
     options.addValue("expect", "FINGERPRINT", "Confirm the peer with this fingerprint without asking, and refuse any other.");
     options.addFlag("replace", "With --expect: replace the key if the name is known with another one.");
-    options.addValue("as", "NAME", "Name of the peer here, in place of the one it claims.");
+    options.addValue("as", "NAME", "Name of the peer in the list, in place of the name that it claims.");
 }
 
 PairingPrompt::Settings PairingPrompt::read(Options &options)
@@ -58,7 +58,7 @@ PairingPrompt::Settings PairingPrompt::read(Options &options)
     }
     out.replaces = options.has("replace");
     if (out.replaces && out.expected.empty())
-        options.fail("--replace: requires --expect; without it, you are prompted");
+        options.fail("--replace requires --expect; without it, you are prompted");
     if (options.has("as")) {
         keys::PeerEntry entry;
         entry.peer.name = out.callIt = options.required("as");
@@ -95,7 +95,7 @@ void PairingPrompt::take(PairingStatus status)
         printLine(status.toJson());
     switch (status.state) {
     case State::Open:
-        write("Open for pairing for " + std::to_string(status.seconds) + " s.");
+        write("The pairing window is open for " + std::to_string(status.seconds) + " s.");
         if (m_settings.showsFingerprints)
             show("The fingerprint of this device:", {keys::fingerprint(status.key)});
         if (!m_settings.decidesRole)
@@ -137,7 +137,7 @@ void PairingPrompt::ask()
 {
     const std::string print = keys::fingerprint(m_asked->key);
     const std::string system = m_asked->systemId != 0 ? " (system id " + std::to_string(m_asked->systemId) + ")" : "";
-    write("\"" + m_asked->name + "\"" + system + " asks to be paired.");
+    write("\"" + m_asked->name + "\"" + system + " requests pairing.");
     if (m_settings.hasPassphrase)
         write("It knows the passphrase.");
     else

@@ -1,5 +1,5 @@
-// skyseal-figures: draws a sweep's figures as PNG and its report as PDF, without a display. Started by `skyseal-cli sweep`
-// if it is installed.
+// skyseal-figures: renders a sweep's figures as PNG and its report as PDF, without a display. Programs that write a report
+// start it if it is installed.
 #include "app/common/exit_status.h"
 #include "app/common/options.h"
 #include "app/figures/figure_painter.h"
@@ -129,10 +129,11 @@ int main(int argc, char **argv)
     if (qEnvironmentVariableIsEmpty("XDG_RUNTIME_DIR") && runtime.isValid())
         qputenv("XDG_RUNTIME_DIR", QFile::encodeName(runtime.path()));
     QGuiApplication application(argc, argv);
-    Options options(kName, QStringLiteral("Draws figures (FILE.svg to FILE.png) and a report (--report, --pdf)."));
-    options.addValue("report", "FILE", "Printable report of skyseal-cli sweep, in the folder of its figures.");
+    Options options(kName, QStringLiteral("Renders figures (FILE.svg to FILE.png) and a report (--report to --pdf)."));
+    options.addValue("report", "FILE",
+                     "Printable report of a sweep (HTML); the paths of its figures are relative to its folder.");
     options.addValue("pdf", "FILE", "PDF file to write.");
-    options.addArgument("FILE.svg", "Figures.");
+    options.addArgument("FILE.svg", "Figures to render.");
     if (const auto status = options.parse(application.arguments().mid(1)))
         return *status;
     const QStringList figures = options.arguments(0, 10000);

@@ -21,11 +21,11 @@ sim::VehicleType typeFrom(app::Options &options)
     else if (kind == "rover")
         type.kind = sim::CraftKind::Rover;
     else if (kind != "copter")
-        options.fail("--kind: '" + kind + "' is none of copter, plane, rover");
+        options.fail("--kind: '" + kind + "': copter, plane or rover is expected");
     if (autopilot == "px4")
         type.firmware = sim::Firmware::Px4;
     else if (autopilot != "ardupilot")
-        options.fail("--autopilot: '" + autopilot + "' is none of ardupilot, px4");
+        options.fail("--autopilot: '" + autopilot + "': ardupilot or px4 is expected");
     if (type.isPx4() && !type.hovers())
         options.fail("--autopilot px4 is simulated for --kind copter only");
     return type;
@@ -58,19 +58,20 @@ int main(int argc, char **argv)
     QCoreApplication application(argc, argv);
     app::Options options(QStringLiteral("skyseal-sim"),
                          QStringLiteral("Simulated vehicles that behave like those of ArduPilot or PX4 on MAVLink."));
-    options.addLink("link", "Link to a ground station or agent; may be given several times.", app::isLive);
+    options.addLink("link", "Link to a ground station or agent. May be given several times.", app::isLive);
     options.addValue("kind", "KIND", "Kind of vehicle: copter, plane or rover.", "copter");
     options.addValue("autopilot", "NAME", "Firmware to behave like: ardupilot or px4 (copter only).", "ardupilot");
     options.addValue("vehicles", "N", "Number of vehicles, which share the links.", "1");
     options.addValue("sysid", "N", "System id of the first vehicle.", "1");
     options.addValue("seed", "N", "Seed of wind and noise, to repeat a flight.", "1");
-    options.addValue("rate", "FACTOR", "Fly faster than real time; heartbeats and streams keep their rates.", "1");
+    options.addValue("rate", "FACTOR", "Fly this many times as fast as real time; heartbeats and streams keep their rates.",
+                     "1");
     options.addValue(
         "trusted-link", "N",
         "While MAVLink signing is on, accept unsigned messages on the Nth link, as an autopilot does on its USB port; "
-        "0: on none.",
+        "0 = on no link.",
         "0");
-    options.addFlag("saturate", "The first vehicle sends telemetry as fast as the station responds, to load the link.");
+    options.addFlag("saturate", "Let the first vehicle send telemetry as fast as the station answers, to load the link.");
     options.addFlag("json", "One JSON object per line on stdout.");
     if (const auto status = options.parse(application.arguments().mid(1)))
         return *status;

@@ -12,7 +12,7 @@ std::variant<WindowOptions, int> readOptions(const QStringList &arguments)
         "link", "Link to open; may be given several times. Default: the link of the settings, initially udpin:0.0.0.0:14550.");
     options.addFlag("demo", "Fly a simulated vehicle behind its own agent, with new keys.");
     options.addValue("identity", "FILE", "Private key of this station, instead of the user's own.");
-    options.addValue("peers", "FILE", "File of known peers of that key.");
+    options.addValue("peers", "FILE", "File of known peers, for --identity.");
     PassphraseInput::declare(options);
     options.addValue("screenshot", "FILE", "Save a picture of the window and exit.");
     options.addValue("after", "S", "Take the picture after this many seconds.", "3");

@@ -166,7 +166,7 @@ void AgentServiceTest::checkSaysWhatIsWrong_data()
     QTest::newRow("device") << QByteArray("vehicle = serial:/dev/nonexistent:57600")
                             << QByteArray("/dev/nonexistent: No such file");
     QTest::newRow("no serial port") << QByteArray("vehicle = serial:/dev/null:57600")
-                                    << QByteArray("/dev/null is no serial port");
+                                    << QByteArray("/dev/null is not a serial port");
     QTest::newRow("host") << QByteArray("ground = udpout:station.invalid:14550") << QByteArray("station.invalid is not known");
     QTest::newRow("key") << QByteArray("identity = /nonexistent/air.key") << QByteArray("/nonexistent/air.key");
     QTest::newRow("signing key") << QByteArray("vehicle-signing = /nonexistent/vehicle.signing")

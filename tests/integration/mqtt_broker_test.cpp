@@ -264,9 +264,9 @@ void MqttBrokerTest::wrongSetUpsAreExplained_data()
     const char *kTls = "--mqtt mqtts://127.0.0.1/north --mqtt-ca F/ca.crt";
     row("no URL", "--mqtt broker", 2, "mqtts://HOST[:PORT][/PREFIX]");
     row("password in the URL", "--mqtt mqtts://me:sesame@host", 2, "--mqtt-login");
-    row("no broker", "--mqtt-raw", 2, "--mqtt-raw: --mqtt names no broker");
+    row("no broker", "--mqtt-raw", 2, "--mqtt-raw requires --mqtt");
     row("authority without TLS", "--mqtt mqtt://127.0.0.1 --mqtt-ca F/ca.crt", 2, "--mqtt-ca: mqtt:// has no TLS");
-    row("certificate without key", "--mqtt mqtts://127.0.0.1 --mqtt-cert F/north.crt", 2, "belong together");
+    row("certificate without key", "--mqtt mqtts://127.0.0.1 --mqtt-cert F/north.crt", 2, "require each other");
     row("missing authority", "--mqtt mqtts://127.0.0.1 --mqtt-ca F/none.crt", 3, "none.crt: cannot be read");
     row("key as authority", "--mqtt mqtts://127.0.0.1 --mqtt-ca F/ca.key", 3,
         "ca.key: cannot be read, or holds no certificate");
@@ -279,7 +279,7 @@ void MqttBrokerTest::wrongSetUpsAreExplained_data()
     tls("sealed key", "--mqtt-cert F/north.crt --mqtt-key F/sealed.key", "sealed.key: holds no private key in PEM that can be");
     tls("missing login", "--mqtt-login F/none", "none: ");
     row("no TLS over the network", "--mqtt mqtt://192.0.2.1 --mqtt-login F/none", 3,
-        "without TLS: anyone on the way can see and forge the vehicles' states, and read the password");
+        "without TLS: anyone on the path can read and forge the states of the vehicles, and read the password");
 }
 
 void MqttBrokerTest::wrongSetUpsAreExplained()

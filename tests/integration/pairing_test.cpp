@@ -530,7 +530,7 @@ void PairingTest::wrongPassphraseIsTold()
     QVERIFY(desk->running()); // two more guesses
     for (Program *program : {ground.get(), desk.get()}) {
         QCOMPARE(program->errors().count("passphrases of the two ends differ"), 1);
-        QVERIFY(!program->errors().contains("asks to be paired"));
+        QVERIFY(!program->errors().contains("requests pairing"));
     }
 }
 

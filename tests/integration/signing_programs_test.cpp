@@ -133,7 +133,7 @@ void SigningProgramsTest::wholeFlight()
 
     const RunResult setUp = signing("setup");
     QVERIFY2(setUp.status == 0, (setUp.out + setUp.err).constData());
-    QCOMPARE(setUp.out, QByteArray("vehicle 1 signs with this key and accepts what is signed with it\n"));
+    QCOMPARE(setUp.out, QByteArray("vehicle 1 signs with this key and accepts messages that are signed with it\n"));
     const RunResult check = signing("check", {QStringLiteral("--json")});
     QCOMPARE(check.status, 0);
     QCOMPARE(QJsonDocument::fromJson(check.out).object()[QLatin1String("result")].toString(), QStringLiteral("works"));

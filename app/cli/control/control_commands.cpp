@@ -44,7 +44,7 @@ Result<QJsonObject, std::string> ask(const QString &path, const QJsonObject &req
 void declare(Options &options)
 {
     declareControl(options, "Control socket of the gateway.");
-    options.addFlag("json", "The answer as one JSON object.");
+    options.addFlag("json", "Print the answer as one JSON object.");
 }
 
 /// `print` shows the answer to people.

@@ -76,7 +76,7 @@ Result<void, InputError> ControlSocket::listen(const QString &path)
     {};
     if (::lstat(path.toLocal8Bit().constData(), &status) == 0) {
         if (!S_ISSOCK(status.st_mode))
-            return fail("exists, and is no socket");
+            return fail("exists and is not a socket");
         QLocalSocket probe;
         probe.connectToServer(path);
         if (probe.waitForConnected(1000))

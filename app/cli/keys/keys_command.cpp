@@ -24,8 +24,8 @@ constexpr Subcommand kOwn[] = {
     {"passphrase", changePassphrase, "passphrase FILE [--remove]"},
     {"psk", newPresharedKey, "psk --out FILE"},
     {"pair", pairWithAgent,
-     "pair --identity FILE --peers FILE [--link URL] [--role pilot|observer] [--as NAME] [--expect FINGERPRINT [--replace]] "
-     "[--pair-passphrase]"},
+     "pair --identity FILE --peers FILE [--link URL] [--as NAME] [--expect FINGERPRINT [--replace]] [--fingerprints] "
+     "[--pair-passphrase] [--json]"},
 };
 constexpr Subcommand kPeers[] = {
     {"add", addPeer,
@@ -35,7 +35,7 @@ constexpr Subcommand kPeers[] = {
     {"role", setPeerRole, "peers role --peers FILE NAME pilot|observer"},
     {"sysids", setPeerSystems, "peers sysids --peers FILE NAME LIST"},
     {"remove", removePeer, "peers remove --peers FILE NAME"},
-    {"revoke", removePeer, "peers revoke --peers FILE NAME      the same: running programs end the session at once"},
+    {"revoke", removePeer, "peers revoke --peers FILE NAME      the same as remove"},
 };
 
 int usage(const std::string &text)

@@ -97,12 +97,11 @@ int newKey(const QStringList &arguments)
 
 int showKey(const QStringList &arguments)
 {
-    KeysSubcommand command("show",
-                           "Shows the public key of a private key file, which the peers need. Does not need the passphrase.");
+    KeysSubcommand command("show", "Shows the public key of a private key file, for its peers. Does not need the passphrase.");
     command.addArgument("FILE", "File of the private key.");
     command.addJsonOption();
     if (canShowQr())
-        command.options.addFlag("qr", "Shows the public key as a QR code.");
+        command.options.addFlag("qr", "Show the public key as a QR code.");
     if (const auto status = command.parse(arguments))
         return *status;
     if (const auto status = command.options.finish())
@@ -142,8 +141,8 @@ int importKey(const QStringList &arguments)
 {
     KeysSubcommand command("import",
                            "Copies a private key, e.g. from a USB stick, into a new file that only its owner "
-                           "may read.");
-    command.addArgument("FROM", "File of the private key, - for standard input. Delete it there afterwards.");
+                           "can read.");
+    command.addArgument("FROM", "File of the private key, which should be deleted afterwards; - for standard input.");
     command.options.addValue("out", "FILE", "File to write, which must not exist yet.");
     PassphraseInput::declare(command.options);
     NewPassphrase::declare(command.options);
@@ -209,8 +208,8 @@ int newPresharedKey(const QStringList &arguments)
 {
     KeysSubcommand command(
         "psk",
-        "Creates a pre-shared key: a second secret for two devices. Both need the same file; peers add --psk "
-        "names it.");
+        "Creates a pre-shared key: an additional secret of two devices. Both need a copy of the file, for peers add "
+        "--psk.");
     command.options.addValue("out", "FILE", "File to write, which must not exist yet.");
     if (const auto status = command.parse(arguments))
         return *status;

@@ -133,12 +133,12 @@ int addPeer(const QStringList &arguments)
     KeysSubcommand command("peers add", "Adds a peer whose fingerprint you have compared.");
     Options &options = command.options;
     options.addArgument("PUBLIC", "The peer's public key, as printed by keys show or keys export.");
-    options.addValue("from", "FILE", "File of the public key instead; - for standard input.");
+    options.addValue("from", "FILE", "File of the public key, in place of PUBLIC; - for standard input.");
     command.addPeersOption();
     options.addValue("name", "NAME", "Name of the peer.");
     options.addValue("role", "pilot|observer", "Role of the peer: may command, or only observe.", "pilot");
     options.addValue("sysids", "LIST", "MAVLink system ids that it may use, e.g. 1,2.", "any");
-    options.addValue("psk", "FILE", "Pre-shared key (keys psk), the same file at both ends.");
+    options.addValue("psk", "FILE", "Pre-shared key (keys psk); both ends need the same.");
     options.addFlag("replace",
                     "Replace the key of a known peer that has changed. Its other settings are kept unless "
                     "given.");

@@ -121,7 +121,7 @@ const Parameter *findIn(const Parameters &sorted, const std::string &name)
     return found != sorted.end() && found->name == name ? &*found : nullptr;
 }
 
-/// Compares a file with the vehicle; writes what differs if asked to.
+/// Compares a file with the vehicle; writes the differences if requested.
 class Restore : public Exchange
 {
 public:

@@ -47,14 +47,14 @@ void declareTransfer(Options &options)
 {
     options.addLink("link", "Link to the vehicle or its agent, e.g. udpin:0.0.0.0:14550. May be given several times.", isLive);
     options.addResearchValue("secure", "required|off",
-                             "required: accept only a sealed vehicle (default with --identity); off: no sealed links.");
+                             "required: accept only a sealed vehicle (default with --identity); off: use no sealed links.");
     declareKeys(options);
-    options.addValue("sysid", "ID", "System id of the vehicle; needed if several are heard.");
-    options.addValue("find-within", "S", "Give up if the vehicle is not heard within so many seconds.", "30");
+    options.addValue("sysid", "ID", "System id of the vehicle; required if there are several.");
+    options.addValue("find-within", "S", "Give up if the vehicle is not heard within this many seconds.", "30");
     options.addFlag(
         "heartbeat",
         "Send the heartbeat of a ground station, for vehicles that wait for one before they send. It arms the failsafe "
-        "for a lost ground station, and its end triggers it.");
+        "for a lost ground station, which acts when the heartbeat ends.");
     options.addFlag("json", "One JSON object per line on stdout.");
 }
 
