@@ -37,7 +37,7 @@ std::optional<TimePoint> AgentCalls::lastCall(const Path &place) const
     return found == m_places.end() ? std::nullopt : found->second.called;
 }
 
-/// What is new waits behind all that waits already.
+/// New entries wait behind all others.
 void AgentCalls::update(std::vector<PublicKey> agents, const std::vector<Path> &places)
 {
     std::ranges::sort(agents);

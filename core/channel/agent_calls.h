@@ -13,9 +13,9 @@
 
 namespace skyseal::channel {
 
-/// Fair, whatever is listed and removed meanwhile: addresses wait in a queue, and the agents do in one for each address. A turn
-/// serves the first address: the agents that wait there longest are called, also at the next addresses in the queue. Those that
-/// would call the same agents next are served as well.
+/// Fair, even if agents and addresses are added and removed: addresses wait in a queue, and each address has a queue of agents.
+/// A turn serves the first address: the agents that have waited there longest are called, also at the next addresses in the
+/// queue. Addresses that would call the same agents next are served as well.
 class AgentCalls
 {
 public:
@@ -25,7 +25,7 @@ public:
     /// Addresses that are remembered after they were removed, so that one that returns goes on with its next agents.
     static constexpr std::size_t kKept = 32;
 
-    /// A turn ends by time alone: whoever can change the lists must not make the station call more at a time.
+    /// A turn ends by time alone, so that a change of the lists cannot make the station call more agents at a time.
     TimePoint nextTurn() const { return m_next; }
 
     struct Turn
@@ -35,16 +35,16 @@ public:
     };
     /// Begins the next turn, among the agents and addresses that can be called at present.
     Turn take(TimePoint now, const std::vector<PublicKey> &agents, const std::vector<Path> &places);
-    /// When a turn called somebody there; nullopt if that was long ago, or never.
+    /// Time at which a turn last called an agent there; nullopt if that was long ago, or never.
     std::optional<TimePoint> lastCall(const Path &place) const;
 
 private:
     struct Place
     {
-        std::uint64_t waitsSince = 0; ///< the end of the turn that served it, or the begin of that in which it was listed
+        std::uint64_t waitsSince = 0; ///< number of the end of its last turn, or of the begin of the turn in which it was added
         bool listed = false;
         std::optional<TimePoint> called;
-        std::map<PublicKey, std::uint64_t> agents; ///< the same of each agent there
+        std::map<PublicKey, std::uint64_t> agents; ///< the same number of each agent at this address
     };
 
     void update(std::vector<PublicKey> agents, const std::vector<Path> &places);
@@ -52,7 +52,7 @@ private:
     static std::vector<PublicKey> nextAgents(const Place &place);
 
     TimePoint m_next = TimePoint::min();
-    std::uint64_t m_begin = 0, m_end = 0; ///< of the latest turn, counted
+    std::uint64_t m_begin = 0, m_end = 0; ///< of the latest turn; turns are numbered
     std::map<Path, Place> m_places;
 };
 

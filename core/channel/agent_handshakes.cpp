@@ -11,8 +11,8 @@ namespace {
 constexpr Duration kFloodEventInterval = std::chrono::seconds(10);
 constexpr Duration kNumberInterval = std::chrono::milliseconds(200);
 constexpr Duration kAnswerKept = std::chrono::seconds(10);
-/// Answers not confirmed yet, of one peer and in all. One of a peer would be enough if no one else could write first messages
-/// in its name.
+/// Unconfirmed answers, of one peer and in total. One per peer would be enough if only the peer itself could write first
+/// messages in its name.
 constexpr std::ptrdiff_t kMostAnsweredOfPeer = 4;
 constexpr std::size_t kMostAnswered = 64;
 /// Datagrams of one round, so that those of many quiet sessions, whose reports may be due at once, do not fill the queue.
@@ -38,7 +38,7 @@ bool AgentHandshakes::handleFirst(TimePoint now, const Path &from, ByteView data
 {
     ++m_core.strangerHashes;
     const bool proven = !m_core.ownMac.verify(datagram);
-    m_core.strangerHashes += proven ? 2 : 0; // under each of the two secrets
+    m_core.strangerHashes += proven ? 2 : 0; // one under each of the two secrets
     if (proven && !m_cookies.verify(now, from, datagram))
         return refuse(now, from, RefusalReason::WrongKey);
     const ByteView content = datagram.first(kFirstLength - kMacLength);
@@ -227,7 +227,7 @@ AgentHandshakes::Targets AgentHandshakes::announceTargets(TimePoint now)
         const Session &session = *entry.session;
         if (!session.quiet(now)) {
             served.push_back(session.path());
-            if (session.origin().link == session.path().link) // otherwise it is another way to the same station
+            if (session.origin().link == session.path().link) // otherwise it is another path to the same station
                 served.push_back(session.origin());
             ++peersServed; // a peer has one session at most
         } else if (!holds(paths, session.path())) {
@@ -287,7 +287,7 @@ void AgentHandshakes::requestReports(TimePoint now)
         anyQuiet = true;
         const Path used = entry.session->path();
         for (const Path &path : m_core.config.announceTo) {
-            // Without an address or a node of its own, a place leads to the peers of its link, this one among them.
+            // A target without an address or a node of its own leads to all peers of its link, including this one.
             const bool isSamePlace = path.link == used.link && (path.remote == Address{} || path.remote == used.remote);
             if (path.carrier == used.carrier && !isSamePlace)
                 requests.push_back({entry.session.get(), path});

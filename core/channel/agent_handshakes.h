@@ -19,8 +19,8 @@ public:
     /// Precondition: the datagram has kFirstLength bytes. Returns false if nothing has changed: the message was refused, or
     /// answered as before.
     bool handleFirst(TimePoint now, const Path &from, ByteView datagram);
-    /// The first authentic record came in an answered session, so the station is no replay. Returns false, and discards the
-    /// session, if the station's counter could not be stored.
+    /// The first authentic record arrived in an answered session, so its first message was not replayed. Returns false, and
+    /// discards the session, if the station's counter could not be stored.
     bool confirm(TimePoint now, SessionTable::Entry &entry);
     void peersChanged();
     void handleDeadline(TimePoint now);

@@ -37,11 +37,11 @@ public:
         m_slots[m_last].newest = position;
     }
 
-    /// A newer record arrived `limit` before `now`, or earlier. The answer may be true up to a sixteenth of the limit too
-    /// early, and is never false too late.
+    /// A newer record arrived `limit` before `now`, or earlier. The result may become true up to a sixteenth of the limit
+    /// too early, but never too late.
     bool overtaken(TimePoint now, RecordPosition position) const
     {
-        if (position >= m_slots[m_last].newest) // Spares nearly every record the search.
+        if (position >= m_slots[m_last].newest) // Nearly every record: no search.
             return false;
         for (std::size_t i = 0; i < m_slots.size(); ++i) {
             const Slot &slot = m_slots[(m_last + m_slots.size() - i) % m_slots.size()];

@@ -38,7 +38,7 @@ struct Refuse
     ProposalId id{};
 };
 
-/// The sender seals under `epoch`, and sealed `sentBefore` records under the epoch before. Repeated until `Confirmed` comes.
+/// The sender seals under `epoch`, and sealed `sentBefore` records under the epoch before. Repeated until `Confirmed` arrives.
 struct Confirm
 {
     Epoch epoch{};
@@ -58,15 +58,15 @@ struct Report
     std::uint32_t stamp = 0;      ///< microseconds of the sender's session clock, modulo 2^32
     std::uint32_t echo = 0;       ///< newest stamp received from the peer, 0 = none yet
     std::uint32_t held = 0;       ///< microseconds since it was received
-    bool answerAtOnce = false;    ///< asks for a report now
-    bool asksCosts = false;       ///< asks for the receiver's costs in its reports
+    bool answerAtOnce = false;    ///< requests a report now
+    bool asksCosts = false;       ///< requests the receiver's costs in its reports
     bool cannotStore = false;     ///< an agent that cannot store the counters of handshakes
     bool receivesNothing = false; ///< an agent whose session is quiet: no record of the station arrives
     ReceiveCounters rx;
     SendCounters tx;
     std::optional<FrameCounters> frames;      ///< if the owner counts frames
     std::optional<FreshnessReport> freshness; ///< from an agent
-    std::optional<EndCosts> costs;            ///< if the peer asked
+    std::optional<EndCosts> costs;            ///< if the peer requests them
 };
 
 /// The sender has ended the session.

@@ -47,7 +47,7 @@ public:
     /// Datagrams that belong to no session. malformed: not a message of this version, or of an unknown connection; forged: a
     /// handshake message for another key; replayed: an old first message, or a reply to a first message whose session is up.
     const ReceiveCounters &unmatched() const;
-    /// Keyed hashes that were computed over handshake messages before their sender was known: what strangers cost.
+    /// Keyed hashes that were computed over handshake messages before their sender was known: the cost that strangers cause.
     std::uint64_t strangerHashes() const;
     /// Latest time for the next handleDeadline(); kNever if no timer is running.
     TimePoint nextDeadline() const;
@@ -77,11 +77,11 @@ public:
     void countPlaintextDropped(SessionId, std::uint64_t count);
     /// Stores the owner's counts of the frames of the session, for the next report to the peer.
     void noteFrames(SessionId, const FrameCounters &frames);
-    /// `source` is called for each report to a peer that asks for costs; empty: this end does not measure.
+    /// `source` is called for each report to a peer that requests costs; empty: this end does not measure.
     void setCostSource(CostSource source);
 
     // command
-    /// While on, asks the peers for their costs: stats().peerCosts. Off at first.
+    /// While on, requests the costs of the peers: stats().peerCosts. Off at first.
     void askCosts(bool ask);
     /// Seals whole frames into `out` (at least frames.size() + kMaxRecordOverhead bytes). Returns the size of the record. Send
     /// it to recordPath().

@@ -25,12 +25,12 @@ struct Config
     std::vector<Peer> peers;
     Policy policy;
     Timing timing;
-    FreshnessLimits freshness; ///< of what an agent receives
+    FreshnessLimits freshness; ///< of the records that an agent receives
     /// An agent's announcement targets; it adds the addresses of authenticated sessions. An all-zero address stands for the
     /// single peer of a link that has only one.
     std::vector<Path> announceTo;
-    /// A station's: addresses at which an agent listens, which does not announce itself. The station sends first messages there
-    /// to its agents without a session.
+    /// A station's: addresses at which agents listen that do not announce themselves. The station sends first messages there to
+    /// its agents without a session.
     std::vector<Path> callAt = {};
     /// Layout of MAVLink messages. Null disables inline framing regardless of the policy.
     std::shared_ptr<const MessageTraits> messageTraits = nullptr;

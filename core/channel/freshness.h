@@ -1,4 +1,4 @@
-// How late the frames of a record may arrive and still command (PROTOCOL.md, section 6.1).
+// Limits of the delay of a record whose frames may command (PROTOCOL.md, section 6.1).
 #pragma once
 
 #include "core/base/clock.h"
@@ -8,8 +8,8 @@
 
 namespace skyseal::channel {
 
-/// The receiver's judgement of an authentic record. Only the frames of a fresh one may command or move a present value; the
-/// others may still ask harmless questions, and count as stale.
+/// The receiver's judgement of an authentic record. Only frames of a fresh record may command or update a present value. Those
+/// of other records may still make read-only requests; these records count as stale.
 enum class Freshness : std::uint8_t {
     Fresh,
     Overtaken, ///< a newer record arrived FreshnessLimits::overtaken before it, or earlier
@@ -17,7 +17,7 @@ enum class Freshness : std::uint8_t {
     AfterClose ///< the station had closed the session; judged by the agent alone
 };
 
-/// Set at the agent. A station judges only what was overtaken, by the default.
+/// Set at the agent. A station judges only whether a record was overtaken, by the default limit.
 struct FreshnessLimits
 {
     static constexpr Duration kLeastOvertaken = std::chrono::milliseconds(200);

@@ -1,4 +1,4 @@
-// Judges how late the frames of a session's records arrive (PROTOCOL.md, section 6.1).
+// Judges the delay of the records of a session that contain frames (PROTOCOL.md, section 6.1).
 #pragma once
 
 #include "core/base/weakness.h"

@@ -35,7 +35,7 @@ struct HandshakeAttempt
         std::shared_ptr<const Key32> presharedKey;
         TimePoint begun{};
         unsigned copies = 0;
-        unsigned uncookied = 0; ///< copies with mac1 that no cookie has answered
+        unsigned uncookied = 0; ///< copies with mac1 without a cookie in reply
         unsigned wrong = 0;     ///< wrong answers that cost a computation
     };
 

@@ -1,4 +1,4 @@
-// The formats of the handshake's messages (PROTOCOL.md, section 4), for those who need only their lengths. Their content is in
+// The formats of the handshake's messages (PROTOCOL.md, section 4), for code that needs only their lengths. Their content is in
 // handshake.h.
 #pragma once
 

@@ -18,9 +18,9 @@ public:
     /// The listed agent that made this announcement. nullopt if there is none, which is reported to the owner, or if too many
     /// announcements arrive.
     std::optional<PublicKey> announcer(TimePoint now, const Path &from, ByteView datagram, EndpointCore &core);
-    /// True if the limit allows to look for the sender of a message among all agents.
+    /// Returns true if the limit allows a search for the sender of a message among all agents.
     bool mayCheck(TimePoint now);
-    /// Hashes that such a search took.
+    /// Charges the hashes of such a search.
     void spend(double hashes) { m_checks.credit -= hashes; }
 
 private:

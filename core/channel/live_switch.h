@@ -26,7 +26,7 @@ namespace skyseal::channel {
 enum class NextEpoch : std::uint8_t {
     Prepared, ///< its read keys are installed, in place of others
     NoCipher, ///< this machine lacks the cipher
-    Ignored   ///< the peer's key is of small order, or the peer asks for too many computations
+    Ignored   ///< the peer's key is of small order, or the peer requests too many computations
 };
 
 /// Actions and state of the session that its switch needs.
@@ -84,7 +84,7 @@ public:
     void handle(TimePoint now, const Refuse &message, SwitchActions &actions);
     void handle(TimePoint now, const Confirm &message, SwitchActions &actions);
     void handle(TimePoint now, const Confirmed &message, SwitchActions &actions);
-    /// An authentic record came under the prepared epoch. Call before its content is handled.
+    /// An authentic record arrived under the prepared epoch. Call before its content is handled.
     void handleRecordUnderNext(TimePoint now, SwitchActions &actions);
     void handleDeadline(TimePoint now, SwitchActions &actions);
 

@@ -3,7 +3,7 @@
 // pairing window is open, and stores nothing: the owner stores the result from the event `Paired`.
 //
 //   station                                    agent
-//     request ->                                 only to an agent that listens, on a link on which it does
+//     request ->                                 only to an agent that listens, on its listening links
 //     <- call                                    the window is open (twice a second, no key in it)
 //     first ->      <- answer                    shares of CPace, and the agent's commitment to its opening
 //     opening ->    <- opening                   keys, names and nonces: once in a window
@@ -94,7 +94,7 @@ public:
     Pairing &operator=(Pairing &&) noexcept;
 
     // query
-    /// Returns true for the first byte of a pairing message. Endpoint::owns() is true for it as well, so ask here first.
+    /// Returns true for the first byte of a pairing message. Endpoint::owns() is true for it as well, so check this first.
     static bool owns(std::uint8_t firstByte);
     const PairingPeer *peer() const; ///< the peer that is shown; null if there is none
     bool confirmedHere() const;

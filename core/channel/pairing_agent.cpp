@@ -85,7 +85,7 @@ void PairingAgent::handleFirst(TimePoint now, const Path &from, ByteView datagra
     m_answered.push_back({std::move(handshake), from, now});
 }
 
-/// The only trace that a guess may leave.
+/// A guess may leave no other trace than this one.
 void PairingAgent::noteWrongOpening(TimePoint now, Answered &answered)
 {
     if (answered.failed)
@@ -112,7 +112,7 @@ std::optional<PairingConfirmation> PairingAgent::handleOpening(TimePoint now, co
         return std::nullopt;
     const PairingHandshake &handshake = found->handshake;
     const auto opening = found->handshake.takeOpening(datagram);
-    // A right passphrase with a key that cannot be shown counts like a wrong one: a difference would confirm a guess for free.
+    // A correct passphrase with a key that cannot be shown counts like a wrong one: a difference would confirm a guess.
     const bool isShowable = opening && opening->key != m_core.config.identity->publicKey;
     auto words = isShowable ? handshake.finish() : std::nullopt;
     if (!words) {

@@ -1,6 +1,6 @@
-// The agent's part of a pairing handshake (PROTOCOL.md, section 13): it calls while its window is open, and answers stations
-// that received a call. A station guesses the passphrase by its opening. So a guess leaves no trace but its counted outcome,
-// and after the first right opening no other one is tested.
+// The agent's part of a pairing handshake (PROTOCOL.md, section 13): it sends calls while its window is open, and answers
+// stations that received a call. An opening of a station is a guess of the passphrase. Therefore a guess leaves no trace except
+// its counted outcome, and after the first correct opening no other one is tested.
 #pragma once
 
 #include "core/channel/handshake_limit.h"
@@ -15,11 +15,12 @@ class PairingAgent
 public:
     PairingAgent(PairingCore &core, TimePoint now);
 
-    /// Of a station that calls an agent which only listens: answered by a call, until an opening was right.
+    /// Request of a station to an agent that listens: answered by a call, until an opening was correct.
     void handleRequest(const Path &from);
-    /// Answered until the opening of a station was right; reported afterwards, whatever its sender knows.
+    /// Answered until the opening of a station was correct; afterwards only reported, whether or not its sender knows the
+    /// passphrase.
     void handleFirst(TimePoint now, const Path &from, ByteView datagram);
-    /// The station's opening. The first right one of a window is answered by our own, as are its copies; others are ignored.
+    /// The station's opening. The first correct one of a window is answered by our own, as are its copies; others are ignored.
     std::optional<PairingConfirmation> handleOpening(TimePoint now, const Path &from, ByteView datagram);
     void call(TimePoint now);
     TimePoint callDue() const { return m_core.config.callTo.empty() ? kNever : m_callDue; }

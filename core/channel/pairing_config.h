@@ -25,7 +25,7 @@ struct PairingConfig
     std::shared_ptr<const crypto::X25519KeyPair> identity; ///< our static key
     std::string name;                                      ///< our name for the other end
     std::uint8_t systemId = 0;                             ///< our MAVLink system id, an agent's vehicle's; 0 = unknown
-    /// A passphrase for this pairing, the same at both ends; null = none, then the people must compare the code.
+    /// A passphrase for this pairing, the same at both ends; null = none, and the users must compare the code.
     std::shared_ptr<const crypto::Passphrase> passphrase;
     /// Targets of an agent's calls, or of a station's requests for one; an all-zero address is the only peer of a link.
     std::vector<Path> callTo = {};

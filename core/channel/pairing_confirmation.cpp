@@ -43,7 +43,7 @@ bool PairingConfirmation::receive(TimePoint now, const Path &from, ByteView data
         return false;
     m_lastHeard = now;
     m_isShown = true;
-    // Old words may arrive late or be replayed: a decision never goes back.
+    // Old words may arrive late or be replayed: a decision is final.
     m_heardByPeer = std::max(m_heardByPeer, word->heard);
     if (word->mine > m_theirs && !paired()) {
         m_theirs = word->mine;
@@ -54,7 +54,7 @@ bool PairingConfirmation::receive(TimePoint now, const Path &from, ByteView data
     if (paired() && heardByPeer() && m_heardAt == kNever)
         m_heardAt = now;
     if (paired() && word->heard != Heard::AllIsSaid)
-        m_due = now; // The peer does not know yet that we know.
+        m_due = now; // The peer has not received our acknowledgement yet.
     return true;
 }
 

@@ -19,7 +19,7 @@ constexpr Duration kPauseAfterBadAnswer = std::chrono::milliseconds(250);
 constexpr Duration kContinued = std::chrono::seconds(10);
 constexpr Duration kOpeningRepeat = std::chrono::milliseconds(250);
 constexpr unsigned kSlowest = 2; ///< the pause is doubled so often
-/// By then a right opening was answered, except over a very bad link.
+/// A correct opening is answered within this many copies, except over a very bad link.
 constexpr unsigned kOpeningsBeforeHint = 5;
 
 } // namespace
@@ -60,7 +60,7 @@ void PairingStation::handleCall(TimePoint now, const Path &from, ByteView datagr
     }
 }
 
-/// Takes up this caller, unless another one has waited longer; then that one, at its next call.
+/// Tries this caller, unless another one has waited longer; then that one is tried at its next call.
 void PairingStation::begin(TimePoint now)
 {
     Caller *next = nullptr;
@@ -88,7 +88,7 @@ void PairingStation::handleAnswer(TimePoint now, const Path &from, ByteView data
     if (!answer || answer->id != m_attempt->handshake.id())
         return;
     if (!m_attempt->handshake.takeAnswer(datagram)) {
-        m_attempt.reset(); // An eavesdropper reads the id. The next call starts again with another one.
+        m_attempt.reset(); // An eavesdropper knows the id. The next call starts an attempt with another one.
         m_nextFrom = now + kPauseAfterBadAnswer;
         return;
     }
@@ -106,7 +106,7 @@ void PairingStation::sendOpening(TimePoint now)
         m_core.hintAtPassphrase(now);
 }
 
-/// After our opening: its receiver may know the code, and must not have a second attempt.
+/// Called after our opening was sent: its receiver may know the code, and must not have a second attempt.
 void PairingStation::giveUp()
 {
     m_attempt.reset();

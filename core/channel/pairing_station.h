@@ -1,4 +1,4 @@
-// The station's part of a pairing handshake: it listens for calls and takes up one caller after the other, until one answers.
+// The station's part of a pairing handshake: it waits for calls and tries one caller after the other, until one answers.
 #pragma once
 
 #include "core/channel/pairing_confirmation.h"

@@ -1,9 +1,9 @@
 // A bound on the age of what the peer sends, without a shared clock (PROTOCOL.md, section 6.1).
 //
-// A report of the peer echoes the stamp of one of ours: the peer's clock showed `peerStamp` after our clock showed the echoed
-// stamp, plus the time for which the peer held it. So whatever it sent later was sent later than that on our clock, too, by the
-// difference of its own stamps. The bound is greater than the true age by the time that our report needed on its way; nobody
-// who delays messages can make it smaller.
+// A report of the peer echoes the stamp of one of our reports: the peer's clock showed `peerStamp` after our clock showed the
+// echoed stamp, plus the time for which the peer held it. Every later message of the peer was therefore sent later than that on
+// our clock as well, by the difference of its stamps. The bound exceeds the true age by the transit time of our report;
+// delaying messages can only increase it.
 #pragma once
 
 #include "core/base/clock.h"
@@ -31,7 +31,7 @@ public:
     }
 
     /// Greatest possible age at `now` of what the peer sent when its clock showed `peerStamp`. Returns nullopt where the stamp
-    /// says nothing: one of the clocks has stepped, or none of our reports was answered for long.
+    /// gives no bound: one of the clocks has stepped, or none of our reports was answered for long.
     std::optional<Duration> age(TimePoint now, std::uint32_t peerStamp) const
     {
         const Duration age = m_best.age(now, peerStamp);

@@ -1,4 +1,4 @@
-// Known peers and the negotiation policy: the decisions of a person, as plain values.
+// Known peers and the negotiation policy: decisions of the user, as plain values.
 #pragma once
 
 #include "core/base/secret_bytes_fwd.h"
@@ -15,10 +15,10 @@ namespace skyseal::channel {
 
 using crypto::PublicKey;
 
-/// The rights of a known peer. An observer receives telemetry; what it sends never reaches the autopilot.
+/// The rights of a known peer. An observer receives telemetry; of its messages, only read-only requests reach the autopilot.
 enum class PeerRole : std::uint8_t { Pilot, Observer };
 
-/// A peer whose key a person confirmed.
+/// A peer whose key was confirmed by the user.
 struct Peer
 {
     PublicKey key{};
@@ -34,7 +34,7 @@ struct Policy
     /// In order of preference. Research suites are offered only with `allowResearch` and never chosen first.
     std::vector<crypto::SuiteId> suites;
     bool allowResearch = false;
-    /// Consent to plain MAVLink as the baseline of a measurement; needs the consent of the other end, too.
+    /// Consent to plain MAVLink as the baseline of a measurement; requires the consent of the other end as well.
     bool allowPlain = false;
     /// Consent to inline framing, with an 8-byte tag. It is used if both ends consent and at least one prefers it, under the
     /// suites that have it.

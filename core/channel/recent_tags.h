@@ -1,6 +1,6 @@
 // Detects that an end was cloned: a copy of its machine, or a restored snapshot, seals other records under the same keys and
-// counters, which breaks the ciphers. Its peer sees two different authentic records with one counter. (The clone itself learns
-// it from a report by which the peer received more than this end sent: Session::handleReport().)
+// counters, which breaks the ciphers. Its peer sees two different authentic records with one counter. (The clone itself detects
+// it by a report according to which the peer received more than this end sent: Session::handleReport().)
 #pragma once
 
 #include "core/base/bytes.h"

@@ -1,5 +1,5 @@
-// Opens the records and the frames sealed in place of one session, with the keys of its live epochs, and counts those that it
-// refuses (PROTOCOL.md, sections 6 and 12). Knows nothing of the session's state: the caller decides what follows.
+// Opens the records and the frames sealed in place of one session, with the keys of its live epochs, and counts the refused
+// ones (PROTOCOL.md, sections 6 and 12). Does not know the state of the session: the caller decides on the consequences.
 #pragma once
 
 #include "core/base/path.h"

@@ -26,7 +26,8 @@ public:
     bool peerAsksCosts() const { return m_peer && m_peer->asksCosts; }
     /// Session clock in microseconds, modulo 2^32; never 0.
     std::uint32_t stamp(TimePoint now) const;
-    /// Bounds the age of what the peer sends. Until the first round trip: an agent's session clock begins before its station's.
+    /// Bounds the age of messages from the peer; before the first round trip by the fact that an agent's session clock begins
+    /// before its station's.
     const PeerClock &peerClock() const { return m_peerClock; }
     /// By the peer's latest report; 0 for a peer that does not report it.
     std::uint64_t staleAtPeer() const { return m_peer && m_peer->freshness ? m_peer->freshness->stale : 0; }
@@ -40,7 +41,7 @@ public:
     // input
     /// Takes a report of the peer. Returns false, and changes nothing, unless it is newer than the latest one.
     bool handle(TimePoint now, const Report &report);
-    /// Adds the events of what the latest report changed: commands that came too late, and the storage of the peer.
+    /// Adds events for the changes in the latest report: commands that arrived too late, and the storage of the peer.
     void notifyChanges(SessionId session, std::deque<Event> &events);
     /// The owner's frame counters, for the following reports.
     void noteFrames(const FrameCounters &frames) { m_frames = frames; }
@@ -57,7 +58,7 @@ private:
     std::optional<Report> m_peer;
     TimePoint m_peerAt; ///< arrival of m_peer
     std::uint64_t m_staleNotified = 0;
-    bool m_storageNotified = false; ///< that the peer cannot store
+    bool m_storageNotified = false; ///< the owner was notified that the peer cannot store
     RoundTrip m_roundTrip;
     PeerClock m_peerClock;
 };

@@ -11,8 +11,8 @@ namespace {
 
 constexpr Duration kLeastInterval = std::chrono::seconds(1); ///< of keep-alives and of reports that are not due
 
-/// Inline frames exist on this carrier only: no other carries frames unchanged, without a router or stream in between that
-/// takes them apart.
+/// Inline frames exist on this carrier only: the others do not carry frames unchanged, since a router or a stream splits or
+/// joins them.
 constexpr Carrier kInlineCarrier = Carrier::Datagram;
 
 Permissions permissionsOf(SessionSetup &setup, const SessionContext &context)
@@ -71,8 +71,8 @@ SessionStats Session::stats() const
 
 Framing Session::framing() const
 {
-    // A peer from which nothing came yet cannot find the session by our address, and an agent has no proof yet that we are no
-    // replay: both need a record.
+    // A peer from which nothing has arrived yet cannot find the session by our address, and an agent has no proof yet that our
+    // handshake is not replayed: both need a record.
     return m_confirmed && m_epochs.current().inlineWriter ? agreedFraming() : Framing::Sealed;
 }
 
@@ -161,7 +161,7 @@ Sealed Session::seal(TimePoint now, ByteView plaintext, MutableByteView out)
         return SealError::TooLong;
     if (!m_identity.initiator)
         return sealRecord(now, path(), plaintext, out);
-    // A station sends little, so that the copy costs nothing; an agent must know the age of what it sends.
+    // A station sends little, so that the copy costs nothing; the agent must know the age of its commands.
     std::array<std::uint8_t, kFrameStampLength + kMaxRecordPayload> stamped;
     return sealRecord(now, path(), stampFrames(m_reports.stamp(now), plaintext, stamped), out);
 }
@@ -233,7 +233,7 @@ Session::Opened Session::opened(TimePoint now, const Path &from, const OpenRecor
     }
     if (&epoch == &m_epochs.current()) {
         m_handover.peerSends(now);
-        // Only the newest record moves the path: a late or withheld one tells where the peer was before.
+        // Only the newest record moves the path: a late or withheld one comes from a former address of the peer.
         if (newest || weakened(Weakness::RoamOnLate))
             routine = follow(now, from) && routine;
     }
@@ -257,7 +257,7 @@ void Session::deliver(TimePoint now, LiveEpoch &epoch, RecordPosition position, 
     const ByteView frames = stamp ? plaintext.subspan(kFrameStampLength) : plaintext;
     const Freshness freshness = m_freshness.judge({now, position, stamp, m_closingUntil.has_value()}, m_reports.peerClock());
     if (freshness == Freshness::TooOld)
-        requestReport(now); // The answer tightens the bound if it was only loose.
+        requestReport(now); // The answer tightens the bound if it was too loose.
     epoch.rx.openedBytes += frames.size();
     epoch.rx.stale += freshness != Freshness::Fresh;
     delivery.session = id();
@@ -408,7 +408,7 @@ void Session::handleReport(TimePoint now, const Path &from, RecordPosition posit
     // A peer cannot have received more than we sent, unless a copy of this end sent it: see recent_tags.h.
     if (report.rx.good > m_epochs.sent().records && !weakened(Weakness::NoCloneCheck)) {
         m_finished = DownReason::Cloned;
-        m_closingUntil = now; // Nothing more may be sealed, not even a Close.
+        m_closingUntil = now; // Nothing more may be sealed, including a Close.
     }
     if (report.answerAtOnce)
         sendReport(now, from, false);

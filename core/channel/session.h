@@ -90,11 +90,12 @@ public:
     /// Opens an inline frame in place. It does not move the path of the session.
     Opened openInline(TimePoint now, const InlineFrame &frame, std::optional<Delivery> &delivery);
     void handleDeadline(TimePoint now);
-    /// Sends a report that asks for an answer, at most once a second: when the stream of the session's link was reconnected.
+    /// Sends a report that requests an answer, at most once a second; for example after the stream of the session's link was
+    /// reconnected.
     void requestReport(TimePoint now);
-    /// Sends such a report to another address at which the peer may be; its answer moves the path there. An agent whose session
-    /// is quiet does so: where only its own records get through, the station has no reason to leave the path. On another
-    /// carrier the session cannot follow; there a new one replaces it, see peerReceivesNothing().
+    /// Sends such a report to another address at which the peer may be; the answer moves the path there. Used by an agent whose
+    /// session is quiet: if only its own records get through, the station has no reason to leave the path. A session cannot
+    /// move to another carrier; there a new one replaces it, see peerReceivesNothing().
     void requestReportAt(TimePoint now, const Path &to);
     void countPlaintextDropped(std::uint64_t count) { m_epochs.current().rx.plaintextDropped += count; }
     void countMalformed() { ++m_epochs.current().rx.malformed; }
@@ -175,7 +176,7 @@ private:
     FreshnessJudge m_freshness;
     TimePoint m_lastReceived;
     TimePoint m_namedUntil = TimePoint::min();
-    bool m_confirmed = false;           ///< an authentic record came: the peer is alive and no replay
+    bool m_confirmed = false;           ///< an authentic record arrived: the peer is alive and its handshake was not replayed
     std::optional<TimePoint> m_leaveBy; ///< the suite in use is not permitted any more; the session ends then at the latest
     std::optional<TimePoint> m_closingUntil; ///< the peer sent Close; records that it overtook are still accepted until then
     std::optional<DownReason> m_finished;

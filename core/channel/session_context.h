@@ -27,7 +27,7 @@ struct SessionContext
     FreshnessLimits freshness;
     const MessageTraits *traits = nullptr; ///< null: no inline framing
     CostSource costs = {};                 ///< empty: this end does not measure
-    bool askCosts = false;                 ///< ask the peers for their costs
+    bool askCosts = false;                 ///< request the costs of the peers
 };
 
 } // namespace skyseal::channel

@@ -25,7 +25,7 @@ struct SessionInfo
     Framing framing{};                        ///< of the frames sent
     std::optional<crypto::SuiteId> pending;   ///< target of a switch in progress
     std::vector<crypto::SuiteId> permitted;   ///< by both ends
-    std::vector<crypto::SuiteId> peerOffered; ///< by the peer in the handshake; None among them: it allows plain MAVLink
+    std::vector<crypto::SuiteId> peerOffered; ///< by the peer in the handshake; contains None if it allows plain MAVLink
     bool silent = false;                      ///< no authentic record for Timing::peerSilentAfter
     TimePoint since{};
     TimePoint lastReceived{};

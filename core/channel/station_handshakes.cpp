@@ -14,7 +14,7 @@ namespace {
 constexpr unsigned kCopies = 4;
 constexpr Duration kRenewAfter = std::chrono::seconds(5);
 constexpr unsigned kMostUncookied = kCopies * HandshakeAttempt::kMaxPlaces;
-/// A peer that reports a greater counter is not believed: none may use up the counters that we have for all peers.
+/// A greater counter reported by a peer is not accepted: no peer may use up the counters that we have for all peers.
 constexpr std::uint64_t kGreatestBelieved = kGreatestCounter / 2;
 constexpr Duration kLongestPause = std::chrono::seconds(2);
 /// Lifetime of an attempt after the last announcement; after a call it ends with the turn.
@@ -103,8 +103,8 @@ bool StationHandshakes::handleAnnouncement(TimePoint now, const Path &from, Byte
     attempt.announcedFrom = from;
     Place &place = attempt.placeAt(from);
     place.answerDue = true;
-    // The agent is there, so answer at once: one copy for one announcement, and only to its source, so that nobody can hasten
-    // or delay the copies to other addresses.
+    // The agent is reachable, so answer at once: one copy for one announcement, and only to its source, so that an announcement
+    // can neither hasten nor delay the copies to other addresses.
     if (due == now && (place.lastSent == TimePoint::min() || now >= place.lastSent + kAnnouncementPause)
         && prepareFirst(now, attempt)) {
         sendTo(now, attempt, place);
@@ -275,9 +275,9 @@ bool StationHandshakes::handleAnswer(TimePoint now, const Path &from, ByteView d
     auto &entry = m_core.table.put(std::move(session), false, now);
     sessionLives(*entry.session); // ends the attempt on another carrier, too
     for (Attempt &attempt : m_attempts)
-        attempt.stopCallingAt({&from, 1}); // others would only refuse first messages
+        attempt.stopCallingAt({&from, 1}); // other agents would only refuse first messages there
     m_core.bringUp(now, entry);
-    entry.session->handleDeadline(now); // The first report proves that we are no replay.
+    entry.session->handleDeadline(now); // The first report proves that our handshake is not replayed.
     return true;
 }
 
@@ -301,8 +301,8 @@ void StationHandshakes::sessionLives(const Session &session)
     }
 }
 
-/// A session cannot follow its peer to another carrier. Where an agent receives nothing on the carrier of its session, a new
-/// session on another one replaces it, although its records arrive.
+/// A session cannot follow its peer to another carrier. If an agent receives nothing on the carrier of its session, a new
+/// session on another carrier replaces the session, although the records of the agent arrive.
 bool StationHandshakes::mayReplace(const Session &session, Carrier carrier)
 {
     return session.peerReceivesNothing() && carrier != session.path().carrier;
@@ -337,7 +337,7 @@ void StationHandshakes::callAgents(TimePoint now)
     }
 }
 
-/// True if the agent that listens there has a session that is heard.
+/// Returns true if the agent that listens there has a session in which records arrive.
 bool StationHandshakes::isTaken(TimePoint now, const Path &place)
 {
     bool taken = false;
@@ -466,7 +466,7 @@ bool StationHandshakes::makeFirst(TimePoint now, Attempt &attempt)
 Duration StationHandshakes::pauseAfter(unsigned sent) const
 {
     const Duration pause = std::min(kLongestPause, m_core.config.timing.handshakeRetry * (1 << std::min(sent, 8u)));
-    // Jitter of a quarter, so that stations that lost their agents together do not send in step.
+    // Jitter of a quarter, so that stations that lost their agents at the same time do not send in step.
     std::uint8_t dice = 0;
     m_core.context.random.fill({&dice, 1});
     return pause * (384 + dice) / 512;

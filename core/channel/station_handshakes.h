@@ -32,11 +32,11 @@ public:
     /// The agent remembers a greater counter than ours. Returns false as above.
     bool handleNumber(TimePoint now, const Path &from, ByteView datagram);
     void handleCookie(TimePoint now, const Path &from, ByteView datagram);
-    /// An authentic record came in this session, so its peer needs no new one.
+    /// An authentic record arrived in this session, so its peer needs no new one.
     void sessionLives(const Session &session);
     void handleDeadline(TimePoint now);
-    /// Replaces the addresses of agents that listen. Calls at those that are not among them end at once; those that are new
-    /// are called from the next turn on.
+    /// Replaces the addresses of agents that listen. Calls at removed addresses end at once; new ones are
+    /// called from the next turn on.
     void setCallAt(std::vector<Path> paths);
 
 private:

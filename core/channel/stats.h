@@ -46,7 +46,7 @@ struct FrameCounters
 };
 
 /// Cost of a session for the reporting end: cumulative, except for the memory. Measured by the session's owner; the channel
-/// only transports it, to a peer that asks.
+/// only transports it, to a peer that requests it.
 struct EndCosts
 {
     std::uint64_t cpuMicroseconds = 0; ///< CPU time of the whole process, all threads
@@ -76,8 +76,8 @@ struct SessionStats
     SendCounters peerTx;
     bool peerReported = false;
     std::optional<FrameCounters> peerFrames;      ///< our frames as counted by the peer, if it counts them
-    std::optional<EndCosts> peerCosts;            ///< only if asked for, and if the peer measures itself
-    std::optional<FreshnessReport> peerFreshness; ///< how late our records arrive; from an agent only
+    std::optional<EndCosts> peerCosts;            ///< only if requested, and if the peer measures them
+    std::optional<FreshnessReport> peerFreshness; ///< delay of our records; from an agent only
     bool peerCannotStore = false;                 ///< an agent that cannot store the counters of handshakes
     std::uint32_t peerStamp = 0;                  ///< microseconds of the peer's clock at that report, modulo 2^32
     std::vector<EpochStats> epochs;               ///< newest last, the latest 16 at most

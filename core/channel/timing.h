@@ -1,4 +1,5 @@
-// Timers and limits of the protocol. The defaults are those of PROTOCOL.md, which gives the reason of each; tests shorten them.
+// Timers and limits of the protocol. The defaults are those of PROTOCOL.md, which gives the reason for each; tests shorten
+// them.
 #pragma once
 
 #include "core/base/clock.h"

@@ -26,9 +26,9 @@ inline constexpr std::size_t kMaxParts = 3;
 /// The longest frame, 280 bytes, makes a record of at most 318 bytes.
 inline constexpr std::size_t kMaxTunnelled = kPartData * kMaxParts;
 
-/// MAVLink leaves out the zeros at the end of a frame, and with them those that make an announcement as long as its answer.
-/// So messages of handshakes and pairings that have 127 bytes stand in front of a byte that is never zero, the last one of the
-/// payload; without it they are not taken, and nobody gets more bytes for a forged address than he sends.
+/// MAVLink truncates trailing zeros of a payload, including those that make an announcement as long as its answer. Handshake
+/// and pairing messages of 127 bytes are therefore followed by a byte that is never zero, the last one of the payload. Without
+/// it they are rejected, so that a forged source address yields no amplification.
 inline constexpr std::size_t kPaddedLength = kTunnelPayload - 1;
 inline constexpr std::uint8_t kTunnelPadding = 0xff;
 constexpr bool isPadded(ByteView message)
@@ -84,7 +84,7 @@ private:
 class TunnelReader
 {
 public:
-    /// Senders that may have an incomplete message; for one more, that of the longest silent sender is dropped.
+    /// Senders that may have an incomplete message; for one more, that of the sender that has been silent longest is dropped.
     static constexpr std::size_t kSenders = 16;
 
     /// Returns the message that this payload is or completes.

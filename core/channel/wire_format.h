@@ -34,7 +34,7 @@ inline constexpr Direction opposite(Direction d)
     return d == Direction::FromInitiator ? Direction::FromResponder : Direction::FromInitiator;
 }
 
-/// Identifies a session to the receiver, who chooses it; the low byte is the slot of the receiver's session table.
+/// Identifies a session to the receiver, which chooses it; the low byte is the slot of the receiver's session table.
 enum class ConnectionId : std::uint16_t {};
 
 inline constexpr std::size_t kMacLength = 16;
