@@ -100,7 +100,7 @@ struct Slots
     std::array<std::array<std::uint8_t, kMaxDatagram>, kBatch> bytes;
 };
 
-/// Messages of sendmmsg that stand for several datagrams of one size, and their control data.
+/// Messages of sendmmsg that consist of several datagrams of one size, and their control data.
 struct Segments
 {
     static constexpr std::size_t kMostBytes = 60'000; ///< in one piece; IP carries 65,507
@@ -255,7 +255,7 @@ void BatchSocket::send(const Address &to, ByteView datagram, LinkCounters &count
     out.headers[slot].msg_hdr.msg_namelen = toSocket(to, m_ipv6, out.addresses[slot]);
 }
 
-/// Hands the next `run` datagrams of the ring to the system. Returns how many it took; -1 if it rejects the first.
+/// Passes the next `run` datagrams of the ring to the system. Returns the number of accepted ones; -1 if it rejects the first.
 int BatchSocket::sendRun(std::size_t run)
 {
     Slots &out = m_buffers->out;
@@ -277,7 +277,7 @@ void BatchSocket::flush(LinkCounters &counters)
         const std::size_t run = std::min(m_queued, kBatch - m_first);
         int sent = sendRun(run);
         if (sent < 0 && m_segmented && (errno == EINVAL || errno == EIO || errno == EMSGSIZE || errno == EOPNOTSUPP)) {
-            m_segmented = false; // this system or route does not do it
+            m_segmented = false; // not supported by this system or route
             continue;
         }
         if (sent < 0 && (errno == EAGAIN || errno == ENOBUFS)) {

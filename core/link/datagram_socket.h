@@ -18,7 +18,7 @@ class DatagramSocket : public QObject
 public:
     static constexpr std::size_t kBatch = 64;
 
-    /// Called from the event loop. Not by signals, which cost several times as much.
+    /// Called from the event loop, directly: signals would cost several times as much.
     class Listener
     {
     public:
@@ -28,7 +28,7 @@ public:
     protected:
         ~Listener() = default;
     };
-    /// Null: nobody is called any more.
+    /// Null: no further calls.
     void setListener(Listener *listener) { m_listener = listener; }
 
     /// Binds exclusively: fails when another socket holds the port. [::] receives IPv4 as well.
@@ -42,7 +42,7 @@ public:
     struct Batch
     {
         std::span<const ReceivedBlock> blocks;
-        bool drained = true; ///< nothing was left to receive
+        bool drained = true; ///< the receive queue of the system was empty
     };
     virtual Batch receive(LinkId id, LinkCounters &counters, std::size_t most) = 0;
 

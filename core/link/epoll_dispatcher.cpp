@@ -96,7 +96,7 @@ void EpollDispatcher::wait(int limit, bool sockets)
         }
         eventfd_t value = 0;
         ::eventfd_read(m_wakeUp, &value);
-        m_woken = true; // also if it was written before this call of processEvents(): counts as an event
+        m_woken = true; // also if it was written before this call of processEvents(), since it counts as an event
     }
     if (sockets) {
         for (const int file : m_files)
@@ -139,7 +139,7 @@ void EpollDispatcher::unregisterSocketNotifier(QSocketNotifier *notifier)
     watch(static_cast<int>(descriptor));
 }
 
-/// Tells epoll what is to be reported of the descriptor.
+/// Registers the events of the descriptor with epoll.
 void EpollDispatcher::watch(int descriptor)
 {
     Watched &watched = m_watched[static_cast<std::size_t>(descriptor)];
@@ -240,7 +240,7 @@ bool EpollDispatcher::activateTimers()
         return false;
     const TimePoint now = steadyNow();
     const auto isDue = [now](const Timer &timer) { return timer.due <= now && !timer.handled; };
-    // Those that are due now, each once: one without an interval is due again at once.
+    // The timers that are due now, each once: a timer without an interval is due again at once.
     const auto most = std::ranges::count_if(m_timers, isDue);
     for (auto left = most; left > 0; --left) {
         const auto found = std::ranges::find_if(m_timers, isDue);
@@ -266,7 +266,7 @@ bool EpollDispatcher::activateTimers()
 
 void EpollDispatcher::wakeUp()
 {
-    // The thread itself looks at the flag before it waits.
+    // The thread itself checks the flag before it waits.
     if (!m_woken.exchange(true) && QThread::currentThread() != thread())
         ::eventfd_write(m_wakeUp, 1);
 }

@@ -1,5 +1,6 @@
-// An event loop for threads that forward packets: Qt's with GLib asks every source in turn and polls every descriptor at each
-// wake-up, which costs more than the packet. Sockets are registered once with epoll(7), and timers lie in one short list.
+// An event loop for threads that forward packets: Qt's loop with GLib checks every source and polls every descriptor at
+// each wake-up, which costs more than the packet. Here sockets are registered once with epoll(7), and timers are in one short
+// list.
 //
 // Linux only. Replaces the dispatcher of programs and threads without a window.
 #pragma once
@@ -39,17 +40,17 @@ private:
     struct Timer
     {
         int id;
-        Qt::TimerType type; ///< the loop keeps all of them to the millisecond
+        Qt::TimerType type; ///< all are kept to the millisecond
         QObject *object;
         Duration interval;
         TimePoint due;
-        bool handled = false; ///< its event is being handled, and it does not expire in a loop within that
+        bool handled = false; ///< its event is being handled; does not expire again in a nested loop
     };
     struct Watched
     {
         std::array<QSocketNotifier *, 3> notifiers{}; ///< by QSocketNotifier::Type
         std::uint32_t events = 0;                     ///< registered with epoll
-        bool alwaysReady = false;                     ///< a file, which epoll does not take
+        bool alwaysReady = false;                     ///< a file, which epoll rejects
     };
 
     void insert(Timer timer);

@@ -18,7 +18,7 @@ public:
 
     ~HostLookup() override { abort(); }
 
-    /// Calls `answer` with the address, or nullopt when the name cannot be resolved. For a literal the call comes before
+    /// Calls `answer` with the address, or nullopt when the name cannot be resolved. For a literal it is called before
     /// start() returns. Cancels a lookup that is running.
     void start(const std::string &host, std::uint16_t port, Answer answer);
     void abort();

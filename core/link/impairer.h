@@ -1,6 +1,6 @@
 // Relay between two links that impairs the traffic like a bad radio: loss, duplicates, reordering, corruption and delay, for
-// tests of protocols and vehicles. Each direction has its own Impairment. Every datagram can be logged, so that arrivals are
-// compared with the log frame by frame. Lives on the thread that made it.
+// tests of protocols and vehicles. Each direction has its own Impairment. Every datagram can be logged, so that tests can
+// compare the arrivals with the log frame by frame. Lives on the thread that created it.
 #pragma once
 
 #include "core/impair/impairment.h"
@@ -45,7 +45,7 @@ public:
     void setDeliveryLog(DeliveryLog log) { m_deliveryLog = std::move(log); }
 
 Q_SIGNALS:
-    /// One of the two links changed its state.
+    /// Emitted when one of the two links has changed its state.
     void linkStateChanged(skyseal::link::Link &link);
 
 private:

@@ -42,7 +42,7 @@ public:
 enum class LinkState : std::uint8_t {
     Closed,
     Opening,   ///< looking up a name, connecting
-    Listening, ///< bound; peers may come
+    Listening, ///< bound; peers may connect
     Connected, ///< udpout: the remote address is known; tcp, serial, tlog: open
     Waiting,   ///< failed; error() has the reason, and the link retries by itself
     Failed,    ///< failed; open() retries
@@ -52,7 +52,7 @@ enum class LinkState : std::uint8_t {
 /// Keyword for scripts, e.g. "listening".
 const char *name(LinkState state);
 
-/// Totals since the link was made, over all its peers.
+/// Totals of all peers since the link was created.
 struct LinkCounters
 {
     std::uint64_t rxBlocks = 0; ///< datagrams or stream chunks
@@ -75,8 +75,8 @@ struct LinkOptions
 {
     /// Use QUdpSocket even where the system can receive in batches.
     bool portableUdp = false;
-    /// UDP on Linux: give the system consecutive datagrams of one size to one address as one piece, which it cuts
-    /// (UDP_SEGMENT). For generators of load; datagrams of ordinary traffic seldom have the same size.
+    /// UDP on Linux: pass consecutive datagrams of one size to one address to the system as one buffer, which it segments
+    /// (UDP_SEGMENT). For load generators; datagrams of ordinary traffic seldom have the same size.
     bool segmentedUdp = false;
     int receiveBufferBytes = 4 << 20; ///< requested from the system for UDP
     /// Approximate time that the datagrams of one wake-up may take before timers and the other links are served. Bounds the
@@ -101,7 +101,7 @@ public:
 
     LinkId id() const { return m_id; }
     const LinkUrl &url() const { return m_url; }
-    /// Fixed from construction on; a member, cheap enough to ask for each block.
+    /// Constant; a member, so that reading it for each block is cheap.
     const LinkTraits &traits() const { return m_traits; }
     LinkState state() const { return m_state; }
     /// Reason of the states Waiting, Failed and Ended; code None otherwise.
@@ -126,8 +126,8 @@ public:
     /// Call at the end of each wake-up that called send().
     virtual void flush() = 0;
 
-    /// The listener found a valid frame or an authentic record from this peer. Links with a limited number of peers (tcpin)
-    /// close the peers without such calls first.
+    /// Call when a valid frame or an authentic record was received from this peer. Links with a limited number of peers (tcpin)
+    /// close peers without such calls first.
     virtual void noteUse(const Address &) {}
 
 Q_SIGNALS:

@@ -1,5 +1,5 @@
 // The properties of a link that decide how its users treat it. They follow from the URL alone and never change, so a user
-// asks for them once, when the link opens, instead of comparing schemes for each packet.
+// reads them once, when the link opens, instead of comparing schemes for each packet.
 #pragma once
 
 namespace skyseal::link {
@@ -8,11 +8,11 @@ struct LinkTraits
 {
     /// Blocks are pieces of a byte stream; otherwise each block is one datagram or one recorded frame.
     bool isStream = false;
-    /// There is exactly one remote end, so a block needs no destination address.
+    /// There is exactly one remote end, so that blocks need no destination address.
     bool hasOneRemote = false;
     /// Binds a local port and waits for peers.
     bool isListening = false;
-    /// Replays a file: nothing that is sent leaves the program, and received frames belong to the past.
+    /// Replays a file: sent blocks are dropped, and received frames were recorded in the past.
     bool isRecording = false;
     /// A serial line at the speed of a telemetry radio: frames should be coalesced before they are sealed.
     bool isSlow = false;

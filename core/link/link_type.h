@@ -21,7 +21,7 @@ struct LinkOptions;
 
 /// Form of the part of a URL after the scheme.
 enum class LinkTarget : std::uint8_t {
-    HostPort,   ///< network address; a listening link may leave the host out
+    HostPort,   ///< network address; optional host for a listening link
     DeviceBaud, ///< serial device and its rate in bit/s
     File,
 };
@@ -42,12 +42,12 @@ struct LinkType
     std::string syntax() const;
 };
 
-/// All types in the order in which people see them. Lives as long as the program.
+/// All types in the order of their display. Static lifetime.
 std::span<const LinkType> linkTypes();
 /// The type of a scheme in upper or lower case; null when there is none.
 const LinkType *findLinkType(std::string_view scheme, std::span<const LinkType> types = linkTypes());
 
-/// The forms of the URLs that `accepted` admits (all when it is null): "udpin:HOST:PORT, udpout:HOST:PORT or tlog:FILE".
+/// The forms of the URLs that `accepted` accepts (all when it is null): "udpin:HOST:PORT, udpout:HOST:PORT or tlog:FILE".
 std::string linkForms(bool (*accepted)(const LinkTraits &) = nullptr);
 
 } // namespace skyseal::link

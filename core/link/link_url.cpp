@@ -115,7 +115,7 @@ private:
         } else {
             const std::size_t colon = rest.find(':');
             if (colon == rest.npos) {
-                // A listening link may name its port alone.
+                // The URL of a listening link may consist of its port alone.
                 if (!m_url.isListening() || rest.empty() || rest.find_first_not_of("0123456789") != rest.npos)
                     return error(m_text.size(), missingPort());
             } else {

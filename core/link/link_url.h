@@ -1,4 +1,4 @@
-// The text that names a link: SCHEME:HOST:PORT, SCHEME:DEVICE:BAUD or SCHEME:FILE, as the table of link types says; also
+// The text that names a link: SCHEME:HOST:PORT, SCHEME:DEVICE:BAUD or SCHEME:FILE, by the table of link types; also
 // with "//" after the scheme.
 #pragma once
 
@@ -16,10 +16,10 @@ namespace skyseal::link {
 class LinkUrl
 {
 public:
-    /// IPv6 literals stand in brackets. May be left out: the host of a listening link ("udpin:14550" listens on
-    /// `unnamedHost`) and the baud rate of a serial one (the type's default). Port 0 of a listening link lets the system
-    /// choose. The error's column points at the invalid part of `text`. The URL refers to its row of `types`, which must
-    /// outlive it.
+    /// IPv6 literals stand in brackets. Optional parts: the host of a listening link ("udpin:14550" listens on
+    /// `unnamedHost`) and the baud rate of a serial link (the type's default). With port 0 on a listening link, the system
+    /// chooses the port. The error's column points at the invalid part of `text`. The URL refers to its row of `types`, which
+    /// must outlive it.
     static Result<LinkUrl, InputError> parse(std::string_view text, std::string_view unnamedHost = kAnyHost,
                                              std::span<const LinkType> types = linkTypes());
 
@@ -28,7 +28,7 @@ public:
     static constexpr std::string_view kAnyHost = "0.0.0.0";
     static constexpr std::string_view kLoopback = "127.0.0.1";
 
-    /// The text of a URL that replays the recording `file`; parse() judges the file's name.
+    /// The text of a URL that replays the recording `file`; parse() checks it.
     static std::string ofRecording(std::string_view file);
 
     const LinkType &type() const { return *m_type; }

@@ -10,7 +10,7 @@ namespace skyseal::link {
 
 namespace fs = std::filesystem;
 
-/// The targets of links in /proc/PID/fd that mean a socket bound to the port: "socket:[inode]".
+/// Targets of the links in /proc/PID/fd that denote a socket bound to the port: "socket:[inode]".
 static std::vector<std::string> socketsOf(PortKind kind, std::uint16_t port)
 {
     static constexpr const char *kTcpListen = "0A"; // state TCP_LISTEN in /proc/net/tcp
@@ -39,7 +39,7 @@ std::string portOwner(PortKind kind, std::uint16_t port)
     const std::vector<std::string> sockets = socketsOf(kind, port);
     if (sockets.empty())
         return {};
-    // Processes may end meanwhile, and those of other users are not readable: skip whatever fails.
+    // Processes may end meanwhile, and those of other users are not readable: skip failures.
     std::error_code error;
     for (fs::directory_iterator process("/proc", error), end; !error && process != end; process.increment(error)) {
         const std::string pid = process->path().filename();

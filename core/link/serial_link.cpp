@@ -67,7 +67,7 @@ void SerialLink::failed(QSerialPort::SerialPortError error)
     // QSerialPort reports PermissionError both for a device in use and for missing permissions.
     if (code == LinkErrorCode::PermissionDenied && message.find("busy") != std::string::npos)
         code = LinkErrorCode::DeviceBusy;
-    // A device that is unplugged shows first as a read error.
+    // The first sign of an unplugged device is a read error.
     if (code == LinkErrorCode::System && !QFile::exists(QString::fromStdString(url().path())))
         code = LinkErrorCode::DeviceMissing;
     LinkError reason{code, url().path(), {}};

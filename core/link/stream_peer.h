@@ -1,5 +1,5 @@
 // One open byte stream (TCP connection, serial device): receives chunks, sends whole blocks through a bounded queue. Shared
-// by the stream links, so that all of them drop and count in the same way.
+// by the stream links, so that all of them drop and count blocks in the same way.
 #pragma once
 
 #include "core/link/link.h"

@@ -1,7 +1,7 @@
-// TCP server. Each client is a path of its own, with the client's address. At most 32 clients are served. When all places are
-// taken, a new client replaces one that sent nothing useful (Link::noteUse()) for some seconds, otherwise one of a host that
-// holds more than its share, unless the new client comes from that host. Thus neither idle connections nor one busy host can
-// exclude others.
+// TCP server. Each client is a separate path, with the client's address. At most 32 clients are served. When all places are
+// taken, a new client replaces one that has sent nothing useful (Link::noteUse()) for some seconds, otherwise one of a host
+// that holds more than its share, unless the new client comes from that host. Thus neither idle connections nor one busy host
+// can exclude others.
 #pragma once
 
 #include "core/link/host_lookup.h"
@@ -48,7 +48,8 @@ private:
         std::optional<TimePoint> useful = std::nullopt; ///< last call of noteUse()
 
         const Address &address() const { return peer->path().remote; }
-        /// The client with the lowest rank is replaced first: never useful, then useful the longest time ago.
+        /// The client with the lowest rank is replaced first: one that was never useful, then the one that was useful the
+        /// longest time ago.
         auto rank() const { return std::pair(useful, joined); }
     };
 

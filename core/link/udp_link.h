@@ -1,5 +1,6 @@
 // UDP link. udpin binds a port and reports the address of each sender; udpout sends to one remote, whose name is resolved
-// without blocking, and again after sending failed. A remote that is not up yet is no error: datagrams to it are lost.
+// without blocking, and again after sending failed. A remote that is not reachable yet is not an error: datagrams to it are
+// lost.
 #pragma once
 
 #include "core/link/backoff.h"
@@ -36,7 +37,7 @@ private:
     void dropSocket();
 
     std::unique_ptr<DatagramSocket> m_socket;
-    /// With smaller batches the cost of the wake-up would dominate. More than usually arrives at once.
+    /// Smaller batches would be dominated by the cost of the wake-up. More than usually arrives at once.
     static constexpr std::size_t kLeastBatch = 12;
 
     std::size_t m_batch = kLeastBatch; ///< size of the next batch, by the measured cost of a datagram

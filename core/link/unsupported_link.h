@@ -1,4 +1,4 @@
-// Link of a type that this build leaves out (serial without Qt SerialPort): open() fails with NotSupported.
+// Link of a type that is not in this build (serial without Qt SerialPort): open() fails with NotSupported.
 #pragma once
 
 #include "core/link/link.h"
