@@ -1,4 +1,4 @@
-// Made by the generator from resources/dialects.
+// Generated from resources/dialects.
 #pragma once
 
 #include "core/mavlink/message_info.h"

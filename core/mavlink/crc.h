@@ -29,7 +29,7 @@ constexpr std::uint16_t crcStep(std::uint16_t crc, std::uint8_t byte)
     return static_cast<std::uint16_t>((crc >> 8) ^ kCrcOfByte[(crc ^ byte) & 0xff]);
 }
 
-/// The state after all `bytes`. Eight bytes a step.
+/// The state after all `bytes`. Processes eight bytes per step.
 std::uint16_t crcAccumulate(std::uint16_t crc, ByteView bytes);
 
 } // namespace skyseal::mavlink

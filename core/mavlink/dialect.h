@@ -1,5 +1,5 @@
 // The messages and enums that a program knows. The built-in ones are constant tables made at build time; further ones can
-// be read from XML while it runs.
+// be read from XML at run time.
 #pragma once
 
 #include "core/mavlink/dialect_definition.h"
@@ -16,14 +16,14 @@ namespace skyseal::mavlink {
 class Dialect
 {
 public:
-    /// ardupilotmega with all that it includes.
+    /// ardupilotmega with its includes.
     static const Dialect &builtin();
 
-    /// This dialect and further definitions. A message that is known already must have the same id, name and CRC_EXTRA;
+    /// This dialect and further definitions. A known message must have the same id, name and CRC_EXTRA;
     /// enums are merged. The error's source and line are those of the definition.
     Result<Dialect, InputError> extended(const DialectDefinition &more) const;
 
-    /// The message with this id; null when not known. No allocation, one probe as a rule.
+    /// The message with this id; null when unknown. No allocation, usually a single probe.
     const MessageInfo *find(std::uint32_t id) const
     {
         for (std::size_t slot = slotOf(id);; slot = (slot + 1) & m_mask) {
@@ -41,7 +41,7 @@ public:
     std::span<const EnumInfo> enums() const { return m_enums; }          ///< by name
 
 private:
-    struct Storage; // names and tables of what was read at run time
+    struct Storage; // names and tables of the definitions that were read at run time
 
     static constexpr std::uint16_t kEmpty = 0xffff;
 

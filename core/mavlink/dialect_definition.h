@@ -56,8 +56,8 @@ struct DialectDefinition
 };
 
 /// Fills offsets, lengths and CRC_EXTRA: fields ordered by element size, largest first, equal sizes in the order of the
-/// definition, extensions behind them unsorted (https://mavlink.io/en/guide/serialization.html). False when the payload is
-/// over 255 bytes.
+/// definition, extensions after them, unsorted (https://mavlink.io/en/guide/serialization.html). Returns false if the
+/// payload exceeds 255 bytes.
 bool layOut(MessageDefinition &message);
 
 } // namespace skyseal::mavlink

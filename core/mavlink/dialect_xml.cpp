@@ -21,7 +21,7 @@ constexpr std::size_t kMaxMessages = 8192;
 constexpr std::size_t kMaxEnums = 8192;
 constexpr std::size_t kMaxEntries = 8192; // of one enum
 
-/// Where the lines of a text begin, to name them in errors.
+/// Positions of the lines of a text, to name them in errors.
 class Lines
 {
 public:
@@ -41,7 +41,7 @@ private:
     std::vector<std::size_t> m_ends;
 };
 
-/// Leaves the reader from any depth with the reason; never leaves this file.
+/// Thrown by the reader from any depth, with the reason; caught in this file.
 struct Refused
 {
     InputError error;

@@ -1,5 +1,5 @@
 // Reads dialect definitions in MAVLink's XML (https://mavlink.io/en/guide/xml_schema.html), with their includes. Used by
-// the generator at build time and for dialects of a user at run time, so it trusts nothing in the files.
+// the generator at build time and for dialects of the user at run time; the files are not trusted.
 #pragma once
 
 #include "core/base/result.h"
@@ -11,7 +11,7 @@
 
 namespace skyseal::mavlink {
 
-/// Everything that `path` and the files it includes (relative to it, each once) define, laid out. Includes named in `known`
+/// The definitions of `path` and of the files that it includes (relative to it, each once), laid out. Includes named in `known`
 /// may be missing. Limits: 16 MiB a file, 64 files, 8 levels of includes, 8192 messages, enums, and entries of an enum.
 Result<DialectDefinition, InputError> readDialectXml(const std::string &path, std::span<const std::string_view> known = {});
 

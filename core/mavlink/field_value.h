@@ -45,17 +45,18 @@ private:
 /// them. `index` must be below field.elements().
 FieldValue fieldValue(ByteView payload, const FieldInfo &field, std::size_t index = 0);
 
-/// Writes element `index`; false, and nothing written, when the types differ, there is no such element or no room for it.
+/// Writes element `index`. Returns false, and writes nothing, if the types differ, there is no such element or no room for it.
 bool setFieldValue(MutableByteView payload, const FieldInfo &field, std::size_t index, FieldValue value);
 
-/// The bytes of a char array without the zeros at its end; a view into the payload. It may hold any bytes, zeros among
-/// them.
+/// The bytes of a char array without the zeros at its end; a view into the payload. It may contain any
+/// bytes, including zeros.
 std::string_view fieldText(ByteView payload, const FieldInfo &field);
 
-/// Fills a char array, the rest with zeros; false if it is not one, the text is too long or the payload too short.
+/// Fills a char array, the rest with zeros. Returns false if the field is not one, the text is too long or the payload too
+/// short.
 bool setFieldText(MutableByteView payload, const FieldInfo &field, std::string_view text);
 
-/// A value written by a person: "-3", "0x1f", "2.5", "NaN", "Infinity", or for a char one character; nullopt if it is
+/// A value in the user's notation: "-3", "0x1f", "2.5", "NaN", "Infinity", or for a char one character; nullopt if it is
 /// not of that type or out of range.
 std::optional<FieldValue> parseFieldValue(FieldType type, std::string_view text);
 

@@ -1,5 +1,5 @@
-// Values of parameter 2 of MAV_CMD_COMPONENT_ARM_DISARM that override the checks of the autopilot. No enum of the dialects has
-// them.
+// Values of parameter 2 of MAV_CMD_COMPONENT_ARM_DISARM that override the checks of the autopilot. They are in no enum of
+// the dialects.
 #pragma once
 
 namespace skyseal::mavlink {

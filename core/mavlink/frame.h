@@ -61,11 +61,11 @@ enum class FrameFault : std::uint8_t {
     Truncated, ///< the frame continues after the end
     BadCrc,
     UnknownMessage,       ///< no such id in the dialect, so its checksum cannot be checked
-    UnknownIncompatFlags, ///< a format that must not be guessed at; the checksum is right
+    UnknownIncompatFlags, ///< an unknown format; the checksum is right
     BadSignature
 };
 
-/// "bad_crc", as in JSON.
+/// Keyword as in JSON: "bad_crc".
 std::string_view nameOf(FrameFault fault);
 
 struct FrameError

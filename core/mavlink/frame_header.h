@@ -1,4 +1,4 @@
-// Fields in the header of a whole frame, also of a message that the dialect does not know (isWholeFrame()).
+// Header fields of a whole frame, including frames of messages that are not in the dialect (isWholeFrame()).
 // https://mavlink.io/en/guide/serialization.html
 #pragma once
 
@@ -16,7 +16,7 @@ inline std::uint8_t componentIdOf(ByteView frame)
     return frame[frame[0] == kMagic2 ? 6 : 4];
 }
 
-/// MAVLink 1 knows no signatures.
+/// MAVLink 1 has no signatures.
 inline bool isSignedFrame(ByteView frame)
 {
     return frame[0] == kMagic2 && (frame[2] & kFlagSigned) != 0;

@@ -1,6 +1,6 @@
-// Extracts MAVLink frames from the blocks that links deliver: a datagram holds whole frames; a stream is cut anywhere, so
-// each remote end gets a parser of its own. Anybody may send them, so the work for what is no frame is limited. Runs on the
-// thread of its owner; no I/O and no clock.
+// Extracts MAVLink frames from the blocks that links deliver: a datagram holds whole frames; the chunks of a stream
+// begin anywhere, so that each remote end has its own parser. Anybody may send them, so the work for bytes that are not frames
+// is limited. Runs on the thread of its owner; no I/O and no clock.
 #pragma once
 
 #include "core/base/path.h"
@@ -49,14 +49,14 @@ private:
     std::map<Path, std::unique_ptr<StreamParser>> m_streams;
 };
 
-/// True for a frame with a wrong checksum or a truncated one. Noise between frames, such as the console text of an autopilot
-/// that boots, does not count as damage.
+/// True for a frame with a wrong checksum or a truncated one. Noise between frames, such as the console output of a booting
+/// autopilot, does not count as damage.
 inline bool isDamagedFrame(const ScanItem &item)
 {
     return !item.frame && (item.fault == FrameFault::BadCrc || item.fault == FrameFault::Truncated);
 }
 
-/// True for a valid frame, and for one of a message that the dialect does not know, which can be forwarded as it is.
+/// True for a valid frame, and for a frame of an unknown message, which can be forwarded unchanged.
 inline bool isWholeFrame(const ScanItem &item)
 {
     return item.frame || item.fault == FrameFault::UnknownMessage;

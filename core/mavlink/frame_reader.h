@@ -1,5 +1,5 @@
-// Reads the header of a frame and has its checksum verified: by one pass of the CRC (readFrame()), or in a way that suits
-// overlapping frames (FrameScanner).
+// Reads the header of a frame and verifies its checksum by a function of the caller: one pass of the CRC (readFrame()), or a
+// method for overlapping frames (FrameScanner).
 // https://mavlink.io/en/guide/serialization.html
 #pragma once
 
@@ -12,8 +12,8 @@ namespace skyseal::mavlink {
 inline constexpr std::size_t kHeaderLength1 = 6, kHeaderLength2 = 10; ///< from the first byte to the payload
 inline constexpr std::size_t kChecksumLength = 2;
 
-/// The length of the frame at the start of `bytes` according to its header, which may be more than there are bytes; 0 if no
-/// whole header is there. Checks nothing else.
+/// The length of the frame at the start of `bytes` according to its header, which may exceed `bytes`; 0 if the header
+/// is incomplete. Checks nothing else.
 constexpr std::size_t frameLength(ByteView bytes)
 {
     if (bytes.empty() || !isMagic(bytes[0]))

@@ -28,7 +28,7 @@ std::optional<ScanItem> FrameScanner::next()
     }
     const auto [fault, length] = frame.error();
     switch (fault) {
-    case FrameFault::UnknownIncompatFlags: return bad(fault, m_position + length); // its checksum vouches for its length
+    case FrameFault::UnknownIncompatFlags: return bad(fault, m_position + length); // its checksum verifies its length
     case FrameFault::UnknownMessage: {
         // The length is not verified: accept it if the buffer ends there or another frame follows, and no valid frame is
         // inside.
@@ -47,8 +47,8 @@ std::optional<ScanItem> FrameScanner::next()
     }
 }
 
-/// The first offset in [from, limit) at which a valid frame begins, or one that may prove valid when more has come; `limit`
-/// when there is none.
+/// The first offset in [from, limit) at which a valid frame begins, or may turn out to begin when more bytes have
+/// arrived; `limit` if there is none.
 std::size_t FrameScanner::nextCandidate(std::size_t from, std::size_t limit)
 {
     m_crc.expectOverlap();

@@ -24,12 +24,12 @@ enum class BufferEnd : std::uint8_t {
 };
 
 /// Resynchronises by trying every later byte, so that no valid frame after damage is lost, even if the damaged header claims
-/// a wrong length. Each byte is tried once and goes through the CRC about once, whatever the bytes are (OverlappingCrc). Where
-/// its work is limited, a frame that would exceed the limit is passed over, as if its checksum were wrong.
+/// a wrong length. Each byte is tried once and goes through the CRC about once, regardless of the content (OverlappingCrc). If
+/// its work is limited, a frame that would exceed the limit is skipped as if its checksum were wrong.
 class FrameScanner
 {
 public:
-    /// For a buffer of its own, such as a datagram.
+    /// For an independent buffer, such as a datagram.
     explicit FrameScanner(ByteView buffer, const Dialect &dialect, BufferEnd end = BufferEnd::Final,
                           WastedWork limit = WastedWork::Unlimited)
         : m_buffer(buffer), m_dialect(&dialect), m_end(end), m_ownCrc(limit), m_crc(m_ownCrc), m_streamOffset(0)
@@ -45,7 +45,7 @@ public:
     /// bytes; at an open end `position()` stays before it.
     std::optional<ScanItem> next();
 
-    /// Where the next item begins.
+    /// Position of the next item.
     std::size_t position() const { return m_position; }
     /// The number of bytes that went through the CRC: the measure of the work.
     std::uint64_t crcBytes() const { return m_crc.bytesProcessed(); }

@@ -7,7 +7,7 @@
 
 namespace skyseal::mavlink {
 
-/// Writes one frame into `out` and gives its bytes; empty when they do not fit (kMaxFrameLength always suffices).
+/// Writes one frame into `out` and returns its bytes; empty if they do not fit (kMaxFrameLength always suffices).
 /// `payload` is the whole payload; for MAVLink 2 its trailing zeros are cut, down to one byte; for MAVLink 1 it is cut to
 /// `minLength`. With kFlagSigned in `incompatFlags` room for the signature is part of the frame, for signFrame() to fill.
 MutableByteView writeFrame(MutableByteView out, int version, std::uint8_t sequence, std::uint8_t systemId,
@@ -26,8 +26,8 @@ public:
 
     void setVersion(int version) { m_version = version; }
     int version() const { return m_version; }
-    /// Signs every MAVLink 2 frame from now on; null = no more. The signer is the caller's and outlives this use; its time
-    /// is moved on by the caller too.
+    /// Signs every MAVLink 2 frame from now on; null = no more. The signer belongs to the caller, must outlive this use, and
+    /// its time is advanced by the caller.
     void setSigner(FrameSigner *signer) { m_signer = signer; }
 
     /// A typed message (messages.h).
@@ -38,7 +38,7 @@ public:
         return write(Message::kId, Message::kCrcExtra, Message::kMinLength, payload, out);
     }
 
-    /// Any message, its payload encoded already.
+    /// Any message, with an encoded payload.
     MutableByteView write(std::uint32_t messageId, std::uint8_t crcExtra, std::uint8_t minLength, ByteView payload,
                           MutableByteView out);
 

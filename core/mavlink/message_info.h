@@ -1,5 +1,5 @@
 // Description of messages by a dialect: names, fields and their places on the wire. Tables of these are generated at
-// build time, and read from XML at run time; views point into whichever of them lives as long as the dialect.
+// build time, and read from XML at run time; views point into these tables, which live as long as the dialect.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ constexpr std::size_t sizeOf(FieldType type)
     return kSizes[static_cast<std::size_t>(type)];
 }
 
-/// The name as definitions write it: "uint16_t".
+/// The name in the definitions: "uint16_t".
 std::string_view nameOf(FieldType type);
 
 struct FieldInfo

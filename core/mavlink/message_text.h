@@ -1,4 +1,4 @@
-// One message as one line for people: names of enum entries, units, angles as the definitions have them.
+// One message as one line of text: names of enum entries, units, angles as in the definitions.
 #pragma once
 
 #include "core/mavlink/field_value.h"
@@ -11,7 +11,7 @@ namespace skyseal::mavlink {
 /// "1/1 HEARTBEAT type=MAV_TYPE_QUADROTOR … custom_mode=4": system and component, the name, the fields.
 std::string messageText(const Frame &frame, const Dialect &dialect);
 
-/// A field's value as people read it: the entry's name, the set bits' names joined by "|", or the number with its unit.
+/// Readable value of a field: the entry's name, the set bits' names joined by "|", or the number with its unit.
 /// Arrays in brackets, text in quotes with unprintable bytes as \xNN.
 std::string fieldText(const Frame &frame, const FieldInfo &field, const Dialect &dialect);
 

@@ -39,9 +39,9 @@ std::uint16_t advance(std::uint16_t state, std::size_t bytes)
 
 bool OverlappingCrc::affords(std::size_t offset, std::size_t bytes, std::size_t received) const
 {
-    // A damaged frame that claims the greatest length, and the longest frame after it. 2,048 random bytes take 648 in the mean,
+    // A damaged frame that claims the greatest length, and the longest frame after it. 2,048 random bytes take 648 on average,
     // so this and three eighths of them are twice as much. A stream has no end at which a remainder is lost: the longer it is,
-    // the less the constant counts.
+    // the less the constant matters.
     constexpr std::size_t kReserve = 2 * kLongestRange;
     if (m_limit == WastedWork::Unlimited || weakened(Weakness::NoScanLimit))
         return true;
@@ -49,7 +49,7 @@ bool OverlappingCrc::affords(std::size_t offset, std::size_t bytes, std::size_t 
     return m_wasted + unprocessed(offset, bytes) <= received / 16 * sixteenths + kReserve;
 }
 
-/// How many of these bytes a check would process.
+/// Number of these bytes that a check would process.
 std::size_t OverlappingCrc::unprocessed(std::size_t offset, std::size_t bytes) const
 {
     if (!m_overlapping || offset > m_end)
@@ -81,7 +81,7 @@ void OverlappingCrc::beginPrefixes(std::size_t offset)
     prefix(offset) = 0;
 }
 
-/// Makes the prefixes of this range known. Bytes that lie in no range are left out: the prefixes begin anew behind them.
+/// Computes the prefixes of this range. Bytes outside of all ranges are skipped: the prefixes start anew after them.
 void OverlappingCrc::extendPrefixes(std::size_t offset, ByteView bytes)
 {
     if (offset > m_end)

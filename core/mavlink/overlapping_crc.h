@@ -1,5 +1,5 @@
 // Checks the checksums of frames that may overlap, so that damaged or hostile bytes cost no more than valid frames: each
-// byte goes through the CRC once, however many frames seem to begin in front of it. No I/O, no clock, no allocation.
+// byte goes through the CRC once, however many frames seem to begin before it. No I/O, no clock, no allocation.
 //
 // The CRC is linear over GF(2). With P(i) the state after the bytes before i, from a state of zero,
 //
@@ -8,16 +8,16 @@
 // where advance(s, n) is the state that s becomes over n zero bytes: a linear map of 16 bits, read from a table. As long as
 // nothing is damaged, frames do not overlap and are checked directly.
 //
-// Where strangers send, there is a limit besides, of the work for what is no frame: no more than twice that for random bytes.
+// For bytes of strangers, the work for bytes that are not frames is limited as well: to twice that of random bytes.
 #pragma once
 
 #include "core/mavlink/crc.h"
 
 namespace skyseal::mavlink {
 
-/// Of the bytes that go through the CRC in vain. Of random bytes 30 % do (scan_work_test).
+/// Limit of the bytes that go through the CRC without being part of a frame: 30 % of random bytes (scan_work_test).
 enum class WastedWork : std::uint8_t {
-    Unlimited, ///< what was recorded or sealed: nothing in it is missed, whatever it costs
+    Unlimited, ///< for recorded or sealed bytes: no frame is missed, at any cost
     OfDatagram,
     OfStream
 };
@@ -30,7 +30,7 @@ public:
 
     explicit OverlappingCrc(WastedWork limit = WastedWork::Unlimited) : m_limit(limit) {}
 
-    /// Returns true if the limit allows to check these bytes, of a datagram or stream of which `received` are known.
+    /// Returns true if the limit allows a check of these bytes of a datagram or stream, of which `received` bytes are known.
     bool affords(std::size_t offset, std::size_t bytes, std::size_t received) const;
 
     /// Returns true if the checksum over `bytes` and `crcExtra` is `expected`. `bytes`: at most kLongestRange, found at
@@ -66,7 +66,7 @@ private:
     bool m_overlapping = false; ///< ranges are checked by prefixes
     std::size_t m_end = 0;      ///< the last offset whose prefix is known
     std::uint64_t m_processed = 0;
-    std::uint64_t m_wasted = 0;                  ///< of these, for what was no frame
+    std::uint64_t m_wasted = 0;                  ///< of these, for bytes that are not frames
     std::array<std::uint16_t, kKept> m_prefixes; ///< P, by offset; each is written before it is read
 };
 

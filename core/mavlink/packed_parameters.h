@@ -1,7 +1,7 @@
 // ArduPilot's packed parameter file, @PARAM/param.pck: all parameters by MAVLink FTP, or some of them to be written. The
 // format is that of AP_Filesystem_Param.cpp there ("packed format"): a header of three 16-bit numbers, then for each parameter
-// its type and flags, how much of its name repeats the one before, the rest of the name, and the value, with its default if it
-// has one. Zeros before a parameter are padding.
+// its type and flags, the length of the prefix that its name shares with the previous one, the rest of the name, and the value,
+// with its default if there is one. Zeros before a parameter are padding.
 #pragma once
 
 #include "core/base/bytes.h"
@@ -22,12 +22,13 @@ struct PackedParameter
 
 struct PackedParameters
 {
-    bool hasDefaults = false;                ///< which are skipped
+    bool hasDefaults = false;                ///< the file contains default values, which are skipped
     std::uint16_t total = 0;                 ///< parameters of the vehicle; in a file to be written, its length
     std::vector<PackedParameter> parameters; ///< in the order of the vehicle's list
 };
 
-/// Reads a whole file. nullopt if it is damaged: cut, longer than its header says, or with a name or type that cannot be.
+/// Reads a whole file. Returns nullopt if it is damaged: truncated, longer than its header says, or with an invalid name or
+/// type.
 std::optional<PackedParameters> parsePackedParameters(ByteView file);
 
 } // namespace skyseal::mavlink

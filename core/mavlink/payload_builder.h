@@ -7,7 +7,7 @@
 
 namespace skyseal::mavlink {
 
-/// A payload of zeros to fill (a field that always holds the protocol version is set already). Writing it as a frame:
+/// A payload of zeros to fill (the field of the protocol version is already set). To write it as a frame:
 /// `writer.write(info.id, info.crcExtra, info.minLength, builder.payload(), out)`.
 class PayloadBuilder
 {

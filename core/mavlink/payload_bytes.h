@@ -1,4 +1,4 @@
-// How the generated messages read and write their fields: little-endian at fixed offsets.
+// Reads and writes the fields of the generated messages: little-endian at fixed offsets.
 #pragma once
 
 #include "core/base/bytes.h"

@@ -26,7 +26,7 @@ constexpr std::size_t kFlagsAt = 2; // of the incompatibility flags
 constexpr std::size_t kHeader = 10; // of MAVLink 2
 constexpr std::size_t kChecksum = 2;
 
-/// kFlagEffect[n]: by which bits the checksum of a frame with n bytes of payload changes when kFlagSigned does. A CRC is
+/// kFlagEffect[n]: the bits of the checksum of a frame with n bytes of payload that change when kFlagSigned changes. A CRC is
 /// linear, so this needs neither the payload nor the CRC_EXTRA of a message that the dialect does not know.
 constexpr std::array<std::uint16_t, 256> kFlagEffect = [] {
     std::uint16_t effect = crcStep(0, kFlagSigned);

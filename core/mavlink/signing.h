@@ -1,6 +1,6 @@
 // MAVLink 2 message signing in the standard format: https://mavlink.io/en/guide/message_signing.html
-// A signed frame ends in a link id, 48 bits of time and the first 48 bits of SHA-256 over the key and all that stands
-// before.
+// A signed frame ends in a link id, 48 bits of time and the first 48 bits of SHA-256 over the key and everything
+// before it.
 #pragma once
 
 #include "core/base/clock.h"
@@ -32,10 +32,11 @@ public:
     void advanceTo(SigningTime now) { m_last = std::max(m_last, std::min(now, kMaxSigningTime)); }
     SigningTime lastTime() const { return m_last; }
 
-    /// Fills the signature block of a frame that was written with kFlagSigned (its last 13 bytes); false when it was not.
+    /// Fills the signature block (the last 13 bytes) of a frame that was written with kFlagSigned. Returns false for other
+    /// frames.
     bool sign(MutableByteView frame);
-    /// Writes a signed copy of a whole MAVLink 2 frame into `out` (kMaxFrameLength suffices), whatever its message; a signature
-    /// that it has is replaced. Empty if it cannot be signed: MAVLink 1, or no time is left.
+    /// Writes a signed copy of a whole MAVLink 2 frame of any message into `out` (kMaxFrameLength suffices); an existing
+    /// signature is replaced. Empty if it cannot be signed: MAVLink 1, or all timestamps are used up.
     ByteView signCopy(ByteView frame, MutableByteView out);
 
 private:
@@ -44,10 +45,10 @@ private:
     std::uint8_t m_linkId;
 };
 
-/// Fills the signature block with a link id and time of the caller's; for tools that write a given frame again.
+/// Fills the signature block with the given link id and time; for tools that reproduce a given frame.
 bool signFrame(MutableByteView frame, const Key32 &key, std::uint8_t linkId, SigningTime time);
 
-/// True if the whole frame was signed with this key; its message need not be known. Does not check for replay.
+/// Returns true if the whole frame was signed with this key; its message may be unknown. Does not check for replay.
 bool signatureMatches(ByteView frame, const Key32 &key);
 inline bool signatureMatches(const Frame &frame, const Key32 &key)
 {
@@ -69,10 +70,10 @@ inline SigningTime signatureTime(const Frame &frame)
 enum class SignatureVerdict : std::uint8_t {
     Good,
     Unsigned,
-    Wrong,         ///< made with another key, or changed on the way
+    Wrong,         ///< made with another key, or changed in transit
     Replayed,      ///< not newer than the last one of its stream
-    TooOld,        ///< a new stream that begins over a minute behind
-    TooManyStreams ///< a new stream when the most are known already
+    TooOld,        ///< a new stream that begins more than a minute behind
+    TooManyStreams ///< a new stream beyond the greatest number of streams
 };
 inline constexpr std::size_t kSignatureVerdicts = 6;
 
@@ -89,11 +90,11 @@ public:
         : m_key(std::move(key)), m_newest(now), m_mostStreams(std::min(mostStreams, kMaxStreams))
     {}
 
-    /// Own time goes on; times in signed frames do so as well.
+    /// Advances the own time; times in signed frames do so as well.
     void advanceTo(SigningTime now) { m_newest = std::max(m_newest, now); }
     SigningTime newestTime() const { return m_newest; }
 
-    /// `frame`: whole; its message need not be known.
+    /// `frame`: whole; its message may be unknown.
     SignatureVerdict check(ByteView frame);
     SignatureVerdict check(const Frame &frame) { return check(frame.bytes()); }
 

@@ -1,4 +1,4 @@
-// The signing key as a file holds it.
+// Reads the key of MAVLink signing from a file.
 #pragma once
 
 #include "core/base/bytes.h"
@@ -9,7 +9,8 @@
 
 namespace skyseal::mavlink {
 
-/// The key in the content of such a file; `source` names it in errors, which never quote it. The caller wipes the content.
+/// The key in the content of such a file; `source` names the file in errors, which never quote the content. The caller wipes
+/// the content.
 Result<Key32, InputError> parseSigningKey(ByteView content, const std::string &source);
 /// Reads a key from a file of 32 bytes, or of 64 hex digits with nothing but white space around them.
 Result<Key32, InputError> readSigningKey(const std::string &path);

@@ -16,7 +16,7 @@ public:
     explicit StreamParser(const Dialect &dialect, WastedWork limit = WastedWork::OfStream) : m_dialect(&dialect), m_crc(limit)
     {}
 
-    /// Takes the next piece and calls `deliver(const ScanItem &)` for everything that is complete; views live during that
+    /// Takes the next piece and calls `deliver(const ScanItem &)` for each complete item; views are valid during that
     /// call. Offsets count from the beginning of the stream.
     template<std::invocable<const ScanItem &> Deliver> void feed(ByteView piece, Deliver &&deliver)
     {
@@ -65,7 +65,7 @@ private:
 
     const Dialect *m_dialect;
     std::array<std::uint8_t, 4096> m_buffer;
-    std::size_t m_size = 0; ///< never over kMaxFrameLength between two calls
+    std::size_t m_size = 0; ///< at most kMaxFrameLength between two calls
     std::size_t m_streamOffset = 0;
     OverlappingCrc m_crc;
     std::size_t m_passedOver = 0;

@@ -8,7 +8,7 @@
 namespace skyseal::mavlink {
 
 /// The built-in dialect extended by the definitions of the XML file `path`. Includes of standard definitions (common.xml,
-/// minimal.xml, …) need not lie beside the file: they are built in. Otherwise the rules of Dialect::extended().
+/// minimal.xml, …) need not exist as files: they are built in. Otherwise as Dialect::extended().
 Result<Dialect, InputError> loadUserDialect(const std::string &path);
 
 } // namespace skyseal::mavlink

@@ -143,7 +143,7 @@ void writeMessage(const MessageDefinition &m, std::ostream &out)
     out << "    }\n};\n\n";
 }
 
-/// Leaves a file that has this content untouched, so that a change of the generator does not rebuild all that includes it.
+/// Does not rewrite a file that already has this content, so that a change of the generator does not rebuild all its users.
 bool update(const std::string &path, const std::string &content)
 {
     std::ifstream old(path, std::ios::binary);
