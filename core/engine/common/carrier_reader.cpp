@@ -69,7 +69,7 @@ std::optional<link::ReceivedBlock> CarrierReader::takeTunnel(TimePoint now, cons
         return std::nullopt;
     const ByteView payload = ByteView(message.payload).first(message.payload_length);
     if (channel::isPadded(payload) && message.payload.back() == 0 && !weakened(Weakness::NoTunnelPadding))
-        return std::nullopt; // shorter on the wire than what would answer it
+        return std::nullopt; // shorter on the wire than its answer
     const Path path = tunnelPath(from, frame);
     const auto bytes = m_tunnels.take(now, path, payload);
     if (!bytes)

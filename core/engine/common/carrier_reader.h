@@ -20,13 +20,13 @@ class CarrierReader
 public:
     /// Without a COBS message for this long, another program may be sending on the stream.
     static constexpr Duration kBelievedFor = std::chrono::seconds(10);
-    /// Nodes behind routers that are remembered at most.
+    /// Greatest number of remembered nodes behind routers.
     static constexpr std::size_t kMostNodes = 256;
 
     /// Calls `deliver(const link::ReceivedBlock &)` for each message in the next piece of a stream: its path is that of the
-    /// piece, in Carrier::Serial. Bytes of MAVLink between two zeros can resemble a message. So until the stream is known to be
-    /// COBS, only messages that open a handshake or pairing are accepted, by kind and length, and those for which
-    /// `namesSession(ByteView)` returns true: a session goes on after its stream was reconnected.
+    /// piece, in Carrier::Serial. Bytes of MAVLink between two zeros can resemble a message. Until the stream is known to be
+    /// COBS, only messages that open a handshake or pairing are therefore accepted, by kind and length, and those for which
+    /// `namesSession(ByteView)` returns true, since a session continues after its stream was reconnected.
     template<typename NamesSession, typename Deliver>
     void takeCobs(const link::ReceivedBlock &piece, NamesSession &&namesSession, Deliver &&deliver)
     {
@@ -45,7 +45,7 @@ public:
         });
     }
 
-    /// Whether messages in COBS arrived on the stream within kBelievedFor.
+    /// Whether COBS messages arrived on the stream within kBelievedFor.
     bool isCobs(const Path &stream, TimePoint now) const;
     /// A valid MAVLink frame arrived on this stream, so damaged frames there are MAVLink too.
     void noteMavlink(const Path &stream);

@@ -1,5 +1,5 @@
-// Encodes messages of the channel for the carrier of their path: a datagram is the message itself, a serial line takes COBS,
-// MAVLink routers and radios take TUNNEL (core/channel/PROTOCOL.md). I/O thread; no I/O itself, and nothing is allocated.
+// Encodes messages of the channel for the carrier of their path: the message itself in a datagram, COBS on a serial line,
+// TUNNEL for MAVLink routers and radios (core/channel/PROTOCOL.md). I/O thread; no I/O itself, and nothing is allocated.
 #pragma once
 
 #include "core/channel/cobs.h"
@@ -12,8 +12,8 @@ namespace skyseal::engine {
 class CarrierWriter
 {
 public:
-    /// Sets the system and component from which TUNNEL messages are sent, by which routers and the other end know this node.
-    /// With system 0, which no node has, none is sent.
+    /// Sets the system and component from which TUNNEL messages are sent, by which routers and the other end identify this
+    /// node. With system 0, which no node has, none is sent.
     void setNode(Node node);
     Node node() const { return m_node; }
 
@@ -38,7 +38,7 @@ public:
 
     /// A broadcast TUNNEL without a message, from which routers learn the address of this node. Empty without a node.
     ByteView hello();
-    /// A clear HEARTBEAT of an onboard computer, which tells radios that the line carries MAVLink. Empty without a node.
+    /// A clear HEARTBEAT of an onboard computer, by which radios detect that the line carries MAVLink. Empty without a node.
     ByteView heartbeat();
 
 private:

@@ -102,7 +102,7 @@ bool ChannelDriver::queueInline(TimePoint now, channel::SessionId session, ByteV
 {
     if (frame[0] != mavlink::kMagic2 || frame.size() < 3 || frame[2] != 0)
         return false;
-    if (!batch.sealedInPlace) // the frames before it go first, since counters rise
+    if (!batch.sealedInPlace) // the frames before it are sealed first, since counters increase
         sealBatch(now, session, batch);
     transmit(now, session, batch);
     const std::uint64_t begin = m_clock.begin();
@@ -149,7 +149,7 @@ void ChannelDriver::sealBatch(TimePoint now, channel::SessionId session, Batch &
     m_links.send(m_endpoint->recordPath(session), ByteView(m_record).first(*size));
 }
 
-/// Before anything else is sealed: its counter is greater than those of the records that wait here, which would come late.
+/// Call before anything else is sealed: its counter is greater than those of the waiting records, which would arrive late.
 void ChannelDriver::transmit()
 {
     while (const auto out = m_endpoint->pollTransmit()) {
@@ -232,7 +232,7 @@ void ChannelDriver::roll(TimePoint now)
 {
     for (auto &[session, meter] : m_meters)
         meter.roll(now);
-    // Also for sessions that carry only their own reports.
+    // Including sessions that carry only their own reports.
     for (const channel::SessionId session : m_endpoint->sessions()) {
         const auto info = m_endpoint->sessionInfo(session);
         if (info && now < info->lastReceived + std::chrono::seconds(2))

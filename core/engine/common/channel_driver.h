@@ -1,4 +1,4 @@
-// Connects the secure channel, which knows no sockets, with the links, which know no keys: passes records in, coalesces the
+// Connects the secure channel, which has no sockets, with the links, which have no keys: passes records in, coalesces the
 // frames of one wake-up (of 40 ms on a slow link) into records, sends the protocol's own messages, and measures the cost of
 // the ciphers. The station and the agent use the same class. I/O thread.
 #pragma once
@@ -23,8 +23,8 @@ namespace skyseal::engine {
 class ChannelDriver
 {
 public:
-    /// How long frames are coalesced on a slow link, unless one is urgent: a record's header and tag are as long as half a
-    /// frame of telemetry, and a delay of 40 ms is not visible.
+    /// Time for which frames are coalesced on a slow link, unless one is urgent: a record's header and tag are as long as half
+    /// a frame of telemetry, and a delay of 40 ms is not visible.
     static constexpr Duration kCoalesceDelay = std::chrono::milliseconds(40);
 
     ChannelDriver(channel::Endpoint endpoint, LinkPool &links);
@@ -47,7 +47,7 @@ public:
     /// Seals frames that are due, and sends everything that is sealed, in the order of its counters. Call at the end of each
     /// wake-up.
     void flush(TimePoint now);
-    /// The same for all frames, due or not; before the sessions are closed.
+    /// The same for all frames, due or not; for use before the sessions are closed.
     void flushAll(TimePoint now);
     /// Closes all sessions. Returns the goodbyes, which were sent once, so that the caller can repeat them.
     struct Goodbye
@@ -56,11 +56,11 @@ public:
         Bytes datagram;
     };
     std::vector<Goodbye> closeAll(TimePoint now);
-    /// When flush() must be called at the latest.
+    /// Latest time for the next flush().
     TimePoint flushDue() const { return m_flushDue; }
 
     /// Returns the next event, after updating the totals: the counters of an ended session are kept. The end of the session
-    /// `speaking`, and the events behind it, are left for a later call: the judge of a delivery must still know its peer.
+    /// `speaking`, and the events after it, are left for a later call: its peer must still be known while a delivery is judged.
     std::optional<channel::Event> pollEvent(std::optional<channel::SessionId> speaking = {});
 
     /// Call about once a second.
@@ -68,8 +68,8 @@ public:
     SuiteCost cost(channel::SessionId session) const;
     /// The cost of the session to this process.
     channel::EndCosts endCosts(channel::SessionId session) const;
-    /// While on, the cost of each record is kept over all sessions and suites, see opening() and sealing(), and the peers
-    /// are asked for their costs.
+    /// While on, the cost of each record is kept over all sessions and suites, see opening() and sealing(), and the costs of
+    /// the peers are requested.
     void setMeasuring(bool measuring);
     const metrics::Histogram &opening() const { return m_opening; }
     const metrics::Histogram &sealing() const { return m_sealing; }
@@ -82,7 +82,7 @@ private:
         std::size_t size = 0;
         bool sealedInPlace = false; ///< the frames are already sealed, each by itself
         bool urgent = false;
-        std::optional<Path> path; ///< of the newest record, for which `slow` was asked
+        std::optional<Path> path; ///< of the newest record, for which `slow` was determined
         bool slow = false;        ///< frames are coalesced on this path
         TimePoint since{};        ///< of the oldest frame
         std::array<std::uint8_t, channel::kMaxRecordPayload> frames;

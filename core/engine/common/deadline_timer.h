@@ -1,4 +1,4 @@
-// One timer of the event loop for the deadlines of protocol objects, which know no timers. I/O thread.
+// One timer of the event loop for the deadlines of protocol objects, which have no timers. I/O thread.
 #pragma once
 
 #include "core/link/steady_now.h"
@@ -10,7 +10,7 @@
 
 namespace skyseal::engine {
 
-/// Calls back once at the moment that was last set, never before it.
+/// Calls back once at the time that was last set, never earlier.
 class DeadlineTimer
 {
 public:
@@ -21,7 +21,7 @@ public:
         QObject::connect(&m_timer, &QTimer::timeout, &m_timer, std::move(due));
     }
 
-    /// kNever stops it. Cheap when the moment has not changed.
+    /// kNever stops it. Cheap if the time has not changed.
     void set(TimePoint moment)
     {
         if (moment == m_moment && (m_timer.isActive() || moment == kNever))

@@ -1,5 +1,6 @@
-// Publishes the events of a program. Those that senders without a key can cause are limited to one a second in all: they wait
-// in queues, one for each kind, which take turns, so that a flood of one kind hides no other. No clock, no I/O; I/O thread.
+// Publishes the events of a program. Those that senders without a key can cause are limited to one a second in total: they
+// wait in queues, one for each kind, which take turns, so that a flood of one kind hides no other. No clock, no I/O; I/O
+// thread.
 #pragma once
 
 #include "core/base/weakness.h"
@@ -65,8 +66,8 @@ public:
     using Sink = std::function<void(Event)>;
 
     static constexpr Duration kEvery = std::chrono::seconds(1);
-    /// Events of one kind that wait; further ones are dropped, their counts stay in the statistics. So few, that even with all
-    /// kinds in turn none is published more than a minute after its cause.
+    /// Waiting events of one kind; further ones are dropped, their counts stay in the statistics. Few enough that none is
+    /// published more than a minute after its cause, even if all kinds take turns.
     static constexpr std::size_t kMostWaiting = 8;
 
     explicit EventPublisher(Sink sink) : m_sink(std::move(sink)) {}
@@ -103,7 +104,7 @@ public:
         m_sink(std::move(event));
     }
 
-    /// Time of the next event that waits; kNever if none does.
+    /// Time of the next waiting event; kNever if there is none.
     TimePoint nextDeadline() const
     {
         const bool waits = std::any_of(m_queues.begin(), m_queues.end(),

@@ -29,7 +29,7 @@ void Ingress::take(const link::Link &link, const link::ReceivedBlock &block)
 
 void Ingress::takeStream(const Registered &to, const link::Link &link, const link::ReceivedBlock &block)
 {
-    const IngressRules &rules = to.rules; // a sink may change them, so each is read when it is needed
+    const IngressRules &rules = to.rules; // a sink may change them, so each is read at its use
     if (rules.takesCobs)
         m_reader.takeCobs(
             block, [&](ByteView message) { return to.sink->namesSession(message); },
@@ -70,7 +70,7 @@ void Ingress::takeDatagram(const Registered &to, const link::Link &link, const l
         to.sink->takeUnusable(link, damaged ? Unusable::Damaged : Unusable::Garbage);
 }
 
-/// Returns false for a frame that has nothing to do with the channel.
+/// Returns false for a frame that does not belong to the channel.
 bool Ingress::takeTunnel(const Registered &to, const link::Link &link, const link::ReceivedBlock &block,
                          const mavlink::ScanItem &item)
 {

@@ -1,7 +1,7 @@
-// Decides what a received block is: a message of the pairing, a record of the channel, a frame sealed in place, a part of a
+// Classifies received blocks: a message of the pairing, a record of the channel, a frame sealed in place, a part of a
 // TUNNEL message, a COBS frame, or clear MAVLink. The station and the agent use the same class; each link is registered with
-// the sink of its user and with rules that are made once, when the link opens, so that nothing about a link is asked per
-// packet. I/O thread; no I/O itself. Allocates only when a stream begins.
+// the sink of its user and with rules that are made once, when the link opens, so that no property of a link is
+// checked per packet. I/O thread; no I/O itself. Allocates only when a stream begins.
 //
 // Specification of the carriers: core/channel/PROTOCOL.md, sections on carriers and on frames sealed in place.
 #pragma once
@@ -22,7 +22,7 @@ enum class ClearScan : std::uint8_t {
     Always
 };
 
-/// How the blocks of one link are read.
+/// Interpretation of the blocks of one link.
 struct IngressRules
 {
     bool isStream = false;            ///< blocks are pieces of a byte stream; otherwise each is a datagram
@@ -35,7 +35,7 @@ struct IngressRules
     bool operator==(const IngressRules &) const = default;
 };
 
-/// Why a datagram or message was of no use.
+/// Reason why a datagram or message was not usable.
 enum class Unusable : std::uint8_t {
     Garbage, ///< a datagram without anything that resembles a frame
     Clear,   ///< a datagram that begins like MAVLink, on a link whose bytes are not searched for it
@@ -43,7 +43,7 @@ enum class Unusable : std::uint8_t {
     Message  ///< a message in TUNNEL that does not belong to the channel
 };
 
-/// Receives what the blocks of one link turned out to be. The blocks and frames live during the call.
+/// Receives the classified blocks of one link. The blocks and frames are valid during the call.
 class IngressSink
 {
 public:
@@ -52,11 +52,11 @@ public:
     virtual bool takePairing(const link::Link &, const link::ReceivedBlock & /*message*/) { return false; }
     /// Returns true if the message is a record of a session on a serial carrier, by its connection id.
     virtual bool namesSession(ByteView /*message*/) const { return false; }
-    /// A message whose first byte belongs to the channel; the path has the carrier in which it came.
+    /// A message whose first byte belongs to the channel; the path has the carrier in which it arrived.
     virtual void takeRecord(const link::Link &, const link::ReceivedBlock & /*message*/) {}
-    /// `frame` is the one frame, to be opened in place.
+    /// `frame` is a single frame, to be opened in place.
     virtual void takeSealedInPlace(const link::Link &, const link::ReceivedBlock & /*frame*/) {}
-    /// A frame in clear, or a region where none could be read.
+    /// A frame in clear, or a region without a readable frame.
     virtual void takeClear(const link::Link &, const link::ReceivedBlock &block, const mavlink::ScanItem &item) = 0;
     virtual void takeUnusable(const link::Link &, Unusable) {}
 };
@@ -77,7 +77,7 @@ public:
     void take(const link::Link &link, const link::ReceivedBlock &block);
     /// A stream begins or ends: partial frames of the old one are dropped.
     void forget(const Path &stream);
-    /// Whether messages in COBS arrived on this stream within the last 10 s.
+    /// Whether COBS messages arrived on this stream within the last 10 s.
     bool isCobs(const Path &stream, TimePoint now) const { return m_reader.isCobs(stream, now); }
 
 private:

@@ -7,7 +7,7 @@
 
 namespace skyseal::engine {
 
-/// Empty paths mean a program that can only use plain links.
+/// With empty paths, the program can use plain links only.
 struct KeyPaths
 {
     std::string identity;                   ///< private key file

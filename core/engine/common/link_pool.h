@@ -24,7 +24,7 @@ class LinkPool
 public:
     using StateChanged = std::function<void(link::Link &)>;
 
-    /// `listener` receives what arrives; `stateChanged` is called after a link's state changed, also from within open().
+    /// `listener` receives the blocks; `stateChanged` is called after a link's state changed, also from within open().
     LinkPool(link::LinkListener &listener, StateChanged stateChanged, link::LinkOptions options = {});
     ~LinkPool();
 
@@ -36,12 +36,12 @@ public:
     bool isListenOnly(LinkId id) const;
 
     /// Queues one block for a remote, in the carrier of the path (clear MAVLink goes in Carrier::Datagram, which adds
-    /// nothing); dropped when the link is gone or only listens.
+    /// nothing); dropped if the link was removed or only listens.
     void send(const Path &to, ByteView block);
     /// The encoder of the carriers; its node is the sender of TUNNEL messages.
     CarrierWriter &carriers() { return m_carriers; }
     const CarrierWriter &carriers() const { return m_carriers; }
-    /// Whether frames should be coalesced there: a serial line at a radio's speed, or a path through MAVLink routers.
+    /// Whether frames should be coalesced on this path: a serial line at a radio's speed, or a path through MAVLink routers.
     bool isSlow(const Path &path) const;
     /// Sends the blocks that were queued since the last flush.
     void flush();
@@ -54,7 +54,7 @@ public:
 
     /// The remote address to show for the link.
     void noteRemote(LinkId id, const Address &remote);
-    /// A valid frame or authentic record came from there; see link::Link::noteUse().
+    /// Call when a valid frame or authentic record arrived from there; see link::Link::noteUse().
     void noteUse(const Path &from);
     /// Frames with a bad checksum.
     void countBadFrame(LinkId id, std::uint64_t count = 1);

@@ -20,8 +20,8 @@ struct LinkSnapshot
     std::string problem;       ///< error text of the system or the link; empty without one
     bool addressInUse = false; ///< the problem is a port that another program uses
     bool hostUnknown = false;  ///< the problem is a host name that cannot be resolved
-    bool listenOnly = false;   ///< a stream of MAVSec's published code: insecure, and never sent to
-    bool recording = false;    ///< replays a file: nothing is sent, and received frames belong to the past
+    bool listenOnly = false;   ///< a stream of MAVSec's published code: insecure; nothing is sent to it
+    bool recording = false;    ///< replays a file: nothing is sent, and frames were recorded in the past
     double rxBytesPerSecond = 0, txBytesPerSecond = 0;
     std::uint64_t rxBytes = 0, txBytes = 0, rxDatagrams = 0, txDatagrams = 0, dropped = 0;
     std::uint64_t badCrc = 0; ///< frames that failed their checksum

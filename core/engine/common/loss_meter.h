@@ -1,4 +1,4 @@
-// Turns counters that only grow into recent rates: the share lost over the last second, the growth over the last minute.
+// Converts monotonic counters into recent rates: the share lost over the last second, the growth over the last minute.
 // Fed with the counters at a steady pace; no clock.
 #pragma once
 
@@ -20,7 +20,7 @@ public:
         m_readings[m_count++ % (slots + 1)] = total;
     }
 
-    /// Signed, since a loss is taken back when a record arrives late.
+    /// Signed, since a late record reduces the count of lost ones.
     std::int64_t value() const
     {
         if (m_count == 0)

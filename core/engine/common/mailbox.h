@@ -1,6 +1,6 @@
 // Passes values from one thread to another, in order. The receiver is woken once, by a queued signal without arguments, and
-// takes everything that is there: a burst costs one wake-up, and the hand-over is a lock of our own that ThreadSanitizer can
-// see, which the event queue of an uninstrumented Qt is not.
+// takes all values: a burst costs one wake-up. The transfer is protected by a lock of this class that ThreadSanitizer sees,
+// unlike the event queue of an uninstrumented Qt.
 #pragma once
 
 #include <mutex>

@@ -37,7 +37,7 @@ bool actsOnAVehicle(std::uint16_t command)
     return kCommands && !kCommands->nameOf(command).empty() && !isQuestion(command);
 }
 
-/// The values that can appear as the command id when bytes are lost there or before it: any two later bytes, in order.
+/// Checks the values that can appear as the command id when bytes are lost in it or before it: any two later bytes, in order.
 bool hasCommandBehindItsCommand(const mavlink::Frame &frame)
 {
     constexpr std::size_t kCommand = kHead + kCommandOffset;

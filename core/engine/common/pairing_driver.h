@@ -1,4 +1,4 @@
-// Connects a pairing, which knows no sockets, with the links. The station and the agent use the same class. I/O thread.
+// Connects a pairing, which has no sockets, with the links. The station and the agent use the same class. I/O thread.
 #pragma once
 
 #include "core/channel/pairing.h"
@@ -19,7 +19,7 @@ public:
         : m_links(links), m_random(random), m_notify(std::move(notify))
     {}
 
-    /// Opens a pairing window; one that is already open is cancelled without a further event.
+    /// Opens a pairing window; an open one is cancelled without a further event.
     void open(TimePoint now, channel::PairingConfig config);
     bool isOpen() const { return m_pairing && !m_over; }
 

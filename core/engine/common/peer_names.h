@@ -14,8 +14,8 @@ namespace skyseal::engine {
 class PeerNames
 {
 public:
-    /// Takes the next event of an engine or endpoint. Call for every event, before of() is asked about it: a name is kept
-    /// up to and including the event that ends its session.
+    /// Takes the next event of an engine or endpoint. Call for every event, before of() for its session: a name is kept
+    /// up to and including the event that ends the session.
     template<typename... Events> void note(const std::variant<Events...> &event)
     {
         if (m_ended)

@@ -13,7 +13,7 @@ namespace skyseal::engine {
 
 namespace {
 
-/// Of the streams that may be started; the defaults of stations are within.
+/// Rates of the streams that may be started; the defaults of stations are within this range.
 constexpr std::uint16_t kLeastRate = 1, kGreatestRate = 10; // Hz
 
 bool isWholeUpTo(float value, float most)
@@ -21,7 +21,7 @@ bool isWholeUpTo(float value, float most)
     return value >= 0 && value <= most && std::trunc(value) == value;
 }
 
-/// Zero, or the one NaN that libraries write; any other value would be usable space for an attacker.
+/// Zero, or the NaN that libraries write; any other value would be usable space for an attacker.
 bool isUnused(float value)
 {
     return value == 0 || std::bit_cast<std::uint32_t>(value) == 0x7fc00000;
@@ -75,7 +75,7 @@ bool isHarmlessQuestion(const mavlink::Frame &frame, bool mayStartStreams)
     case mavlink::MissionRequestList::kId:
     case mavlink::MissionRequest::kId:
     case mavlink::MissionRequestInt::kId: return true;
-    case mavlink::Timesync::kId: // only the question: PX4 sets its clock offset by an answer
+    case mavlink::Timesync::kId: // only the request: PX4 sets its clock offset by an answer
         return mavlink::Timesync::decode(frame.payload()).tc1 == 0;
     case mavlink::MissionAck::kId: // ends a download; any other result would cancel one
         return mavlink::MissionAck::decode(frame.payload()).type == mavlink::MAV_MISSION_ACCEPTED;

@@ -1,4 +1,4 @@
-// Recognises MAVLink frames that were sealed in place (core/channel/PROTOCOL.md, section 12). Lives here because it needs
+// Recognises MAVLink frames that were sealed in place (core/channel/PROTOCOL.md, section 12). It is here because it needs
 // both the channel and MAVLink. No state.
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace skyseal::engine {
 
-/// True for a whole frame that carries the marks of one sealed in place; only the channel can read it.
+/// True for a whole frame with the flags of one sealed in place; only the channel can read it.
 inline bool isSealedInPlace(const mavlink::ScanItem &item)
 {
     const bool whole = item.fault == mavlink::FrameFault::UnknownIncompatFlags

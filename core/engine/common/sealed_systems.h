@@ -14,7 +14,7 @@ namespace skyseal::engine {
 
 using SealedSystems = std::map<channel::PublicKey, std::bitset<256>>;
 
-/// Empty if the file does not exist. A malformed line is an error: skipping it would let clear frames in.
+/// Empty if the file does not exist. A malformed line is an error: if it were skipped, clear frames would be accepted.
 Result<SealedSystems, InputError> readSealedSystems(const std::string &path);
 /// Replaces the file as a whole.
 Result<void, InputError> writeSealedSystems(const std::string &path, const SealedSystems &systems);

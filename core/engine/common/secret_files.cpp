@@ -24,7 +24,7 @@ Result<std::unique_ptr<SecretFiles>, InputError> readSecretFiles(const KeyPaths 
         return tl::unexpected(peers.error());
     if (!peers->unusable.empty())
         return tl::unexpected(peers->unusable.front());
-    // Beside the key that they belong to: a key that is copied without its counters would repeat numbers.
+    // Next to the key of the counters: a key that is copied without its counters would repeat them.
     auto counters = keys::FileCounterStore::open(paths.identity + ".counters");
     if (!counters)
         return tl::unexpected(counters.error());

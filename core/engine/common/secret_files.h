@@ -20,7 +20,7 @@ struct SecretFiles
     KeyPaths paths;
     std::shared_ptr<const crypto::X25519KeyPair> identity;
     std::vector<channel::Peer> peers;
-    SealedSystems sealedSystems; ///< that the peers used in earlier runs
+    SealedSystems sealedSystems; ///< used by the peers in earlier runs
     std::unique_ptr<channel::CounterStore> counters;
     crypto::SystemRandom random;
 };

@@ -19,8 +19,8 @@
 
 namespace skyseal::engine {
 
-/// A vehicle has one agent. Stations share system ids: several may use the customary 255, and a station that replaces a
-/// crashed one must not wait until the crashed one's session times out.
+/// A vehicle has one agent. Stations may share system ids: several may use the customary 255, and a station that replaces a
+/// crashed one must not have to wait until the session of the crashed one times out.
 enum class Speakers : std::uint8_t { OnePerSystem, MayShareASystem };
 
 class SenderPolicy
@@ -31,34 +31,34 @@ public:
     SecureMode mode() const { return m_mode; }
     void setMode(SecureMode mode) { m_mode = mode; }
 
-    /// A peer that the list binds to no system may use so many ids, the first ones that it is heard with, until it is removed
-    /// from the list: an autopilot, a second one, a camera or gimbal with an id of its own, and a station beside them. More
-    /// would let one rogue agent keep every id from the others.
+    /// A peer that the list binds to no system may use this many ids, the first ones that it uses, until it is removed from the
+    /// list: an autopilot, a second one, a camera or gimbal with a separate id, and a station beside them. With more, a single
+    /// rogue agent could take all ids.
     static constexpr std::size_t kMostUnbound = 4;
-    /// An id that is not bound by the list stays with its peer for so long after its session: as long as a session outlives
-    /// silence, so that no other agent takes the place of a vehicle that is behind a hill. After that another agent may use
+    /// An id that is not bound by the list stays reserved for its peer for this time after its session: as long as a session
+    /// survives silence, so that no other agent takes the place of a vehicle behind a hill. After that another agent may use
     /// it, so that none is locked out for ever.
     static constexpr Duration kClaimOutlivesSession = std::chrono::minutes(10);
 
     /// Sets the known peers. System ids that are bound to one of them are not accepted in clear.
     void setPeers(const std::vector<channel::Peer> &peers);
     /// Adds the system ids that peers used over sealed links in earlier runs: neither a broken sealed link nor a restart may
-    /// let clear frames of these systems in. Entries of peers that are not in the list are ignored.
+    /// cause clear frames of these systems to be accepted. Entries of peers that are not in the list are ignored.
     void rememberSealed(const SealedSystems &heard);
     const SealedSystems &sealedSystems() const { return m_heard; }
     void sessionUp(channel::SessionId session, const channel::PublicKey &peer, const Path &path);
     void sessionMoved(channel::SessionId session, const Path &path);
     void sessionDown(channel::SessionId session);
 
-    /// Whether everything that the peer sends may reach an autopilot. False for observers.
+    /// Whether all messages of the peer may reach an autopilot. False for observers.
     bool mayCommand(channel::SessionId session) const;
     /// Whether a peer that may command has a session.
     bool pilotThere() const;
     /// Whether the list binds the system to a peer that may command, or such a peer has used it.
     bool isPilotsSystem(std::uint8_t systemId) const;
-    /// Whether a sealed frame of this session may have this system id. A system that the list binds to peers is theirs alone;
-    /// with Speakers::OnePerSystem any other belongs to the first peer that used it sealed, until that peer is removed from
-    /// the list or its claim ends, see endClaims(). A peer that is bound to none has at most kMostUnbound.
+    /// Whether a sealed frame of this session may have this system id. A system that the list binds to peers is reserved for
+    /// them; with Speakers::OnePerSystem any other belongs to the first peer that used it sealed, until that peer is removed
+    /// from the list or its claim ends, see endClaims(). A peer that is bound to none has at most kMostUnbound.
     bool acceptSealed(channel::SessionId session, std::uint8_t systemId);
     /// Ends the claims of peers that had no session for kClaimOutlivesSession. Call about once a second. Clear frames of these
     /// systems remain refused.
@@ -73,7 +73,7 @@ public:
     /// Whether only the operator's approval is missing. A peer that is bound to no system and was never heard sealed may have
     /// any system id: an attacker who blocks its handshakes from the start could offer another vehicle in clear instead.
     bool needsApproval(const Path &from, std::uint8_t systemId) const;
-    /// The names of the peers that cause it: bound to no system and never heard sealed.
+    /// The names of the peers that make approval necessary: bound to no system and never heard sealed.
     std::string neverHeard() const;
     /// The operator accepts the system in clear, until it is heard sealed or this object is destroyed.
     void allowPlaintext(std::uint8_t systemId) { m_allowed.set(systemId); }
@@ -95,7 +95,7 @@ private:
         bool pilot = false;
         std::bitset<256> bound;   ///< system ids bound to the peer by the list
         std::bitset<256> allowed; ///< system ids that the list permits
-        std::bitset<256> spoken;  ///< system ids that were used: checked once, then cheap
+        std::bitset<256> spoken;  ///< system ids that were used: a cache of acceptSealed()
     };
 
     struct SealedPlace
@@ -118,7 +118,7 @@ private:
     std::vector<channel::Peer> m_peers;
     std::bitset<256> m_pinned;
     SealedSystems m_heard;
-    /// Peers whose unbound systems are reserved, and when that ends: nullopt while they have a session.
+    /// Peers whose unbound systems are reserved, and the end of the reservation: nullopt while they have a session.
     std::map<channel::PublicKey, std::optional<TimePoint>> m_claims;
     std::bitset<256> m_sealed;  ///< all of m_heard
     std::bitset<256> m_allowed; ///< in clear, by the operator

@@ -1,4 +1,4 @@
-// Reports that the counters of handshakes cannot be stored: when it begins, each minute while it lasts, and when it is over.
+// Reports that the counters of handshakes cannot be stored: at the beginning, each minute while it lasts, and at the end.
 // No I/O and no clock.
 #pragma once
 
@@ -9,10 +9,10 @@
 
 namespace skyseal::engine {
 
-/// Event: this program cannot store the counters of handshakes, or it can again.
+/// Event: this program cannot store the counters of handshakes, or can store them again.
 struct CounterStorage
 {
-    std::string problem; ///< empty: it can again
+    std::string problem; ///< empty: they can be stored again
 };
 
 class StorageWatch

@@ -28,7 +28,7 @@ void SuiteMeter::opened(crypto::SuiteId suite, std::uint64_t nanoseconds, std::s
 
 void SuiteMeter::sealed(crypto::SuiteId suite, std::uint64_t nanoseconds)
 {
-    // Around a switch each direction changes at its own moment; the suite of the opened records decides.
+    // At a switch the two directions change at different times; the suite of the opened records is decisive.
     if (m_open.count() == 0)
         follow(suite);
     if (suite == m_suite)

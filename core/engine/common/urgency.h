@@ -1,5 +1,5 @@
-// The frames that are not coalesced on a slow link: manual control, steps of a conversation in which each frame answers
-// another, and the heartbeat that keeps a vehicle's failsafe from acting.
+// The frames that are not coalesced on a slow link: manual control, steps of protocols in which each frame answers another, and
+// the heartbeat that keeps a vehicle's failsafe from acting.
 #pragma once
 
 #include "core/base/bytes.h"

@@ -47,7 +47,7 @@ Client::Verdict Client::judgeUncounted(TimePoint now, const mavlink::ScanItem &i
     if (!item.frame || !mayAsk(*item.frame, !pilotThere))
         return Verdict::Deny;
     if (mayBeMisread(*item.frame))
-        return Verdict::Ignore; // happens by chance, so it is treated like a loss
+        return Verdict::Ignore; // occurs by chance, so it is treated like a loss
     return m_questions.take(now, messageId) ? Verdict::Forward : Verdict::TooOften;
 }
 

@@ -1,9 +1,10 @@
-// One client of the gateway: another ground station or program. Decides which of its frames go to the vehicles and keeps
-// account of the others. No I/O and no clock.
+// One client of the gateway: another ground station or program. Decides which of its frames are forwarded to the vehicles,
+// and counts the others. No I/O and no clock.
 //
-// A client that may only read asks questions (question_rules.h), for the version and, while no client is there that may write,
-// for streams of 1 to 10 Hz (not by SET_MESSAGE_INTERVAL, whose parameters leave room for other commands). As those of an
-// observer, its questions must not become another message on a line that loses bytes (misreading.h).
+// A client that may only read may send questions (read-only requests, question_rules.h), AUTOPILOT_VERSION_REQUEST and, while
+// no client that may write is connected, requests for streams of 1 to 10 Hz (not by SET_MESSAGE_INTERVAL, whose parameters have
+// room for other commands). Like those of an observer, its questions must not become another message on a line that loses bytes
+// (misreading.h).
 #pragma once
 
 #include "core/engine/common/question_budget.h"
@@ -15,7 +16,7 @@
 
 namespace skyseal::engine {
 
-/// What a client is told about frames that it may not send, at most once a minute.
+/// Notice to a client about frames that it may not send, at most once a minute.
 struct Denial
 {
     std::string message;      ///< name of the newest one
@@ -25,13 +26,14 @@ struct Denial
 class Client
 {
 public:
-    /// A client whose address was not configured is forgotten after so much silence.
+    /// A client whose address is not configured is forgotten after this time of silence.
     static constexpr Duration kForgetAfter = std::chrono::seconds(60);
     static constexpr Duration kTellEvery = std::chrono::minutes(1);
 
     enum class Verdict : std::uint8_t {
         Forward,
-        /// The heartbeat of a client that may only read, which would count as a pilot's, or a question that could be misread.
+        /// The heartbeat of a client that may only read, which the vehicle would take for a pilot's, or a question that could
+        /// be misread.
         Ignore,
         TooOften,
         NotItsSystem,
@@ -44,13 +46,13 @@ public:
     /// Judges a whole frame (mavlink::isWholeFrame()) and counts it. `isVehicle`: its system id is a vehicle's. `pilotThere`: a
     /// client that may write is connected.
     Verdict judge(TimePoint now, const mavlink::ScanItem &item, bool isVehicle, bool pilotThere);
-    /// Call after Verdict::Deny. Returns what the client has to be told, if it is due.
+    /// Call after Verdict::Deny. Returns the notice for the client, if one is due.
     std::optional<Denial> takeDenial(TimePoint now, const mavlink::ScanItem &item);
 
     bool isSilent(TimePoint now) const { return now - m_heard >= kForgetAfter; }
     void noteHeard(TimePoint now) { m_heard = now; }
     TimePoint heardAt() const { return m_heard; }
-    /// Whether its coming was reported, so that its going will be.
+    /// Whether its connection was reported, so that its end is reported as well.
     bool isReported() const { return m_reported; }
     void setReported() { m_reported = true; }
     const ServeConfig &config() const { return m_config; }
@@ -65,7 +67,7 @@ private:
     TimePoint m_heard{};
     bool m_reported = false;
     TimePoint m_tellAt = TimePoint::min();
-    std::uint64_t m_told = 0; ///< denied frames that the client was told of
+    std::uint64_t m_told = 0; ///< denied frames in earlier notices to the client
 };
 
 } // namespace skyseal::engine

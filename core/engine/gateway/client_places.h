@@ -1,8 +1,8 @@
 // Decides which UDP client gives its place to a new one when all places of a link are taken. No I/O and no clock.
 //
-// UDP source ports cost nothing, so that one host could take all places and keep them with a datagram now and then. A host that
-// holds more than its share gives up the place that was silent the longest, at once; a host that holds its share frees places
-// of its own only. Otherwise a place is freed after some silence: programs send a heartbeat each second.
+// UDP source ports cost nothing, so that one host could take all places and keep them with an occasional datagram. A host with
+// more than its share loses the place that has been silent longest, at once; a new client of a host with a full share can only
+// replace a client of that host. Otherwise a place is freed after some silence: programs send a heartbeat each second.
 #pragma once
 
 #include "core/base/clock.h"
@@ -19,7 +19,7 @@ struct ClientPlace
     TimePoint heardAt;
 };
 
-/// Applies only when all places are taken.
+/// These apply only when all places are taken.
 inline constexpr std::size_t kShareOfHost = 8;
 inline constexpr Duration kReplaceAfter = std::chrono::seconds(5);
 

@@ -8,9 +8,9 @@ namespace skyseal::engine {
 
 struct ClientCounters
 {
-    std::uint64_t forwarded = 0;    ///< frames of the client that went to vehicles
+    std::uint64_t forwarded = 0;    ///< frames of the client that were forwarded to vehicles
     std::uint64_t denied = 0;       ///< frames that the client may not send
-    std::uint64_t tooOften = 0;     ///< questions beyond the limit
+    std::uint64_t tooOften = 0;     ///< questions (read-only requests) beyond the limit
     std::uint64_t notItsSystem = 0; ///< frames with a system id that the client may not use
 };
 

@@ -61,7 +61,7 @@ void Gateway::everySecond(TimePoint now)
         reportComing(now, current->first, current->second);
         const link::Link *link = m_links.find(current->first.link);
         if (link->isStream())
-            m_links.noteUse(current->first); // also of a client that only listens
+            m_links.noteUse(current->first); // including a client that only listens
         else if (!link->traits().isDatagramClient() && current->second.isSilent(now))
             disconnect(current);
     }
@@ -114,7 +114,7 @@ void Gateway::linkChanged(link::Link &link)
 
 void Gateway::receive(const link::Link &link, const link::ReceivedBlock &block)
 {
-    const bool isConfigured = link.traits().isDatagramClient(); // the URL names the client, and nobody else is it
+    const bool isConfigured = link.traits().isDatagramClient(); // the URL names the only client
     if (isConfigured ? block.path.remote != link.remote() : !configOf(link.id()).isFrom(block.path.remote))
         return;
     const Path path = isConfigured ? Path{link.id(), {}} : block.path;
@@ -134,7 +134,7 @@ void Gateway::receive(const link::Link &link, const link::ReceivedBlock &block)
         m_frames.takeDatagram(block.bytes, deliver);
 }
 
-/// The client at this path. The first frame from a new address makes one, if there is room.
+/// The client at this path. The first frame from a new address adds one, if there is room.
 Client *Gateway::clientAt(TimePoint now, const link::Link &link, const Path &path)
 {
     if (const auto known = m_clients.find(path); known != m_clients.end())
@@ -142,7 +142,7 @@ Client *Gateway::clientAt(TimePoint now, const link::Link &link, const Path &pat
     return makeRoom(now, link, path.remote) ? &connect(now, path) : nullptr;
 }
 
-/// Returns false if all places of the link are taken. Streams have no more places than their link accepts connections.
+/// Returns false if all places of the link are taken. On streams, the link itself limits the connections.
 bool Gateway::makeRoom(TimePoint now, const link::Link &link, const Address &newcomer)
 {
     std::vector<ClientPlace> places;

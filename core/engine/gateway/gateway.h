@@ -1,10 +1,10 @@
 // Serves other ground stations and programs: they receive the frames of the vehicles byte for byte, as the autopilots sent
-// them, and what they may send goes to the vehicles unchanged, neither signed nor renumbered. Part of the station's engine;
-// the vehicles may be sealed, the clients are not. I/O thread.
+// them, and their permitted frames are forwarded to the vehicles unchanged, neither signed nor renumbered. Part of the
+// station's engine; the links of vehicles may be sealed, those of clients are not. I/O thread.
 //
-// A denied command is answered by COMMAND_ACK in the name of its target, since stations look for the answer of the component
-// that they asked. Its sequence number is not the autopilot's, so such a client counts up to 255 lost frames. A STATUSTEXT a
-// minute says what was denied.
+// A denied command is answered by COMMAND_ACK in the name of its target, since stations expect the answer of the component
+// that they addressed. Its sequence number is not the autopilot's, so such a client counts up to 255 lost frames. A STATUSTEXT,
+// at most once a minute, names the denied message.
 #pragma once
 
 #include "core/engine/common/link_pool.h"
@@ -30,15 +30,15 @@ public:
         virtual bool isVehicle(std::uint8_t systemId) const = 0;
         /// Queues a frame of a client for a system; 0: for all.
         virtual void forward(TimePoint now, std::uint8_t systemId, ByteView frame) = 0;
-        /// Sends what was queued. Called once for each batch of received frames.
+        /// Sends the queued frames. Called once for each batch of received frames.
         virtual void sendForwarded() = 0;
     };
     using Notify = std::function<void(GatewayEvent)>;
 
-    /// Clients whose addresses are not configured, for each link.
+    /// Greatest number of clients of each link whose addresses are not configured.
     static constexpr std::size_t kMostClients = 32;
-    /// Reports of clients that come, go or are denied something: so many at once, then one a second, since anyone who reaches
-    /// the port can connect again and again. The others are counted and reported together.
+    /// Limit of the reports of connected, disconnected and denied clients: this many at once, then one a second, since anyone
+    /// who reaches the port can connect repeatedly. The others are counted and reported together.
     static constexpr double kReportsAtOnce = 64, kReportsPerSecond = 1;
     static constexpr Duration kReportUnreportedEvery = std::chrono::minutes(1);
 
@@ -49,9 +49,9 @@ public:
     void open();
     /// Queues a frame of a vehicle for all clients.
     void sendToClients(ByteView frame);
-    /// Sends what was queued.
+    /// Sends the queued frames.
     void flush() { m_links.flush(); }
-    /// Forgets clients that are silent, and reports what was not reported at once. Call about once a second.
+    /// Forgets silent clients, and publishes the reports that were postponed. Call about once a second.
     void everySecond(TimePoint now);
     void close();
 
@@ -81,7 +81,7 @@ private:
     std::string addressOf(const Path &path) const;
 
     const std::vector<ServeConfig> m_served; ///< the link's id is the index
-    std::vector<QuestionBudget> m_budgets;   ///< of each link, so that reconnecting brings no further questions
+    std::vector<QuestionBudget> m_budgets;   ///< of each link, so that reconnecting does not raise the limit
     Vehicles &m_vehicles;
     Notify m_notify;
     LinkPool m_links;

@@ -29,11 +29,11 @@ struct ClientDenied
     std::string message; ///< the newest one's name; its number if no definition is known
     std::uint64_t frames = 0;
 };
-/// Clients came, went and were denied frames more often than is reported one by one.
+/// Clients connected, left and were denied frames more often than single events are published.
 struct ClientsUnreported
 {
-    std::uint64_t clients = 0; ///< that came and went
-    std::uint64_t frames = 0;  ///< that were not forwarded
+    std::uint64_t clients = 0; ///< that connected, each without an event of its own
+    std::uint64_t frames = 0;  ///< frames that were not forwarded
 };
 
 using GatewayEvent = std::variant<ServedLinkChanged, ClientConnected, ClientGone, ClientDenied, ClientsUnreported>;

@@ -1,6 +1,6 @@
-// Messages of conversations and events, which clients receive although a newer one of their kind overtook them: each names what
-// it answers (a parameter, an item, a command, an offset) or what happened, so that its place does not matter, and without it
-// the client asks again or never learns of it. Telemetry is not among them, since it would set a display back.
+// Messages that clients receive even if a newer message of the same kind overtook them: answers, each of which names its
+// request (a parameter, an item, a command, an offset), and events. Their order does not matter, and without them the client
+// repeats its request or never learns of the event. Telemetry is not among them, since old values would replace newer ones.
 #pragma once
 
 #include "core/mavlink/message_ids.h"

@@ -56,7 +56,7 @@ Result<void, std::string> setOption(ServeConfig &config, std::string_view name, 
     return {};
 }
 
-/// The options behind the URL. A part without "=" continues the list of the one before.
+/// The options after the URL. A part without "=" continues the list of the previous option.
 Result<std::map<std::string, std::string>, std::string> splitOptions(std::string_view text)
 {
     std::map<std::string, std::string> out;

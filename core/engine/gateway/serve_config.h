@@ -15,15 +15,15 @@ namespace skyseal::engine {
 
 struct ServeConfig
 {
-    /// "URL[,OPTION=VALUE…]": write=none|all|CLASS,…; from=ADDRESS/PREFIX; sysid=ID,…; name=NAME. A listening link whose host
-    /// is left out listens on the loopback interface. The error names the invalid part.
+    /// "URL[,OPTION=VALUE…]": write=none|all|CLASS,…; from=ADDRESS/PREFIX; sysid=ID,…; name=NAME. A listening link
+    /// without a host listens on the loopback interface. The error names the invalid part.
     static Result<ServeConfig, std::string> parse(std::string_view text);
 
-    /// Whether clients may have this address.
+    /// Whether a client with this address is accepted.
     bool isFrom(const Address &remote) const;
-    /// Whether a client may send with this system id, as far as the configuration says.
+    /// Whether the configuration permits a client to use this system id.
     bool maySpeakAs(std::uint8_t systemId) const { return systems.none() || systems.test(systemId); }
-    /// Whether others than programs of this machine can become clients.
+    /// Whether programs of other machines can become clients.
     bool isOpenToOthers() const;
 
     link::LinkUrl url;

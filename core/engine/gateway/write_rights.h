@@ -1,4 +1,5 @@
-// What a client of the gateway may send besides questions: classes of messages that an operator opens by name.
+// Messages that a client of the gateway may send besides questions (read-only requests): classes that an operator permits by
+// name.
 #pragma once
 
 #include "core/base/result.h"
@@ -20,7 +21,7 @@ enum class WriteClass : std::uint8_t {
 
 /// "mission", as in the option write=.
 std::string_view keyword(WriteClass writeClass);
-/// The class that a message belongs to; nullopt for one that no class opens.
+/// The class of a message; nullopt for one that is in no class.
 std::optional<WriteClass> writeClassOf(std::uint32_t messageId);
 
 class WriteRights
@@ -28,15 +29,15 @@ class WriteRights
 public:
     /// None.
     WriteRights() = default;
-    /// Every message, those of no class and of unknown dialects as well.
+    /// Every message, including those of no class and of unknown dialects.
     static WriteRights all();
     /// "none", "all", or names of classes separated by commas.
     static Result<WriteRights, std::string> parse(std::string_view text);
 
     bool mayWrite(std::uint32_t messageId) const;
-    /// Whether the client may write at all. Only then its heartbeat counts as a pilot's.
+    /// Whether the client may write at all. Only then its heartbeat is forwarded.
     bool any() const { return m_all || m_classes != 0; }
-    /// The text from which parse() makes these rights.
+    /// Text that parse() reads back to these rights.
     std::string toText() const;
 
     bool operator==(const WriteRights &) const = default;
