@@ -14,7 +14,7 @@ namespace skyseal::engine {
 struct GroundLink
 {
     link::LinkUrl url;
-    /// Carrier of sealed messages: datagrams need a link of datagrams, COBS a stream; TUNNEL works on both.
+    /// Carrier of sealed messages: Datagram requires a datagram link, Serial (COBS) a stream; Tunnel works on both.
     Carrier carrier = Carrier::Datagram;
 
     bool operator==(const GroundLink &) const = default;
@@ -27,7 +27,7 @@ struct AgentConfig
     channel::Policy policy;
     /// Clear MAVLink is forwarded while no session is up: the baseline of a measurement.
     bool allowPlain = false;
-    channel::FreshnessLimits freshness = {}; ///< how late a command may arrive
+    channel::FreshnessLimits freshness = {}; ///< limits of the delay of a command
 };
 
 inline constexpr std::size_t kMostGrounds = 8;

@@ -10,7 +10,7 @@ namespace skyseal::engine {
 
 namespace {
 
-/// Where stations are looked for: not on links that wait for their calls.
+/// Targets of the announcements: not on listening links, where stations send first.
 std::vector<Path> placesOf(const AgentConfig &config)
 {
     std::vector<Path> out;
@@ -55,7 +55,7 @@ AgentCore::~AgentCore() = default;
 void AgentCore::start()
 {
     m_receiver.addLinks();
-    m_links.open(kVehicleLink, m_config.vehicle); // first, so that a station that finds the agent finds the vehicle as well
+    m_links.open(kVehicleLink, m_config.vehicle); // first, so that the vehicle is there when a station finds the agent
     for (std::size_t i = 0; i < m_config.grounds.size(); ++i)
         m_links.open(groundLink(i), m_config.grounds[i].url);
     finishWake();
@@ -175,7 +175,7 @@ void AgentCore::linkChanged(link::Link &link)
     const bool toGround = link.id() != kVehicleLink;
     if (!toGround && link.traits().hasOneRemote)
         m_receiver.fixVehicle({kVehicleLink, {}});
-    // When many call at once, the handshakes of the addresses that the operator named come first.
+    // Under load, the handshakes of the addresses that the operator named have priority.
     if (toGround && link.traits().isDatagramClient() && link.remote() != Address{}) {
         std::ranges::find(m_places, link.id(), &Path::link)->remote = link.remote();
         m_channel.endpoint().setAnnounceTo(steadyNow(), m_places);
@@ -236,7 +236,7 @@ void AgentCore::finishWake()
     m_receiver.flush();
     m_channel.flush(now);
     handleEvents({});
-    m_channel.flush(now); // what an event caused
+    m_channel.flush(now); // datagrams caused by an event
     m_pairing.flush();
     m_links.flush();
     m_timer.set(std::min({m_channel.endpoint().nextDeadline(), m_channel.flushDue(), m_pairing.nextDeadline(),

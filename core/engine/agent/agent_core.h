@@ -1,6 +1,6 @@
-// The agent's engine: stands beside an autopilot that knows nothing of sealing, exchanges plain MAVLink with it and sealed
-// records with ground stations, and forwards whole frames both ways unchanged. It adds nothing of its own: when the sealed link
-// fails the autopilot receives no station any more, and its own failsafe acts.
+// The agent's engine: exchanges plain MAVLink with an unmodified autopilot and sealed records with ground stations, and
+// forwards whole frames in both directions unchanged. It adds no messages to the autopilot's link: when the sealed link fails,
+// the autopilot receives no station any more, and its failsafe acts.
 //
 // Lives on one thread with an event loop.
 #pragma once
@@ -21,7 +21,7 @@
 
 namespace skyseal::engine {
 
-/// Why the window for pairing was not opened.
+/// Reason why the pairing window was not opened.
 enum class PairingRefusal : std::uint8_t { Armed, OpenAlready };
 
 class AgentCore : private link::LinkListener, private AgentReceiver::EventHandler
@@ -36,21 +36,21 @@ public:
 
     /// Opens the links.
     void start();
-    /// Replaces the list of stations that may connect; sessions of keys that are not in it end at once.
+    /// Replaces the list of stations that may connect; sessions of keys that are not listed end at once.
     void setPeers(std::vector<channel::Peer> peers);
-    /// Replaces the suites and framings that are offered; sessions whose suite is not among them change over to another.
+    /// Replaces the suites and framings that are offered; sessions whose suite is not among them switch to another.
     void setPolicy(channel::Policy policy);
     /// Opens the window in which a new station can be paired, until the pairing is over or a vehicle is armed. Its progress
-    /// comes as events. `name` is the agent's own. With `passphrase` only a station with the same one is shown; null without
-    /// one. A vehicle that was never heard does not count as armed, one that fell silent counts as what it was last.
+    /// is reported by events. `name` is the agent's own. With `passphrase` only a station with the same one is shown; null
+    /// without one. A vehicle without a heartbeat so far does not count as armed; a silent one keeps its last state.
     Result<void, PairingRefusal> openPairing(std::string name, std::shared_ptr<const crypto::Passphrase> passphrase = {});
     void confirmPairing(const channel::PublicKey &key);
     void refusePairing();
     void cancelPairing();
     const channel::PublicKey &publicKey() const;
-    /// Whether a vehicle with this system id is heard.
+    /// Whether a vehicle with this system id sends heartbeats.
     bool isVehicle(std::uint8_t systemId) const { return m_receiver.isVehicle(systemId); }
-    /// Says goodbye to every station and closes the links.
+    /// Sends Close to every station and closes the links.
     void stop();
     /// Call about once a second: rates and load cover the time since the last call, and refused frames are published.
     AgentSnapshot snapshot();
@@ -69,7 +69,7 @@ private:
     std::unique_ptr<SecretFiles> m_secrets;
     std::unique_ptr<VehicleSigning> m_signing; ///< may be null
     AgentEvents m_events;
-    std::vector<Path> m_places; ///< where stations are looked for; an address is known once its name was resolved
+    std::vector<Path> m_places; ///< targets of the announcements; a named host has an address once it was resolved
     LinkPool m_links;
     Ingress m_ingress;
     ChannelDriver m_channel;

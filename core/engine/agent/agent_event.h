@@ -26,7 +26,7 @@ struct FramesRefused
         Observer, ///< the peer may not command
         System,   ///< the peer may not use the system id
         Late,     ///< the record arrived too late, see channel::Freshness
-        TooOften  ///< questions of a peer that may only ask, beyond QuestionLimit
+        TooOften  ///< questions (read-only requests) of an observer beyond QuestionLimit
     };
     Reason reason{};
     std::string peer;
@@ -41,18 +41,18 @@ struct GroundIdClaimed
 {
     std::uint8_t systemId = 0;
 };
-/// What MAVLink signing on the vehicle's side found since the last event of this kind; at most one a minute for each.
+/// Findings of MAVLink signing on the vehicle's side since the last event of this kind; at most one a minute for each kind.
 struct VehicleSignatures
 {
     enum class Kind : std::uint8_t {
-        Verified,       ///< the vehicle signs with the agent's key; again after none did
+        Verified,       ///< the vehicle signs with the agent's key; also after a period in which it did not
         Unsigned,       ///< frames on the vehicle's side without a signature, not forwarded
         Wrong,          ///< the same with a signature of another key
-        Old,            ///< the same with a good signature, but an old time: repeated, or the vehicle lost its time
+        Old,            ///< the same with a valid signature, but an old time: replayed, or the vehicle lost its time
         Unsignable,     ///< MAVLink 1 of stations, not forwarded
         KeyChange,      ///< SETUP_SIGNING of stations, not forwarded
         TooManySenders, ///< frames of stations whose senders the vehicle could not remember, not forwarded
-        TimeNotStored   ///< `problem` says why
+        TimeNotStored   ///< `problem` has the reason
     };
     static constexpr std::size_t kKinds = 8;
     Kind kind{};

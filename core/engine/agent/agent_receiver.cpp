@@ -10,7 +10,7 @@ namespace skyseal::engine {
 
 namespace {
 
-/// Where clear frames go: not to links that wait for calls, since clear frames prove nobody's address.
+/// Targets of clear frames: not on listening links, since clear frames prove no address.
 std::vector<Path> clearPaths(const AgentConfig &config)
 {
     std::vector<Path> out;
@@ -80,8 +80,8 @@ IngressRules AgentReceiver::groundRules(const GroundLink &ground) const
     out.takesDatagrams = ground.carrier == Carrier::Datagram;
     out.takesCobs = cobs;
     out.takesTunnel = tunnel;
-    // Clear bytes are searched only for frames that are of use: those that carry messages of the channel, those sealed in
-    // place, and those of a station that cannot seal, while they would be forwarded. Anyone can send clear bytes.
+    // Anyone can send clear bytes, so they are searched only for useful frames: those that carry messages of the channel, those
+    // sealed in place, and those of a station that does not seal, if they would be forwarded.
     const bool inPlace = out.takesDatagrams && m_parts.config.policy.allowInline;
     const bool searched = tunnel || inPlace || isPlain() || (out.takesDatagrams && weakened(Weakness::ClearAccepted));
     out.clear = searched ? ClearScan::Always : ClearScan::Never;
@@ -111,7 +111,7 @@ void AgentReceiver::takeFromVehicle(TimePoint now, const Path &from, const mavli
     }
 }
 
-/// Returns false for frames that are not the vehicle's, as far as its key shows it.
+/// Returns false for frames that are not the vehicle's according to their signature.
 bool AgentReceiver::takeSignature(TimePoint now, const Path &from, ByteView frame)
 {
     if (!m_parts.signing || m_parts.signing->accept(frame))
@@ -189,7 +189,7 @@ void AgentReceiver::takeClear(const link::Link &, const link::ReceivedBlock &blo
 {
     if (!mavlink::isWholeFrame(item))
         return;
-    // Never with a signing key: that would sign for everybody who reaches the ground side.
+    // Never with a signing key: the agent would sign for everybody on the ground side.
     if ((isPlain() || weakened(Weakness::ClearAccepted)) && !m_parts.signing) {
         m_parts.links.noteUse(block.path);
         signToVehicle(item, true);
@@ -204,7 +204,7 @@ void AgentReceiver::takeUnusable(const link::Link &link, Unusable what)
         ++m_counters.clearRefused;
         return;
     }
-    // Behind a router the datagrams themselves are not the station's.
+    // Behind a router, the datagrams are those of the router, not of the station.
     const GroundLink &ground = m_parts.config.grounds[groundIndex(link.id())];
     m_counters.unusable += what == Unusable::Message || ground.carrier == Carrier::Datagram;
 }

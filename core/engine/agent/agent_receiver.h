@@ -1,5 +1,5 @@
-// The agent's treatment of received messages: frames of the vehicle go to the sessions, records of the ground are opened, and
-// CommandGate judges their frames before they go to the vehicle. Reads no files and no clock; I/O thread.
+// The agent's treatment of received messages: frames of the vehicle are sent to the sessions, records of the ground are opened,
+// and CommandGate judges their frames before they are sent to the vehicle. Reads no files and no clock; I/O thread.
 #pragma once
 
 #include "core/engine/agent/agent_config.h"
@@ -28,7 +28,7 @@ using AgentEvents = EventPublisher<AgentEvent, AgentCauses>;
 class AgentReceiver final : private IngressSink
 {
 public:
-    /// Handles the events of the channel, except the end of the session `speaking` and what follows it.
+    /// Handles the events of the channel, except the end of the session `speaking` and later ones.
     class EventHandler
     {
     public:
@@ -54,7 +54,7 @@ public:
     /// Registers the links with the ingress; call before they open.
     void addLinks();
     void setPeers(const std::vector<channel::Peer> &peers) { m_gate.setPeers(peers); }
-    /// Call when the policy has changed: what is looked for on the ground links depends on it.
+    /// Call when the policy has changed: the classification of blocks on the ground links depends on it.
     void updateRules();
     /// The vehicle's link has one remote, so frames for any system go there.
     void fixVehicle(const Path &path) { m_routes.setFixed(path); }
@@ -116,7 +116,7 @@ private:
     GroundIdClaims m_groundIdClaims;
     ArmedVehicles m_armed;
     metrics::SequenceTable m_fromVehicle;
-    AgentCounters m_counters; ///< without the frames that the gate refused
+    AgentCounters m_counters; ///< without the frames refused by the gate
 };
 
 } // namespace skyseal::engine

@@ -1,5 +1,5 @@
 // The vehicles behind an agent that are armed by their newest heartbeats: a pairing must not be possible in flight. A
-// vehicle that fell silent counts as what it was last. No I/O and no clock.
+// silent vehicle keeps its last state. No I/O and no clock.
 #pragma once
 
 #include "core/mavlink/frame.h"

@@ -10,7 +10,7 @@ namespace skyseal::engine {
 
 namespace {
 
-/// Of most ground stations; used before they are heard as well.
+/// The system id of most ground stations; reserved even before one connects.
 constexpr std::uint8_t kCustomaryGroundSystem = 255;
 
 std::uint64_t AgentCounters::*counterOf(FramesRefused::Reason reason)
@@ -60,7 +60,7 @@ bool CommandGate::mayCommand(TimePoint now, const channel::Delivery &delivery, c
         return false;
     }
     if (mayBeMisread(*item.frame) && !weakened(Weakness::Misreadable)) {
-        ++m_counters.observerUnclear; // happens by chance, so it is treated like a loss on the link and raises no alarm
+        ++m_counters.observerUnclear; // occurs by chance, so it is treated like a loss on the link and raises no alarm
         return false;
     }
     const auto sender = m_senders.find(delivery.session);
@@ -83,7 +83,7 @@ bool CommandGate::maySpeakAs(channel::SessionId session, const mavlink::ScanItem
 void CommandGate::refuse(channel::SessionId session, const mavlink::ScanItem &item, FramesRefused::Reason reason)
 {
     ++(m_counters.*counterOf(reason));
-    // Every station, an observer's as well, sends a heartbeat once a second: not worth an event.
+    // Every station, including an observer's, sends a heartbeat once a second: not worth an event.
     if (reason != FramesRefused::Reason::System && item.frame && item.frame->messageId() == mavlink::Heartbeat::kId)
         return;
     FramesRefused &refused = m_pending[{session, reason}];

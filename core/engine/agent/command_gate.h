@@ -1,5 +1,5 @@
 // Decides which frames of authenticated stations reach the vehicle, by the sender policy, the rules for observers and the
-// check for frames that could be misread, and keeps account of those that are refused. No I/O and no clock.
+// check for frames that could be misread, and counts the refused ones. No I/O and no clock.
 #pragma once
 
 #include "core/channel/delivery.h"
@@ -25,9 +25,9 @@ public:
     void sessionUp(const channel::SessionUp &up);
     void sessionDown(channel::SessionId session);
 
-    /// Judges a whole frame that came over a session; counts it if it is refused. A record that arrived too late gives its
-    /// frames no more than the rights of an observer. `isVehicle` returns true for the system
-    /// ids of the agent's own vehicles, which a station may not use.
+    /// Judges a whole frame that arrived over a session; counts it if it is refused. The frames of a record that arrived too
+    /// late have only the rights of an observer. `isVehicle` returns true for the system ids of the agent's own vehicles, which
+    /// a station may not use.
     template<typename IsVehicle>
     bool accept(TimePoint now, const channel::Delivery &delivery, const mavlink::ScanItem &item, IsVehicle &&isVehicle)
     {
@@ -35,10 +35,10 @@ public:
             && maySpeakAs(delivery.session, item, isVehicle(mavlink::systemIdOf(item.bytes)));
     }
 
-    /// Whether the station may do more than ask.
+    /// Whether the station may send more than questions (read-only requests).
     bool mayCommand(channel::SessionId session) const { return m_policy.mayCommand(session); }
     /// Whether the system id belongs to a ground station: the customary one, and those that the list binds to pilots or that
-    /// they have used since the start. Not those of observers, who could take the vehicle's.
+    /// they have used since the start. Not those of observers, which could take the vehicle's.
     bool isGroundSystem(std::uint8_t systemId) const;
 
     /// The refusals since the last call.

@@ -1,5 +1,5 @@
 // Heartbeats on the vehicle's side under a system id of a ground station: counted, and reported at most once a minute for each
-// id. Such an id is never taken for a vehicle's, since the station could then no longer send. No I/O and no clock.
+// id. Such an id is never treated as a vehicle's, since the station could then no longer send. No I/O and no clock.
 #pragma once
 
 #include "core/base/clock.h"

@@ -1,5 +1,5 @@
 // The sessions of an agent that are up, and for each the loss of the station's frames by their sequence numbers. The station
-// cannot know which of its frames were lost before or behind the channel, so it receives these counts with the next report.
+// cannot know which of its frames were lost before or after the channel, so it receives these counts with the next report.
 // No I/O and no clock.
 #pragma once
 
@@ -30,7 +30,7 @@ public:
     channel::FrameCounters note(TimePoint now, channel::SessionId session, const mavlink::Frame &frame)
     {
         metrics::SequenceTable &table = m_received[session];
-        // Without the link: a session may change over to another modem, and its frames go on in one sequence.
+        // Without the link: a session may move to another modem, and its frames continue one sequence.
         table.note({LinkId{}, frame.systemId(), frame.componentId()}, frame.sequence(), now);
         const metrics::SequenceCounts counts = table.total();
         return {counts.received - counts.duplicate, counts.lost};

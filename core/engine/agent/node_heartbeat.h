@@ -1,6 +1,6 @@
 // The identity of an agent as a MAVLink node on a ground link that leads through routers or radios: a component of its
 // vehicle, with a clear heartbeat once a second (core/channel/PROTOCOL.md, carrier TUNNEL). Routers do not forward TUNNEL to
-// a node that never sent one, and autopilots do not act on it. I/O thread.
+// a node that never sent a heartbeat; autopilots ignore this one. I/O thread.
 #pragma once
 
 #include "core/engine/common/link_pool.h"
@@ -16,7 +16,7 @@ class NodeHeartbeat
 public:
     static constexpr Duration kPeriod = std::chrono::seconds(1);
 
-    /// Takes the system id of the vehicle; only the first call has an effect. Nothing can be sent in TUNNEL before it.
+    /// Takes the system id of the vehicle; only the first call has an effect. No TUNNEL message can be sent before it.
     void setSystem(TimePoint now, std::uint8_t systemId, CarrierWriter &carriers)
     {
         if (carriers.node().system != 0)

@@ -1,6 +1,7 @@
-// The frames of an observer that reach the autopilot: questions (question_rules.h) that are said plainly, and no request for
-// streams while a pilot is there: the rates are the autopilot's, one set for all stations behind an agent, so an observer
-// could take the pilot's instruments away. SET_MESSAGE_INTERVAL is refused for the same reason.
+// The frames of an observer that are forwarded to the autopilot: questions (read-only requests, question_rules.h) for which
+// isPlainlySaid() is true, but no requests for streams while a pilot is connected: the autopilot has one set of rates for all
+// stations behind an agent, so an observer could stop the pilot's telemetry. SET_MESSAGE_INTERVAL is refused for the same
+// reason.
 #pragma once
 
 #include "core/mavlink/frame.h"

@@ -1,5 +1,5 @@
-// How often the questions of each peer that may only ask reach the vehicle. Counted for each key, so that reconnecting brings
-// no further questions. No I/O and no clock.
+// Rate limit of the questions (read-only requests) of each observer. Counted for each key, so that reconnecting does not raise
+// the limit. No I/O and no clock.
 #pragma once
 
 #include "core/channel/policy.h"
@@ -22,7 +22,7 @@ public:
         });
     }
 
-    /// Returns false if the peer asks too often.
+    /// Returns false if the peer exceeds its limit.
     bool take(TimePoint now, const channel::PublicKey &peer, const mavlink::Frame &question)
     {
         return m_budgets[peer].take(now, question.messageId());

@@ -1,5 +1,5 @@
-// Merges refusals of the same message for the lines that people read: a station repeats a command that is not answered, and
-// each repetition is refused in another second. No I/O and no clock.
+// Merges refusals of the same message in the log for people: a station repeats a command that is not answered, and each
+// repetition is refused in another second. No I/O and no clock.
 #pragma once
 
 #include "core/base/clock.h"
@@ -17,7 +17,7 @@ namespace skyseal::engine {
 class RepeatedRefusals
 {
 public:
-    /// After a refusal was shown, repetitions are collected for this long.
+    /// Time for which repetitions are collected after a refusal was shown.
     static constexpr Duration kWindow = std::chrono::seconds(10);
 
     /// Returns true if the refusal is to be shown now; otherwise its frames are part of a later one.
@@ -34,7 +34,7 @@ public:
         return false;
     }
 
-    /// The repetitions whose time is over at `now`; kNever takes all of them.
+    /// The repetitions whose window has ended at `now`; kNever returns all of them.
     std::vector<FramesRefused> takeDue(TimePoint now)
     {
         std::vector<FramesRefused> out;

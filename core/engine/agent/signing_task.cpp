@@ -11,7 +11,7 @@ namespace skyseal::engine {
 
 namespace {
 
-/// Of the requests, to recognise their answers.
+/// Timestamps of the TIMESYNC requests, to recognise their answers.
 constexpr std::int64_t kSignedTicket = 0x7369'676e6564, kUnsignedTicket = 0x756e'73696764;
 
 } // namespace
@@ -57,7 +57,7 @@ void SigningTask::takeHeartbeat(TimePoint now, const Path &from, const mavlink::
     }
 }
 
-/// The signer's time follows that of the vehicle, as VehicleSigning's does.
+/// The signer's time follows that of the vehicle, as in VehicleSigning.
 SigningTask::Signature SigningTask::signatureOf(const mavlink::Frame &frame)
 {
     if (!frame.isSigned())
@@ -119,11 +119,12 @@ void SigningTask::change(TimePoint now)
     }
     mavlink::SetupSigning setup{.target_system = m_vehicle->system, .target_component = m_vehicle->component};
     if (setsUp) {
-        // The time that this signer has reached: a vehicle that is set up again must not accept older frames.
+        // The newest time of this signer: a vehicle that is set up again must not accept older frames.
         setup.initial_timestamp = std::max<std::uint64_t>(m_signer.lastTime(), 1);
         std::copy(m_key.view().begin(), m_key.view().end(), setup.secret_key.begin());
     }
-    // Signed in both cases: a vehicle that does not check signatures yet ignores it, one that took an earlier copy requires it.
+    // Signed in both cases: a vehicle that does not check signatures ignores the signature, one that accepted an earlier copy
+    // requires it.
     send(setup, true);
     wipeSecret(setup.secret_key.data(), setup.secret_key.size());
     m_deadline = now + kRepeatEvery;

@@ -21,21 +21,21 @@ enum class SigningAction : std::uint8_t { SetUp, Check, Remove };
 struct SigningOutcome
 {
     enum class Finding : std::uint8_t {
-        Works,           ///< the vehicle signs with the key, and accepts what is signed with it
-        Refuses,         ///< the vehicle signs with the key, but does not answer what is signed with it
+        Works,           ///< the vehicle signs with the key, and accepts messages that are signed with it
+        Refuses,         ///< the vehicle signs with the key, but does not answer messages that are signed with it
         NotSigned,       ///< the vehicle does not sign
         OtherKey,        ///< the vehicle signs with another key
         Armed,           ///< nothing was changed, since the vehicle is armed
-        SeveralVehicles, ///< nothing was sent, since it is not clear which one is meant
+        SeveralVehicles, ///< nothing was sent, since the target is ambiguous
         NoVehicle        ///< no autopilot was heard
     };
     Finding finding{};
     std::uint8_t systemId = 0;    ///< of the vehicle
     bool acceptsUnsigned = false; ///< the vehicle answers unsigned requests on this link as well
-    bool reached = false;         ///< what was asked for
+    bool reached = false;         ///< the requested result
 };
 
-/// Make it with `new`: its pages are locked.
+/// Create with `new`: its pages are locked.
 class SigningTask : public InLockedMemory
 {
 public:
@@ -57,7 +57,7 @@ public:
         ByteView bytes; ///< until the next call to this object
     };
     std::optional<Transmit> pollTransmit();
-    /// Nothing while it is under way.
+    /// nullopt while the task is in progress.
     const std::optional<SigningOutcome> &outcome() const { return m_outcome; }
 
 private:

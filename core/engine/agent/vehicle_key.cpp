@@ -30,7 +30,7 @@ Result<void, InputError> writeNewVehicleKey(const std::string &path, RandomSourc
 {
     Key32 key;
     random.fill(key.mutableView());
-    std::array<char, 2 * Key32::size() + 1> text; // with its final zero, in place of which stands a newline
+    std::array<char, 2 * Key32::size() + 1> text; // with the terminating zero, which is replaced by a newline
     sodium_bin2hex(text.data(), text.size(), key.view().data(), Key32::size());
     text.back() = '\n';
     auto written = keys::createFile(path, asBytes({text.data(), text.size()}));

@@ -1,5 +1,5 @@
-// The key of MAVLink signing that the agent shares with its vehicle, and the time up to which it has signed. The key stands in
-// a file of 64 hex digits or 32 bytes, as other MAVLink tools use it, that no other user can read; the time beside it, in
+// The key of MAVLink signing that the agent shares with its vehicle, and the time up to which it has signed. The key is in
+// a file of 64 hex digits or 32 bytes, like that of other MAVLink tools, which no other user can read; the time is in
 // FILE.time.
 #pragma once
 
@@ -19,9 +19,9 @@ struct VehicleKey
     std::unique_ptr<keys::SigningTimeFile> times; ///< null: the time starts at 0 and is not stored
 };
 
-/// Fails as keys::readFile() does for private files, if the content is not a key, and for a key of zeros, which means "no key".
+/// Fails like keys::readFile() for private files, if the content is not a key, and for a key of zeros, which means "no key".
 Result<VehicleKey, InputError> readVehicleKey(const std::string &path);
-/// Makes a key for the owner only (0600). Fails if the file exists.
+/// Creates a key that only its owner can read (0600). Fails if the file exists.
 Result<void, InputError> writeNewVehicleKey(const std::string &path, RandomSource &random);
 
 inline std::string signingTimeFile(const std::string &keyFile)

@@ -1,4 +1,4 @@
-// The path to each vehicle on the agent's side: learned from valid heartbeats, or given by a link that has only one remote.
+// The path to each vehicle on the agent's side: learned from valid heartbeats, or that of a link with a single remote.
 // No I/O and no clock.
 #pragma once
 
@@ -18,23 +18,23 @@ public:
     /// After this time without a heartbeat the address may belong to another program, and the system id to another node.
     static constexpr Duration kForgetAfter = std::chrono::seconds(60);
 
-    /// The remote of a link that has no others; every frame goes there.
+    /// The remote of a link that has no others; every frame is sent there.
     void setFixed(const Path &path) { m_fixed = path; }
 
     /// Returns true for heartbeats of autopilots. Ground stations, companion computers and gimbals send others, with
     /// MAV_AUTOPILOT_INVALID.
     static bool isVehicleHeartbeat(const mavlink::Frame &frame);
-    /// Takes a heartbeat of an autopilot: its system id is a vehicle's, at this address.
+    /// Takes a heartbeat of an autopilot: its system id is that of a vehicle at this address.
     void heard(TimePoint now, const Path &from, std::uint8_t systemId);
     /// The system id belongs to a ground station.
     void forget(std::uint8_t systemId);
-    /// A stream began or ended: what was learned from the old one is dropped.
+    /// A stream began or ended: the paths learned from the old one are removed.
     void streamChanged(const Path &path);
     void forgetSilent(TimePoint now);
 
-    /// Whether one of the agent's vehicles has this system id: until it was silent for kForgetAfter.
+    /// Whether one of the agent's vehicles has this system id; false after it was silent for kForgetAfter.
     bool isVehicle(std::uint8_t systemId) const { return m_heard.contains(systemId); }
-    /// The system id of the only vehicle that is heard; 0 if there are none or several.
+    /// The system id of the only vehicle; 0 if there are none or several.
     std::uint8_t onlySystem() const { return m_heard.size() == 1 ? m_heard.begin()->first : std::uint8_t(0); }
     /// Calls `visit(const Path &)` for each path to a system; for 0 and unknown systems, for the paths of all vehicles.
     /// Returns false if there is none.

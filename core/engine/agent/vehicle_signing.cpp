@@ -12,7 +12,7 @@ using mavlink::SignatureVerdict;
 
 namespace {
 
-/// Radios, which have no key, put these between the frames of the vehicle. As autopilots do.
+/// Radios, which have no key, insert these between the frames of the vehicle. Autopilots accept them as well.
 bool mayBeUnsigned(std::uint32_t messageId)
 {
     return messageId == mavlink::RadioStatus::kId || messageId == mavlink::Radio::kId;
@@ -63,7 +63,7 @@ ByteView VehicleSigning::catchUp(TimePoint now, ByteView refused)
     m_catchUpDue = now + kCatchUpEvery;
     mavlink::FrameWriter writer(mavlink::systemIdOf(refused), mavlink::MAV_COMP_ID_ONBOARD_COMPUTER);
     std::array<std::uint8_t, mavlink::kMaxFrameLength> request;
-    // Nobody waits for the answer: its ts1 is no time at which a station asked.
+    // No station waits for the answer: its ts1 matches no request of a station.
     return signedCopy(writer.write(mavlink::Timesync{.ts1 = 1}, request));
 }
 
@@ -92,7 +92,7 @@ ByteView VehicleSigning::signedCopy(ByteView frame)
     return out;
 }
 
-/// Always false, for the callers' return.
+/// Always returns false, for the return statements of the callers.
 bool VehicleSigning::refuse(std::uint64_t &counter, Kind kind)
 {
     ++counter;
@@ -107,7 +107,7 @@ bool VehicleSigning::hasPlace(ByteView frame, bool mayCommand)
     const auto known = std::find_if(
         m_senders.begin(), end, [&](const Sender &sender) { return sender.system == system && sender.component == component; });
     if (known != end) {
-        if (mayCommand && !known->mayCommand) { // no longer one of those who only ask
+        if (mayCommand && !known->mayCommand) { // the sender no longer counts as an observer
             known->mayCommand = true;
             --m_askerCount;
         }
@@ -147,7 +147,7 @@ std::vector<VehicleSignatures> VehicleSigning::takeReports(TimePoint now)
     const std::uint64_t refused = refusedOf(m_counters);
     if (m_counters.verified > m_verifiedAtReport)
         m_verifiedReported = m_verifiedReported || report(Kind::Verified, m_counters.verified - m_verifiedAtReport);
-    else if (refused > m_refusedAtReport) // nothing but refused frames: the next good one is news
+    else if (refused > m_refusedAtReport) // only refused frames: the next good one is reported
         m_verifiedReported = false;
     m_verifiedAtReport = m_counters.verified;
     m_refusedAtReport = refused;

@@ -32,7 +32,7 @@ struct ClientDenied
 /// Clients connected, left and were denied frames more often than single events are published.
 struct ClientsUnreported
 {
-    std::uint64_t clients = 0; ///< that connected, each without an event of its own
+    std::uint64_t clients = 0; ///< that connected and disconnected
     std::uint64_t frames = 0;  ///< frames that were not forwarded
 };
 

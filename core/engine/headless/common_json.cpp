@@ -76,7 +76,7 @@ void writeChannel(JsonWriter &json, const ChannelTotals &totals)
     json.key("unmatched").beginObject(); // contained in rx: repeated handshakes, garbage
     json.field("replayed", totals.unmatched.replayed).field("forged", totals.unmatched.forged);
     json.field("malformed", totals.unmatched.malformed).endObject();
-    // The records sent, and their fate as the other end counts it.
+    // The sent records, and their fate as counted by the other end.
     json.key("tx").beginObject();
     json.field("records", totals.tx.records).field("sealed_bytes", totals.tx.sealedBytes);
     writeReceived(json, totals.peerRx);

@@ -17,9 +17,9 @@ namespace skyseal::engine {
 JsonWriter beginEvent(std::string_view event);
 std::string endEvent(JsonWriter &json);
 
-/// `side` is "vehicle" or "ground" where a program has two; empty otherwise.
+/// `side` is "vehicle" or "ground" for programs with two sides; empty otherwise.
 std::string linkEvent(const LinkSnapshot &link, std::string_view side = {});
-/// {"event":"counter_storage","works":…}, with a "problem" if it does not work.
+/// {"event":"counter_storage","works":…}, with a "problem" if storing fails.
 std::string counterStorageEvent(const CounterStorage &storage);
 
 /// Parts of "stats" and "summary".

@@ -1,5 +1,5 @@
 // Reads the parts of a datagram that are visible without keys: the number of sealed units and the headers of MAVLink frames.
-// The report of a relay counts its drops with it, so that tests compare the counters of both ends with an independent account.
+// The report of a relay counts its drops by it, so that tests can compare the counters of both ends with independent counts.
 // Follows PROTOCOL.md 2 (records) and 12 (frames sealed in place), and the packet formats of the MAVLink guide.
 #pragma once
 
@@ -33,7 +33,7 @@ struct DatagramContents
     std::uint64_t clearFrames() const;
 };
 
-/// Follows the length fields from frame to frame and stops at the first byte that begins no frame.
+/// Follows the length fields from frame to frame and stops at the first byte that does not begin a frame.
 DatagramContents contentsOf(ByteView datagram);
 
 } // namespace skyseal::engine

@@ -15,7 +15,7 @@ namespace skyseal::engine {
 struct Snapshot;
 struct VehicleSnapshot;
 
-/// The line of any event; empty for those that scripts do not see. `names` must have noted the event.
+/// The line of any event; empty for events that are not reported to scripts. `names` must have noted the event.
 std::string eventJson(const Event &event, const PeerNames &names);
 
 std::string vehicleEvent(const VehicleFound &found);
@@ -26,7 +26,7 @@ std::string plaintextEvent(const PlaintextRefused &refused);
 std::string systemRefusedEvent(const SystemRefused &refused);
 /// One step of a flight script.
 std::string commandEvent(const vehicle::StepReport &report);
-/// Events that are missing before this line, because the reader of the output did not keep up.
+/// Number of events that were dropped before this line, because the reader of the output did not keep up.
 std::string eventsDroppedEvent(const EventsDropped &dropped);
 std::string recordingEvent(const RecordingProblem &problem);
 std::string servedLinkEvent(const ServedLinkChanged &served);
@@ -34,12 +34,12 @@ std::string clientEvent(const ClientConnected &client);
 std::string clientEvent(const ClientGone &client);
 std::string clientDeniedEvent(const ClientDenied &denied);
 
-/// The connection to the MQTT broker was made or lost.
+/// The connection to the MQTT broker was established or lost.
 std::string brokerEvent(const std::string &url, const mqtt::PublisherStatus &broker);
 
 /// The state of one vehicle of the snapshot, and how it is connected. `now`: the time of the snapshot.
 std::string vehicleStateEvent(const Snapshot &snapshot, const VehicleSnapshot &vehicle, WallTime now);
-/// The state at this moment: the statistics, and the sessions.
+/// The present state: the statistics, and the sessions.
 std::string statusEvent(const Snapshot &snapshot);
 /// `event` is "stats" or "summary"; `time` is seconds since the start.
 std::string statsEvent(std::string_view event, const Snapshot &snapshot, double time);

@@ -13,7 +13,7 @@ void FleetFeed::take(const Snapshot &snapshot, WallTime now)
         m_vehicles.emplace(vehicle.state.systemId, vehicle.session);
     if (snapshot.time < m_nextState)
         return;
-    const bool inTime = snapshot.time < m_nextState + kStateEvery; // otherwise there is nothing to make up for
+    const bool inTime = snapshot.time < m_nextState + kStateEvery; // otherwise the schedule starts anew
     m_nextState = (inTime ? m_nextState : snapshot.time) + kStateEvery;
     for (const VehicleSnapshot &vehicle : snapshot.vehicles)
         m_sink->putState(mqtt::vehicleState(vehicle.state.systemId), vehicleStateEvent(snapshot, vehicle, now));
@@ -38,8 +38,8 @@ void FleetFeed::takeFrame(ByteView frame)
         m_sink->putRaw(mavlink::systemIdOf(frame), frame);
 }
 
-/// An event of a session concerns the vehicles behind it. A system id that no vehicle has is a stranger's claim, which makes
-/// no topic.
+/// An event of a session concerns the vehicles behind it. A system id without a vehicle is the claim of a stranger and gets no
+/// topic.
 std::vector<std::uint8_t> FleetFeed::vehiclesOf(const Event &event) const
 {
     return std::visit(

@@ -1,5 +1,5 @@
-// What a station tells the subscribers of a broker, by vehicle: its state twice a second, its events as they occur, and, where
-// that is asked for, its MAVLink frames. Topics are in core/mqtt/topics.h; an event has the JSON of the monitor.
+// Publishes the vehicles of a station to a broker: the state of each twice a second, its events as they occur, and, if
+// requested, its MAVLink frames. Topics are in core/mqtt/topics.h; an event has the JSON of the monitor.
 //
 // takeFrame() and status() are called on the I/O thread, the rest on the thread of the Station object.
 #pragma once
@@ -24,7 +24,7 @@ public:
     /// `raw`: publish the frames, too.
     FleetFeed(std::unique_ptr<mqtt::MessageSink> sink, bool raw) : m_sink(std::move(sink)), m_raw(raw) {}
 
-    /// Call for every snapshot, of which some are published.
+    /// Call for every snapshot; only some are published.
     void take(const Snapshot &snapshot, WallTime now);
     /// Call for every event.
     void handleEvent(const Event &event);

@@ -115,7 +115,7 @@ void HeadlessRun::watchLinks(const LinkSnapshot &link)
     }
 }
 
-/// A gateway without one of its ports is no gateway.
+/// The failure of a port of the gateway ends the run.
 void HeadlessRun::watchServed(const LinkSnapshot &link)
 {
     if (!link.addressInUse && link.phase != LinkPhase::Failed)
@@ -172,7 +172,7 @@ void HeadlessRun::drainTask()
 
 void HeadlessRun::endIfDue()
 {
-    // A switch in progress may finish: if it were cut off, it would be reported as rolled back although nothing failed.
+    // A pending switch may complete: otherwise it would be reported as rolled back although nothing failed.
     const double grace = m_switching.isPending() ? seconds(channel::Timing().switchConfirm) + 1 : 0;
     const bool timeUp = m_plan.duration && elapsed() >= seconds(*m_plan.duration) + grace;
     const bool flown = !m_plan.script.empty() && m_script.finished() && (!m_plan.duration || m_script.failed());
@@ -188,7 +188,7 @@ void HeadlessRun::settle(const Snapshot &last)
     const auto end = [this](RunOutcome outcome, std::string problem = {}) { Q_EMIT finished(outcome, std::move(problem)); };
     if (!m_brokenLink.empty())
         return end(RunOutcome::CannotOpen, m_brokenLink);
-    // Each link kept trying, as it should, but the run is over and none ever received anything.
+    // Each link kept retrying, but the run is over and no link ever worked.
     const bool anyWorked = std::any_of(m_links.begin(), m_links.end(), [](const auto &link) { return link.second; });
     if (!anyWorked && !m_linkProblem.empty())
         return end(RunOutcome::CannotOpen, m_linkProblem);

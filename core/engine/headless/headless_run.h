@@ -24,7 +24,7 @@ struct RunPlan
     Duration switchEvery = std::chrono::seconds(1);
     std::optional<Duration> duration;
     bool sessionRequired = false;
-    /// All links carry the encryption of MAVSec's published code and are never sent to.
+    /// All links carry the encryption of MAVSec's published code; nothing is sent on them.
     std::shared_ptr<const crypto::MavsecCipher> mavsec;
     bool inlineRequired = false;    ///< a session must agree to inline framing
     std::vector<ServeConfig> serve; ///< links for other ground stations
@@ -101,7 +101,7 @@ private:
     bool m_inlineSeen = false;
     bool m_stopping = false;
     std::string m_brokenLink;
-    std::string m_linkProblem; ///< the newest one of a link that never worked
+    std::string m_linkProblem; ///< the newest problem of a link that never worked
 };
 
 } // namespace skyseal::engine

@@ -20,7 +20,7 @@ struct Label
 };
 using Labels = std::initializer_list<Label>;
 
-/// Writes families one after the other: the samples of one stand together, as the format requires.
+/// Writes metric families one after the other: the format requires the samples of a family to be contiguous.
 class Exposition
 {
 public:
@@ -28,7 +28,7 @@ public:
     void gauge(std::string_view name, std::string_view help) { family(name, "gauge", "", help); }
 
     void sample(Labels labels, std::uint64_t value) { write(labels, std::to_string(value)); }
-    /// Left out if the value is unknown.
+    /// Omitted if the value is unknown.
     void sample(Labels labels, double value)
     {
         if (!std::isfinite(value))

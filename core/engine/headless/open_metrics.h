@@ -11,7 +11,7 @@ namespace skyseal::engine {
 /// The Content-Type of the text.
 inline constexpr const char *kOpenMetricsType = "application/openmetrics-text; version=1.0.0; charset=utf-8";
 
-/// The whole exposition, with its end mark. Quantities that are unknown are left out.
+/// The whole exposition, with its end mark. Unknown quantities are omitted.
 std::string openMetrics(const Snapshot &snapshot);
 
 } // namespace skyseal::engine

@@ -1,4 +1,4 @@
-// The account of a relay (core/link/impairer.h): the contents of the datagrams that it dropped or duplicated, and the JSON
+// Report of a relay (core/link/impairer.h): the contents of the datagrams that it dropped or duplicated, and the JSON
 // lines of skyseal-cli impair. Names and shapes are part of the program's interface.
 #pragma once
 

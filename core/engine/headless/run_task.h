@@ -26,12 +26,12 @@ public:
     /// Called every 50 ms with the newest snapshot.
     virtual void advance(TimePoint now, const Snapshot &snapshot) = 0;
     virtual void handle(const Event &event) = 0;
-    /// The next request to send; requestSent() then tells its id.
+    /// The next request to send; requestSent() then passes its id.
     virtual std::optional<TaskRequest> pollRequest() = 0;
     virtual void requestSent(vehicle::RequestId id) = 0;
 
     virtual bool isFinished() const = 0;
-    /// Why it did not reach its goal, for people; empty if it did.
+    /// Reason why the goal was not reached, for people; empty if it was.
     virtual const std::string &problem() const = 0;
 };
 

@@ -1,6 +1,6 @@
 // Self-test of a program on the machine where it runs, within a second: every cipher, the handshake and the MAVLink code must
-// give known answers, and two endpoints in this process must establish a session. It finds a wrong library or processor flag
-// before a flight does.
+// give known answers, and two endpoints in this process must establish a session. It detects a wrong library or processor flag
+// before the flight.
 #pragma once
 
 #include <functional>

@@ -71,7 +71,7 @@ std::optional<std::string> checkRecord(const crypto::SuiteInfo &suite)
     return expect(opened && same(*opened, plain), "does not open what it sealed");
 }
 
-/// Chosen ephemeral keys, as the published vector has them.
+/// Fixed ephemeral keys, from the published vector.
 class ChosenRandom final : public RandomSource
 {
 public:

@@ -133,7 +133,7 @@ std::optional<std::string> checkSession()
     if (!ends.runUntil([&] { return ends.up(); }))
         return "no session comes up";
     for (const crypto::SuiteInfo &info : crypto::suites()) {
-        if (!info.authenticated || !crypto::suiteAvailable(info.id)) // the suite's own test reports that
+        if (!info.authenticated || !crypto::suiteAvailable(info.id)) // reported by the test of the suite
             continue;
         if (info.id != ends.suite()) {
             ends.switchTo(info.id);

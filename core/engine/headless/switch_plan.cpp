@@ -14,7 +14,7 @@ void SwitchPlan::sessionUp(TimePoint now, channel::SessionId session)
 void SwitchPlan::switchDone(const channel::SwitchDone &done)
 {
     if (std::find(m_suites.begin(), m_suites.end(), done.to) == m_suites.end())
-        return; // requested by another: the peer, or a user of the control socket
+        return; // requested elsewhere: by the peer, or over the control socket
     const auto walk = m_walks.find(done.session);
     // A session also rekeys by itself, and a requested switch to the suite in use is reported as a rekey too.
     if (done.rekey && (walk == m_walks.end() || walk->second.pending != done.to))
@@ -36,7 +36,7 @@ std::vector<SwitchPlan::Order> SwitchPlan::poll(TimePoint now)
         out.push_back({session, suite});
         walk.due += m_every;
         if (walk.due <= now)
-            walk.due = now + m_every; // a late switch does not shorten the period after it
+            walk.due = now + m_every; // a late switch does not shorten the next period
         walk.pending = suite;
     }
     return out;

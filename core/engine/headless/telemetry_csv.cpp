@@ -69,7 +69,7 @@ std::uint64_t exportTelemetry(std::istream &input, const mavlink::Dialect &diale
     while (const auto item = reader.next()) {
         if (!item->frame || !item->time)
             continue;
-        // Time is that of the recording.
+        // Uses the time of the recording.
         const TimePoint now(std::chrono::duration_cast<Duration>(item->time->time_since_epoch()));
         vehicles.handleFrame(now, *item->time, *item->frame);
         vehicle::Vehicle *vehicle = vehicles.find(item->frame->systemId());

@@ -12,7 +12,7 @@
 
 namespace skyseal::engine {
 
-/// Reads all of `input` (a .tlog; raw bytes have no times and give no rows) and passes on a header line and then each row,
+/// Reads all of `input` (a .tlog; raw bytes have no timestamps and give no rows) and passes a header line and then each row,
 /// without line ends; the first column is "time" in seconds since 1970. Returns the number of rows.
 std::uint64_t exportTelemetry(std::istream &input, const mavlink::Dialect &dialect, Duration every,
                               const std::function<bool(const std::string &line)> &sink);

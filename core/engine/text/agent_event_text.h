@@ -1,4 +1,4 @@
-// One sentence for each event of the agent. Channel events read as they do for the station.
+// One sentence for each event of the agent; for events of the channel the same as for the station.
 #pragma once
 
 #include "core/engine/agent/agent_event.h"
@@ -6,7 +6,7 @@
 
 namespace skyseal::engine {
 
-/// `names` must have noted the event if it is one of the channel. Without a sentence for the events of a pairing: its owner
+/// `names` must have noted the event if it is one of the channel. Empty for the events of a pairing: its owner
 /// reports them with the texts of pairing_text.h.
 EventText agentEventText(const AgentEvent &event, const PeerNames &names);
 

@@ -62,7 +62,7 @@ public:
     EventText operator()(const channel::HandshakeRefused &e) const
     {
         const bool isKeyKnown = e.peer != channel::PublicKey{};
-        // A station reads an announcement, which does not show the key; an agent reads a handshake, which does.
+        // A station receives an announcement, which does not contain the key; an agent receives a handshake, which does.
         if (e.reason == channel::RefusalReason::UnknownPeer && !isKeyKnown)
             return {tr("An agent at %1 announces itself with a key that is not known here").arg(addressOf(e.path)), kWarning, 0,
                     false, EventText::Remedy::PairAgent};

@@ -12,13 +12,13 @@ namespace skyseal::engine {
 
 struct EventText
 {
-    /// Action that helps. Each program adds how to take it there: by a menu or by an option.
+    /// Remedial action. Each program adds its own way to take it: a menu or an option.
     enum class Remedy : std::uint8_t { None, AllowPlaintext, PairAgent };
 
     QString sentence;          ///< starts with a capital letter, ends without a full stop
     std::uint8_t severity = 6; ///< MAV_SEVERITY
-    std::uint8_t systemId = 0; ///< of the vehicle that the event is about; 0 = this device
-    /// Another event or another place reports it as well: lists of events leave it out.
+    std::uint8_t systemId = 0; ///< of the vehicle that the event concerns; 0 = this device
+    /// Another event or another place reports it as well, so that lists of events omit it.
     bool isRoutine = false;
     Remedy remedy = Remedy::None;
 
@@ -26,7 +26,7 @@ struct EventText
     QString line() const;
 };
 
-/// An event that lists of events leave out.
+/// An event that lists of events omit.
 EventText routineText(const QString &sentence, std::uint8_t systemId = 0);
 /// `names` must have noted the event.
 EventText channelEventText(const channel::Event &event, const PeerNames &names);

@@ -8,7 +8,7 @@
 
 namespace skyseal::engine {
 
-/// Why a pairing ended without success, as it follows "Not paired: "; empty for PairingEnd::Paired.
+/// Reason why a pairing failed, to follow "Not paired: "; empty for PairingEnd::Paired.
 QString pairingEndText(channel::PairingEnd reason);
 QString notPairedText(const QString &reason);
 QString pairedText(const QString &peerName);

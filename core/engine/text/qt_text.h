@@ -1,4 +1,4 @@
-// Parts of sentences: the engine's UTF-8 strings, which may contain text of others, and numbers with their nouns.
+// Parts of sentences: the engine's UTF-8 strings, which may contain text from outside, and numbers with their nouns.
 #pragma once
 
 #include "core/base/printable.h"
@@ -11,13 +11,13 @@
 
 namespace skyseal::engine {
 
-/// UTF-8 of this program's own.
+/// UTF-8 text of this program.
 inline QString fromStd(std::string_view text)
 {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
-/// UTF-8 that may contain text of others: without control characters.
+/// UTF-8 that may contain text from outside: removes control characters.
 inline QString qt(const std::string &text)
 {
     return QString::fromStdString(printable(text));

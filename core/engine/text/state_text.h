@@ -11,7 +11,7 @@
 
 namespace skyseal::engine {
 
-/// The name of a suite. A research suite carries the word "insecure", everywhere.
+/// The name of a suite, with the word "insecure" for research suites.
 QString suiteText(crypto::SuiteId suite);
 /// "quadrotor", "plane", …, by MAV_TYPE.
 QString vehicleTypeText(std::uint8_t type);
@@ -23,9 +23,9 @@ QString downReasonText(channel::DownReason reason);
 QString switchFailureText(channel::SwitchFailure failure);
 /// Why a handshake was refused.
 QString refusalText(channel::RefusalReason reason);
-/// How long the ends took to agree: "0.4 ms", "42 ms".
+/// Duration of a switch until both ends agreed: "0.4 ms", "42 ms".
 QString switchTimeText(Duration took);
-/// Of names that are joined by ", ": "air-1", "air-1 or air-2", "air-1, air-2 or air-3".
+/// Alternatives of names that are joined by ", ": "air-1", "air-1 or air-2", "air-1, air-2 or air-3".
 QString anyOfNames(std::string_view names);
 
 } // namespace skyseal::engine
