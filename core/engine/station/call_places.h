@@ -1,6 +1,6 @@
-// The links that may lead to an agent that listens: those that send datagrams to one address. While MAVLink comes from there it
-// is a router or an autopilot, which must receive hardly more than a greeting; but whoever forges that address can send
-// MAVLink as well, so that the station calls there once in a while all the same. I/O thread.
+// The links that may lead to an agent that listens: those that send datagrams to one address. While MAVLink arrives from that
+// address, it is a router or an autopilot, which should receive hardly more than a greeting. But an attacker can forge such
+// MAVLink, so the station still calls there occasionally. I/O thread.
 #pragma once
 
 #include "core/base/clock.h"
@@ -19,18 +19,18 @@ namespace skyseal::engine {
 class CallPlaces
 {
 public:
-    /// An address from which no MAVLink came for this long is called again.
+    /// An address from which no MAVLink has arrived for this long is called again.
     static constexpr Duration kForgetAfter = std::chrono::seconds(10);
-    /// Addresses from which MAVLink comes are called once in this time, until the next update.
+    /// Addresses from which MAVLink arrives are called once in this time, until the next update.
     static constexpr Duration kCallSparingly = std::chrono::seconds(30);
 
     struct Update
     {
-        std::vector<Path> calls;    ///< where agents may be called
-        std::vector<Path> requests; ///< where an agent may be requested to pair
+        std::vector<Path> calls;    ///< addresses at which agents may be called
+        std::vector<Path> requests; ///< addresses at which an agent may be requested to pair
     };
 
-    /// A MAVLink frame came in clear, TUNNEL included. Costs a comparison while frames come on one link.
+    /// A MAVLink frame arrived in clear, including TUNNEL. Costs a comparison while frames arrive on a single link.
     void noteMavlink(const link::Link &link, const Path &from, TimePoint now)
     {
         if (from.remote != link.remote())
@@ -42,13 +42,13 @@ public:
         m_changed |= !m_newest->isMavlink(now);
         m_newest->mavlink = now;
     }
-    /// A record of an agent came from there: MAVLink of strangers does not count any more.
+    /// A record of an agent arrived from there: from now on MAVLink of strangers has no effect.
     void noteSession(const link::Link &link, const Path &from)
     {
         if (from.remote == link.remote() && link.id() != m_newestSession)
             m_changed |= m_sessions.insert(*(m_newestSession = link.id())).second;
     }
-    /// Whether there are other places than at the last update.
+    /// Whether the places have changed since the last update.
     bool takeChanged() { return std::exchange(m_changed, false); }
 
     /// To be called every second. `isFlown`: a vehicle in clear is accepted at a path; it is never called, since its parser
@@ -59,7 +59,7 @@ public:
         Update out;
         links.forEach([&](const link::Link &link) {
             const bool calls = link.traits().isDatagramClient() && !links.isListenOnly(link.id()) && link.remote() != Address{};
-            const bool greeted = link.counters().txBlocks > 0; // a second ago, so that a router could answer
+            const bool greeted = link.counters().txBlocks > 0; // at least a second ago, so that a router could answer
             const Path path{link.id(), link.remote()};
             if (!calls || !greeted || isFlown(path))
                 return;
@@ -67,7 +67,7 @@ public:
             place.called = std::max(place.called, lastCall(path).value_or(place.called));
             const bool spared = place.isMavlink(now) && !m_sessions.contains(link.id()) && !weakened(Weakness::CallRouters);
             if (!spared || now >= place.called + kCallSparingly)
-                out.calls.push_back(path); // and again, until its turn has come
+                out.calls.push_back(path); // repeatedly, until its turn has come
             if (!spared || now >= place.requested + kCallSparingly) {
                 place.requested = now;
                 out.requests.push_back(path);
@@ -79,14 +79,14 @@ public:
 private:
     struct Place
     {
-        std::optional<TimePoint> mavlink; ///< newest frame from there
+        std::optional<TimePoint> mavlink; ///< time of the newest frame from there
         TimePoint called = TimePoint::min();
         TimePoint requested = TimePoint::min();
         bool isMavlink(TimePoint now) const { return mavlink && now - *mavlink <= kForgetAfter; }
     };
 
     std::map<LinkId, Place> m_places;
-    LinkId m_newestLink{};       ///< where the newest frame came
+    LinkId m_newestLink{};       ///< link of the newest frame
     Place *m_newest = nullptr;   ///< its entry
     std::set<LinkId> m_sessions; ///< links at whose address an agent had a session
     std::optional<LinkId> m_newestSession;

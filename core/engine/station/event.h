@@ -52,7 +52,8 @@ struct SystemRefused
     std::uint64_t frames = 0;
 };
 /// A known agent announces itself and answers no handshake: most likely it does not know this station's key, whose
-/// fingerprint is included for the operator to compare. Published when it begins and when it is over (answered, or gone).
+/// fingerprint is included for the operator to compare. Published at the beginning and at the end (the agent has answered, or
+/// is gone).
 struct AgentUnanswering
 {
     UnansweringAgent agent;
@@ -62,7 +63,7 @@ struct RecordingProblem
 {
     std::string file, problem;
 };
-/// The reader did not keep up, and the oldest events before this one were dropped, see OutputQueue.
+/// The reader did not keep up, and the oldest events before this one were dropped; see OutputQueue.
 struct EventsDropped
 {
     std::uint64_t events = 0;

@@ -1,4 +1,5 @@
-// A receiver of the vehicles' frames that is no MAVLink program, and therefore no client of the gateway: a broker.
+// Receives the frames of the vehicles for a consumer that is not a MAVLink program, and therefore not a client of the gateway:
+// a broker.
 #pragma once
 
 #include "core/base/bytes.h"
@@ -11,7 +12,7 @@ class Feed
 public:
     virtual ~Feed() = default;
 
-    /// A frame of a vehicle that the station accepted, byte for byte. Called on the I/O thread for each one: must not block.
+    /// Takes an accepted frame of a vehicle, byte for byte. Called on the I/O thread for each frame: must not block.
     virtual void takeFrame(ByteView frame) = 0;
     /// For snapshots; called on the I/O thread.
     virtual mqtt::PublisherStatus status() const = 0;

@@ -15,7 +15,7 @@ vehicle::VehicleConfig vehicleConfig(const StationConfig &config)
     return out;
 }
 
-/// The agent's list alone holds the role of this station, and an agent does not answer commands of an observer.
+/// Only the agent's list contains the role of this station, and an agent does not answer commands of an observer.
 const std::string kMaybeObserver = "; the agent may know this station as an observer, whose commands it drops";
 
 } // namespace

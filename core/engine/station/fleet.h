@@ -1,5 +1,5 @@
-// The vehicles that a station knows, and all that is counted of the frames it accepted: sequence loss, the inspector's table
-// and what is noted of each vehicle. I/O thread; no I/O itself.
+// The vehicles that a station knows, and the statistics of its accepted frames: sequence loss, the inspector's table and the
+// watches of each vehicle. I/O thread; no I/O itself.
 #pragma once
 
 #include "core/engine/common/totals.h"
@@ -33,12 +33,13 @@ public:
     InspectorTable &inspector() { return m_inspector; }
     const InspectorTable &inspector() const { return m_inspector; }
 
-    /// Publishes the events of a vehicle. `sealed`: it is heard over a session.
+    /// Publishes the events of a vehicle. `sealed`: its frames arrive over a session.
     static void publishEvents(vehicle::Vehicle &vehicle, bool sealed, const Notify &notify);
 
-    /// Call four times a second: publishes vehicles that are lost or back. Returns true if at least one is heard.
+    /// Call four times a second: publishes vehicles that are lost or back. Returns true if at least one is
+    /// present: not lost, and its session has not ended.
     bool sample(TimePoint now, const Notify &notify);
-    /// Seconds there and back, of the vehicle heard last; vehicle::kUnknown without one.
+    /// Round-trip time in seconds of the vehicle heard last; vehicle::kUnknown without one.
     double latency(TimePoint now) const;
     /// Sums over all accepted frames; bad checksums are counted by the links.
     MavlinkTotals totals() const;

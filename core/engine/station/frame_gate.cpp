@@ -61,7 +61,7 @@ std::optional<channel::SessionId> FrameGate::refuseClear(const Path &from, std::
 std::optional<PlaintextRefused> FrameGate::awaitApproval(TimePoint now, const Path &from, std::uint8_t systemId,
                                                          bool isHeartbeat)
 {
-    m_pending.count(); // not among the refusals: a vehicle that awaits approval is not a sign of an attack
+    m_pending.count(); // not counted as a refusal: a vehicle that awaits approval is no sign of an attack
     if (!isHeartbeat)
         return std::nullopt;
     const std::string address = link::toText(from.remote);

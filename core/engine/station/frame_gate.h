@@ -1,5 +1,5 @@
-// Decides which MAVLink frames the station accepts, by the sender policy, and keeps account of the others: frames that are
-// refused, and vehicles in clear that wait for the operator's approval. No I/O and no clock.
+// Decides by the sender policy which MAVLink frames the station accepts, and counts the others: refused frames, and vehicles in
+// clear that await the operator's approval. No I/O and no clock.
 #pragma once
 
 #include "core/engine/common/sender_policy.h"
@@ -11,11 +11,11 @@
 
 namespace skyseal::engine {
 
-/// Where frames come from, as fixed when their link opened.
+/// Origin of frames, fixed when their link opens.
 enum class FrameOrigin : std::uint8_t {
     Live,
     Recording, ///< the replay of a log
-    ListenOnly ///< a stream of MAVSec's published code, which is never sent to
+    ListenOnly ///< a stream of MAVSec's published code; nothing is sent to it
 };
 
 class FrameGate
@@ -38,12 +38,12 @@ public:
     /// Judges a clear frame. `wasSealed`: in this run the vehicle has or had a session (used for
     /// recordings alone). Counts nothing.
     ///
-    /// Recordings and listen-only streams were opened for what they are. The recorded frames of a sealed vehicle can be
-    /// replayed, but not while that vehicle itself is or was connected.
+    /// Recordings and listen-only streams are accepted, since the operator opened them as such. The recorded frames of a sealed
+    /// vehicle can be replayed, but not if that vehicle is or was connected in this run.
     Verdict judgeClear(const Path &from, std::uint8_t systemId, FrameOrigin origin, bool wasSealed) const;
-    /// Judges a frame that came sealed; counts it if it is refused.
+    /// Judges a sealed frame; counts it if it is refused.
     bool acceptSealed(channel::SessionId session, std::uint8_t systemId);
-    /// Notes an accepted frame of a delivery. Returns false if it may not change present values.
+    /// Notes an accepted frame of a delivery. Returns false if it must not change present values.
     bool isPresent(const mavlink::Frame &frame, const channel::Delivery &delivery);
 
     /// Counts a refused clear frame. Returns the session to which it is charged, if any.

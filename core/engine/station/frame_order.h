@@ -1,5 +1,5 @@
-// Tells whether a frame of a session is the newest of its kind: a record that arrives late must not set a value of the display
-// back (the order of the records is authenticated, that of MAVLink's sequence numbers is not).
+// Determines whether a frame of a session is the newest of its kind: a late record must not replace a newer displayed value
+// (the order of the records is authenticated, that of MAVLink's sequence numbers is not).
 #pragma once
 
 #include "core/base/weakness.h"
@@ -27,7 +27,7 @@ public:
 
 private:
     static constexpr std::size_t kSlots = 256;
-    /// Two kinds that share a slot cost a late frame its place on the display, and nothing else.
+    /// If two kinds share a slot, a late frame may be missing on the display, without other effects.
     static std::size_t slotOf(const mavlink::Frame &frame)
     {
         const std::uint32_t sender = frame.systemId() * 131u + frame.componentId();

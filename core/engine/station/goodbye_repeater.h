@@ -1,6 +1,6 @@
-// Repeats the goodbyes of sessions that a measurement ended. A goodbye goes out once and may be lost. A peer that still sends
-// records has not received it, and would not send clear MAVLink until the session times out. The same datagram is sent
-// again, so that a peer that did receive it rejects it as a replay. No I/O and no clock.
+// Repeats the goodbyes (Close messages) of sessions that a measurement ended. A goodbye is sent once and may be lost. A peer
+// that still sends records has not received it, and would not send clear MAVLink until the session times out. The same datagram
+// is sent again, so that a peer that has received it rejects it as a replay. No I/O and no clock.
 #pragma once
 
 #include "core/engine/common/channel_driver.h"
@@ -12,7 +12,7 @@ namespace skyseal::engine {
 class GoodbyeRepeater
 {
 public:
-    /// Records that arrive this soon were already on their way and do not show that the goodbye was lost.
+    /// Records that arrive within this time were already in transit and do not show that the goodbye was lost.
     static constexpr Duration kPause = std::chrono::milliseconds(250);
 
     void set(TimePoint now, std::vector<ChannelDriver::Goodbye> goodbyes)
@@ -21,7 +21,7 @@ public:
         m_again = now + kPause;
     }
 
-    /// Call for each record that arrives though no session is wanted; calls `send(const Path &, ByteView)` for the goodbyes
+    /// Call for each record that arrives although no session is wanted; calls `send(const Path &, ByteView)` for the goodbyes
     /// of its path, at most four times a second.
     template<typename Send> void recordArrived(TimePoint now, const Path &from, Send &&send)
     {

@@ -18,7 +18,7 @@ struct InspectorRow
     std::uint8_t version = 2;
     bool isSigned = false;
     std::uint8_t payloadSize = 0;
-    std::array<std::uint8_t, 255> payload{}; ///< of the newest one, zero-filled
+    std::array<std::uint8_t, 255> payload{}; ///< of the newest message, zero-filled
     double age = 0;                          ///< seconds
 };
 

@@ -18,7 +18,7 @@ public:
     void note(TimePoint now, const mavlink::Frame &frame);
     std::vector<InspectorRow> rows(TimePoint now) const;
 
-    /// Rows at most; senders can be forged on a plain link.
+    /// Greatest number of rows; senders can be forged on a plain link.
     static constexpr std::size_t kMost = 2048;
 
 private:

@@ -1,5 +1,5 @@
-// The operator's description of how a stream of MAVSec's published code (mavsec_stream.h) was encrypted, and the cipher for
-// it. Omitted values are those that are built into the published code.
+// The operator's settings of the encryption of a stream of MAVSec's published code (mavsec_stream.h), and the cipher for it.
+// The defaults are the values in the published code.
 #pragma once
 
 #include "core/base/result.h"
@@ -19,7 +19,7 @@ namespace skyseal::engine {
 struct MavsecSettings
 {
     crypto::MavsecKind kind = crypto::MavsecKind::ChaCha20;
-    std::string keyFile;  ///< 32 bytes or 64 hex digits, for its owner alone; empty: the published key
+    std::string keyFile;  ///< 32 bytes or 64 hex digits, readable by its owner only; empty: the published key
     std::string nonceHex; ///< empty: the published one
     std::uint32_t counter = crypto::kPublishedMavsecCounter; ///< ChaCha20 only
 };

@@ -1,5 +1,5 @@
 // Receives the frames of one link that carries MAVSec's published encryption (mavsec_stream.h), decrypts them, and passes
-// them on. Such a link has this sink of its own, so that no other link is asked about it. I/O thread.
+// them on. Such a link has its own sink, so that no other link needs a check for it. I/O thread.
 #pragma once
 
 #include "core/engine/common/ingress.h"

@@ -1,5 +1,5 @@
 // Decrypts the stream of the autopilot that was published with the paper MAVSec (2019): frames with an encrypted payload and
-// the checksum of the encrypted frame. INSECURE (core/crypto/mavsec_cipher.h); such a link is received and never sent to.
+// the checksum of the encrypted frame. INSECURE (core/crypto/mavsec_cipher.h); nothing is sent on such a link.
 #pragma once
 
 #include "core/mavlink/frame.h"

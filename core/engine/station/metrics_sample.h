@@ -11,7 +11,7 @@ namespace skyseal::engine {
 /// One point of the diagnostics' time lines, four a second.
 struct MetricsSample
 {
-    std::uint64_t number = 0; ///< rises by one per sample
+    std::uint64_t number = 0; ///< increases by one per sample
     double time = 0;          ///< seconds since the station started
     crypto::SuiteId suite{};  ///< None = plain
     std::uint32_t epoch = 0;
@@ -21,14 +21,14 @@ struct MetricsSample
     double lossPercent = 0;     ///< channel, from the peer; MAVLink's where plain
     double peerLossPercent = 0; ///< channel, to the peer
     double mavlinkLossPercent = 0;
-    double peerMavlinkLossPercent = vehicle::kUnknown; ///< to the vehicle, as its agent reports once a second
+    double peerMavlinkLossPercent = vehicle::kUnknown; ///< to the vehicle, reported by its agent once a second
     double processCpuPercent = 0;                      ///< of one core, all threads; over the last second
     double ioCpuPercent = 0;                           ///< of the thread that receives, opens, parses and sends
     double suiteCpuPercent = 0;                        ///< of one core, in seal and open
     double openNsP50 = 0, openNsP99 = 0;               ///< see SuiteCost
     double openNextNsP50 = 0, openNextNsP99 = 0;
     double sealNsP50 = 0, sealNsP99 = 0;
-    double latency = vehicle::kUnknown;           ///< seconds there and back by TIMESYNC, of the vehicle heard last
+    double latency = vehicle::kUnknown;           ///< round-trip time by TIMESYNC in seconds, of the vehicle heard last
     double roundTrip = vehicle::kUnknown;         ///< seconds, of the channel's own reports
     double rxOverheadPercent = vehicle::kUnknown; ///< datagram bytes beyond the frames in them, over the last second
     double txOverheadPercent = vehicle::kUnknown;

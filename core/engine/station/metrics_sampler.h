@@ -1,5 +1,5 @@
 // Makes the points of the diagnostics' time lines: rates, loss and cost of the link four times a second, CPU, memory and power
-// of the process once a second. Each meter turns counters into one kind of figure; the sampler feeds them. I/O thread.
+// of the process once a second. Each meter converts counters into one kind of figure; the sampler feeds them. I/O thread.
 #pragma once
 
 #include "core/engine/common/loss_meter.h"

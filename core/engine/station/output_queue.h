@@ -1,4 +1,4 @@
-// The station's output on its way from the I/O thread to the reader's thread: bounded, so that a reader that hangs costs a
+// The station's output on its way from the I/O thread to the reader's thread: bounded, so that a hung reader costs a
 // fixed amount of memory. Only the newest snapshot is kept, and a limited number of events; pairing events, snapshots with a
 // probe, each of which the reader requested, and the final snapshot are always delivered. Items keep their order. Thread-safe.
 #pragma once
@@ -31,12 +31,12 @@ class OutputQueue
 public:
     using Item = std::variant<SnapshotPtr, Event, channel::PairingEvent, Probed, Stopped>;
 
-    /// Events that wait at most; then the oldest one is dropped.
+    /// Greatest number of waiting events; beyond it the oldest one is dropped.
     static constexpr std::size_t kMostEvents = 1000;
 
     /// Returns true if the queue was empty: the reader has to be woken.
     bool put(Item item);
-    /// Takes everything that waits, oldest first. EventsDropped stands before it if events were dropped since the last call.
+    /// Takes all waiting items, oldest first, preceded by EventsDropped if events were dropped since the last call.
     std::deque<Item> takeAll();
     /// Events that were dropped since the start.
     std::uint64_t eventsDropped() const;

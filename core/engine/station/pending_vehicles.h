@@ -14,7 +14,7 @@ namespace skyseal::engine {
 class PendingVehicles
 {
 public:
-    /// A vehicle that is silent for this long is not offered to the operator any more.
+    /// A vehicle that is silent for this long is no longer offered to the operator.
     static constexpr Duration kForgetAfter = std::chrono::seconds(10);
 
     /// Notes a heartbeat of such a vehicle. Returns true for the first one of a system in this run, which is worth an event;

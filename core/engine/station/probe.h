@@ -1,6 +1,6 @@
 // Additional sums for measurements, read on request. They only grow and are read on the I/O thread together with the rest of a
-// snapshot, so that the difference of two snapshots is exactly the traffic between them. The CPU times are read first: what it
-// costs to take a probe belongs to the time after it.
+// snapshot, so that the difference of two snapshots is exactly the traffic between them. The CPU times are read first, so that
+// the cost of a probe belongs to the time after it.
 #pragma once
 
 #include "core/base/clock.h"

@@ -58,7 +58,7 @@ struct Recorder::File
         const std::string stem = folder + "/" + nameByTime();
         for (int copy = 1; copy < 100; ++copy) {
             name = stem + (copy > 1 ? "-" + std::to_string(copy) : "") + ".tlog";
-            // Readable by the owner alone: the file holds in clear what the link kept secret, such as positions.
+            // Readable by the owner only: the file contains in clear the data that the link protects, such as positions.
             fd = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
             if (fd >= 0 || errno != EEXIST)
                 break;
@@ -66,7 +66,7 @@ struct Recorder::File
         return fd >= 0;
     }
 
-    /// Leaves neither an empty file nor an incomplete entry.
+    /// Removes an empty file and an incomplete entry.
     void closeAfterError()
     {
         if (fd < 0)

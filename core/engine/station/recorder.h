@@ -1,4 +1,4 @@
-// Writes the .tlog of a flight: every frame with its time, in the format that ground stations share. A slow or full disk must
+// Writes the .tlog of a flight: every frame with its time, in the common format of ground stations. A slow or full disk must
 // never delay the flight, so the I/O thread only copies into a bounded buffer. The recorder's own thread writes it to the file
 // five times a second and syncs the file once a second, so that a crash loses at most the last second.
 //
@@ -20,11 +20,11 @@ namespace skyseal::engine {
 class Recorder
 {
 public:
-    /// Space that is left free: a full disk harms more than the recording.
+    /// Space that is left free, since a full disk affects more than the recording.
     static constexpr std::uint64_t kLeaveFree = 256u << 20;
 
-    /// The first frame starts a file in `folder`, named after the time in UTC; a missing folder is created. Recording stops, as
-    /// a problem, when less than `leaveFree` bytes are free there, and goes on in another file when there is room again.
+    /// The first frame starts a file in `folder`, named after the time in UTC; a missing folder is created. Recording stops
+    /// with a problem when less than `leaveFree` bytes are free there, and continues in another file when there is room again.
     explicit Recorder(std::string folder, std::size_t bufferBytes = 4u << 20, std::uint64_t leaveFree = kLeaveFree);
     /// Writes the buffer and closes the file.
     ~Recorder();

@@ -1,5 +1,5 @@
-// Counts the frames that a station refuses and turns them into events, at most one a second and kind: an attacker who sends
-// many does not flood the operator. No I/O and no clock; addresses become text only when an event is due.
+// Counts the frames that a station refuses and publishes events about them, at most one a second and kind, so that an attacker
+// cannot flood the operator. No I/O and no clock; addresses become text only when an event is due.
 #pragma once
 
 #include "core/base/clock.h"
@@ -15,9 +15,9 @@ class RefusalLog
 public:
     static constexpr Duration kEvery = std::chrono::seconds(1);
 
-    /// A clear frame that claims to be a system which must be sealed.
+    /// Counts a clear frame with the id of a system that must be sealed.
     void refusePlaintext(std::uint8_t systemId, const Address &from);
-    /// A sealed frame of a system that its peer may not use. The session must be up.
+    /// Counts a sealed frame of a system that its peer may not use. The session must be up.
     void refuseSystem(std::uint8_t systemId, channel::SessionId session);
 
     /// The session of the pending SystemRefused event, whose peer has to be named before the event is taken or the session

@@ -1,5 +1,5 @@
-// Counts replayed records that show an attack. Networks duplicate datagrams, but never make more copies than there were
-// originals (see isAttacked()): replays count while they outnumber good records. Fed with counters at a steady pace; no clock.
+// Counts replayed records that indicate an attack. Networks duplicate datagrams, but do not make more copies than originals
+// (see isAttacked()): replays count while they outnumber good records. Fed with counters at a steady pace; no clock.
 #pragma once
 
 #include "core/engine/common/loss_meter.h"

@@ -1,5 +1,5 @@
 // The destinations of the station's frames: one route for each session and each clear remote, each with its own sequence
-// numbers, and which route leads to which system. I/O thread; no I/O itself.
+// numbers, and the route to each system. I/O thread; no I/O itself.
 #pragma once
 
 #include "core/base/clock.h"
@@ -17,7 +17,7 @@ struct Route
     std::optional<channel::SessionId> session; ///< nullopt: clear MAVLink to `path`
     Path path;
     std::uint8_t sequence = 0;      ///< of the next frame
-    std::optional<TimePoint> heard; ///< when a vehicle in clear was last accepted there
+    std::optional<TimePoint> heard; ///< time at which a vehicle in clear was last accepted there
     bool fixed = false;             ///< named by the operator, so it does not expire
 };
 
@@ -26,7 +26,7 @@ class RouteTable
 public:
     /// A clear target without a heartbeat for this long is removed: the address may belong to another program.
     static constexpr Duration kForgetAfter = std::chrono::seconds(60);
-    /// Clear targets at most; heartbeats can be forged.
+    /// Greatest number of clear targets; heartbeats can be forged.
     static constexpr std::size_t kMost = 64;
 
     /// Returns the route of a session; creates it if necessary.
@@ -36,7 +36,7 @@ public:
     void addFixed(const Path &path);
     void removeLink(LinkId link);
 
-    /// The system was heard over this session: frames for it go there. A session takes precedence over a clear route.
+    /// The system was heard over this session: frames for it are sent there. A session takes precedence over a clear route.
     void heardSealed(std::uint8_t systemId, channel::SessionId session);
     /// Call for valid heartbeats only.
     void heardClear(TimePoint now, std::uint8_t systemId, const Path &path);
@@ -44,7 +44,7 @@ public:
     /// Removes all clear targets, including those that the operator named.
     void forgetClear();
 
-    /// True if a vehicle was accepted in clear at this link and address lately.
+    /// Returns true if a vehicle was recently accepted in clear at this link and address.
     bool hasVehicleInClear(const Path &path) const;
     /// Null if the system was never heard or its route was removed.
     Route *leadingTo(std::uint8_t systemId);

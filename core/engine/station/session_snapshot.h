@@ -16,16 +16,16 @@ struct SessionSnapshot
     SuiteCost cost;
     std::string fingerprint; ///< of the peer's key
     std::string remoteAddress;
-    double age = 0; ///< seconds since the session is up
+    double age = 0; ///< seconds since the session came up
     std::uint64_t forgedLastMinute = 0, replayedLastMinute = 0, goodLastMinute = 0;
     double lossPercent = 0;     ///< from the peer, over the last second
     double peerLossPercent = 0; ///< to the peer, over the last second
 };
 
-/// Whether the records that were refused within the last minute show an attacker. A wrong tag does: transmission errors are
-/// caught by lower checksums. A repeated record alone does not: networks duplicate datagrams, and a copy looks the same
-/// in both cases. But a network does not make more copies than there were records, so more than that are replays. Slower
-/// replays are refused and counted all the same.
+/// Whether the records that were refused within the last minute indicate an attacker. A wrong tag does: transmission errors are
+/// caught by lower checksums. A repeated record alone does not: networks duplicate datagrams, and a copy looks the same in both
+/// cases. But a network does not make more copies than there were records, so more copies are replays. Slower replays are
+/// refused and counted as well.
 inline bool isAttacked(const SessionSnapshot &session)
 {
     return session.forgedLastMinute > 0 || session.replayedLastMinute > session.goodLastMinute;

@@ -12,7 +12,7 @@
 
 namespace skyseal::engine {
 
-/// A session that ended, for those who knew it.
+/// A session that ended, for the parts that refer to it.
 struct SessionEnd
 {
     channel::PublicKey peer{};
@@ -26,7 +26,7 @@ class SessionWatches
 {
 public:
     void sessionUp(const channel::SessionUp &up);
-    /// nullopt for a session that is not known.
+    /// Returns nullopt for an unknown session.
     std::optional<SessionEnd> sessionDown(TimePoint now, const channel::SessionDown &down);
 
     /// Call for each session four times a second.
@@ -34,7 +34,7 @@ public:
     /// Call for each session once a second.
     void noteSecond(channel::SessionId session, const channel::SessionStats &stats);
 
-    /// Fills in what is measured here; leaves the rest as it is.
+    /// Sets the fields that are measured here; does not change the others.
     void describe(channel::SessionId session, SessionSnapshot &out) const;
     /// The peer's name when the session came up; null for a session that is not known.
     const std::string *peerName(channel::SessionId session) const;

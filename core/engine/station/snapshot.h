@@ -33,22 +33,22 @@ struct Snapshot
     std::vector<LinkSnapshot> links;
     std::vector<LinkSnapshot> served; ///< links on which the gateway serves clients
     std::vector<ClientSnapshot> clients;
-    std::optional<mqtt::PublisherStatus> broker; ///< set if the station publishes to one
+    std::optional<mqtt::PublisherStatus> broker; ///< set if the station publishes to a broker
     std::vector<SessionSnapshot> sessions;
     std::vector<VehicleSnapshot> vehicles;
     std::vector<UnansweringAgent> unanswering;
     std::vector<UnknownAgent> unknownAgents;
     std::vector<PendingVehicle> pendingApproval;
     channel::ReceiveCounters unmatched;
-    std::vector<MetricsSample> samples; ///< the newest ones; use those with a number not seen before
+    std::vector<MetricsSample> samples; ///< the newest ones; a reader uses those with new numbers
     std::vector<InspectorRow> inspector;
     RecordingSnapshot recording;
-    std::string storageProblem; ///< why this station's counters of handshakes are not stored; empty if they are
+    std::string storageProblem; ///< reason why this station's counters of handshakes are not stored; empty if they are
     double processCpuPercent = 0;
     std::uint64_t residentBytes = 0;
     std::uint64_t plaintextRefused = 0; ///< clear frames, including those of vehicles that await approval; see SenderPolicy
     std::uint64_t spoofed = 0;          ///< sealed frames with a system id that their peer may not use
-    std::uint64_t eventsDropped = 0;    ///< events that a reader which hung did not receive, see OutputQueue
+    std::uint64_t eventsDropped = 0;    ///< events that a hung reader did not receive, see OutputQueue
     MavlinkTotals mavlink;              ///< since the start, all links
     ChannelTotals channel;              ///< since the start, including ended sessions
     std::shared_ptr<const Probe> probe; ///< null unless it was requested, see Station::requestProbe()

@@ -1,4 +1,4 @@
-// When the next snapshot is due: at most 30 a second while something changes, two a second otherwise; or none at all. No clock.
+// Schedules the snapshots: at most 30 a second while something changes, two a second otherwise; or none at all. No clock.
 #pragma once
 
 #include "core/base/clock.h"
@@ -12,7 +12,7 @@ class SnapshotPace
 public:
     static constexpr Duration kIdlePeriod = std::chrono::milliseconds(500);
 
-    /// `perSecond`: snapshots at most, up to 30; 0: none becomes due.
+    /// `perSecond`: greatest number of snapshots a second, up to 30; 0: none becomes due.
     explicit SnapshotPace(int perSecond) { setPerSecond(perSecond); }
     void setPerSecond(int perSecond)
     {
@@ -34,7 +34,7 @@ public:
     }
     /// The number of the next snapshot, from 1.
     std::uint64_t takeNumber() { return ++m_number; }
-    /// kNever while nothing has changed; the idle period is met by any other wake-up.
+    /// kNever while nothing has changed; the two a second are due at any other wake-up.
     TimePoint nextDeadline() const { return m_changed && !m_paused ? m_last + m_least : kNever; }
 
 private:

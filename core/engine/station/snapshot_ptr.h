@@ -1,4 +1,4 @@
-// A snapshot of the station as threads and parts share it: one that was taken does not change.
+// A snapshot of the station as shared by threads and parts: immutable once it was taken.
 #pragma once
 
 #include <memory>

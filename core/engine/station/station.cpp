@@ -72,7 +72,7 @@ public:
 
     void end()
     {
-        if (m_ask) // not stopped: the peers must not have to wait for a timeout
+        if (m_ask) // not stopped yet: the peers must not have to wait for a timeout
             m_core->stop();
         m_ask.reset();
         m_core.reset();
@@ -175,7 +175,7 @@ Station::Station(std::unique_ptr<Private> parts) : d(std::move(parts))
         }
     });
     connect(&d->readerSignals, &ReaderSignals::tasksPosted, worker, &StationWorker::runTasks);
-    // The question goes through this thread's event loop and back, so no answer comes while this thread hangs.
+    // The question passes through this thread's event loop, so that there is no answer while this thread hangs.
     connect(worker, &StationWorker::readerAsked, &d->readerSignals, &ReaderSignals::readerAnswered);
     connect(&d->readerSignals, &ReaderSignals::readerAnswered, worker, &StationWorker::readerAnswered);
     connect(&d->thread, &QThread::started, worker, &StationWorker::begin);
@@ -201,7 +201,7 @@ LinkId Station::addLink(const link::LinkUrl &url)
 LinkId Station::addMavsecLink(const link::LinkUrl &url, crypto::MavsecCipher cipher)
 {
     const LinkId id{d->nextLink++};
-    // A task is copied on its way; the cipher holds key material, which must not be.
+    // Tasks are copied; the cipher contains key material, which must not be copied.
     const auto held = std::make_shared<crypto::MavsecCipher>(std::move(cipher));
     d->post([id, url, held](StationCore &core) { core.addMavsecLink(id, url, std::move(*held)); });
     return id;

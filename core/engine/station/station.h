@@ -1,5 +1,5 @@
-// The station's engine as a window or a command line sees it: calls go in, snapshots and events come out as signals. Behind
-// it, one I/O thread owns sockets, timers, sessions and vehicles.
+// Interface of the station's engine for windows and command lines: calls go in, snapshots and events come out as signals. One
+// I/O thread behind it owns sockets, timers, sessions and vehicles.
 //
 // Lives on the thread that creates it. If that thread does not answer for 3 s (a hung window), the station's heartbeat stops,
 // so that the vehicle's own failsafe acts; meanwhile at most one snapshot and a limited number of events wait (OutputQueue).
@@ -43,31 +43,32 @@ public:
     /// Reads the key files and starts the I/O thread; call crypto::initCrypto() first. An unreadable or unsafe key file is an
     /// error that names the file.
     static Result<std::unique_ptr<Station>, InputError> create(StationConfig config);
-    /// Says goodbye to every peer, unless stop() was called, and ends the I/O thread.
+    /// Sends Close to every peer, unless stop() was called, and ends the I/O thread.
     ~Station() override;
 
     LinkId addLink(const link::LinkUrl &url);
-    /// A link whose frames are encrypted as by the published code of the paper MAVSec: INSECURE, received, never sent to.
+    /// A link whose frames are encrypted as by the published code of the paper MAVSec: INSECURE, receive only.
     LinkId addMavsecLink(const link::LinkUrl &url, crypto::MavsecCipher cipher);
     void removeLink(LinkId);
     /// Serves other ground stations on these links, in place of those of an earlier call; see Gateway.
     void serve(std::vector<ServeConfig> served);
-    /// Gives the accepted frames to `feed`, too, from the next one on.
+    /// Also passes the accepted frames to `feed`, from the next one on.
     void setFeed(std::shared_ptr<Feed> feed);
     void switchSuite(channel::SessionId, crypto::SuiteId);
-    /// For measurements: new sessions begin with this suite, in place of the configured preference. nullopt ends that.
+    /// For measurements: new sessions begin with this suite, in place of the configured preference, which nullopt restores.
     void holdSuite(std::optional<crypto::SuiteId>);
-    /// Switches the sessions that are up to this suite. If none of them is heard, only the next session begins with it.
+    /// Switches the sessions that are up to this suite. If no records arrive in any of them, only the next session
+    /// begins with it.
     void resumeSuite(crypto::SuiteId);
     void setAllowResearch(bool);
     /// Stops offering suites weaker than this one; see crypto::SuiteStrength. Sessions that use one are switched.
     void setWeakestSuite(crypto::SuiteId weakest);
-    /// Replaces the list of known peers; sessions of peers that are not in it end.
+    /// Replaces the list of known peers; sessions of peers that are not listed end.
     void setPeers(std::vector<channel::Peer> peers);
     /// Accepts a vehicle in clear that awaits approval because it may be an impostor, until this station is destroyed. Only
     /// an explicit act of the operator may call it.
     void allowPlaintext(std::uint8_t systemId);
-    /// Waits for an agent that is open for pairing; its progress comes as pairing(). Needs an identity. `name` is this
+    /// Waits for an agent that is open for pairing; progress is reported by pairing(). Requires an identity. `name` is this
     /// station's own. With `passphrase` only an agent with the same one is shown; null without one. Nothing is stored.
     void openPairing(std::string name, std::shared_ptr<const crypto::Passphrase> passphrase = {});
     /// The operator compared the code at both ends, or agreed on a passphrase, and accepts this key.
@@ -80,14 +81,14 @@ public:
     void setRecording(bool);
     /// While true, the cost of each record is kept for probes, and peers report theirs once a second.
     void setMeasuring(bool);
-    /// Takes one snapshot with a Probe, in the order of the calls; it comes as probeTaken(), and none after stop().
+    /// Takes one snapshot with a Probe, in the order of the calls; it is emitted by probeTaken(), and none after stop().
     void requestProbe();
-    /// Changes StationConfig::snapshotsPerSecond. 0: no snapshots but requested ones, and the last.
+    /// Changes StationConfig::snapshotsPerSecond. 0: only requested snapshots, and the last.
     void setSnapshotsPerSecond(int);
-    /// How links carry MAVLink during a measurement, in place of the configuration; nullopt ends that. Sessions that do not
-    /// fit end and begin anew; links stay open.
+    /// Sets the protection of MAVLink during a measurement, in place of the configuration, which nullopt restores. Sessions
+    /// that do not match end and begin anew; links stay open.
     void setProtection(std::optional<Protection>);
-    /// Says goodbye to every peer, ends the recording and emits stopped(); nothing is received after that.
+    /// Sends Close to every peer, ends the recording and emits stopped(); nothing is received after that.
     void stop();
     /// The station's own public key; nullopt without an identity.
     std::optional<channel::PublicKey> publicKey() const;
@@ -98,7 +99,7 @@ Q_SIGNALS:
     void pairing(skyseal::channel::PairingEvent event);
     /// A snapshot that requestProbe() requested; it is not among those of snapshotReady().
     void probeTaken(std::shared_ptr<const skyseal::engine::Snapshot> snapshot);
-    /// The final signal, with all counters as they were at the end.
+    /// The final signal, with the final counters.
     void stopped(std::shared_ptr<const skyseal::engine::Snapshot> last);
 
 private:

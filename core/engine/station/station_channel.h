@@ -1,5 +1,4 @@
-// The parts that only a station with keys has: the secure channel, the pairing, and notes about sessions and agents. On the
-// I/O thread.
+// The parts that only a station with keys has: the secure channel, the pairing, and watches of sessions and agents. I/O thread.
 #pragma once
 
 #include "core/engine/common/channel_driver.h"
@@ -25,9 +24,9 @@ struct StationChannel
     channel::Endpoint &endpoint() { return driver.endpoint(); }
     const channel::Endpoint &endpoint() const { return driver.endpoint(); }
 
-    /// Asks every session to change over to this suite. Returns true if at least one of them is being heard.
+    /// Starts a switch of every session to this suite. Returns true if records arrive in at least one of them.
     bool switchAll(TimePoint now, crypto::SuiteId suite);
-    /// Agents that begin to be unanswering, and those that no longer are.
+    /// Events for agents that have become unanswering, and for those that no longer are.
     std::vector<AgentUnanswering> updateUnanswering(TimePoint now);
     /// Call four times a second.
     void sampleQuarter();

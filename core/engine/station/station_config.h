@@ -20,15 +20,15 @@ struct StationConfig
     SecureMode secure = SecureMode::Preferred;
     KeyPaths keys;
     channel::Policy policy;
-    std::optional<crypto::SuiteId> preferredSuite; ///< sessions begin with it where both ends permit it
+    std::optional<crypto::SuiteId> preferredSuite; ///< sessions begin with it if both ends permit it
     bool record = true;
     std::string recordFolder;
-    bool lowBandwidth = false; ///< ask vehicles for slower streams
-    double streamRate = 0;     ///< Hz for every stream of every vehicle, instead of a profile; 0 = the profile's
-    Duration timeSyncEvery = std::chrono::seconds(1); ///< how often latency is measured
-    int snapshotsPerSecond = 30;                      ///< at most 30; 0: none but at the end
+    bool lowBandwidth = false; ///< request slower streams of vehicles
+    double streamRate = 0;     ///< Hz for all streams of all vehicles, in place of a profile; 0 = the rates of the profile
+    Duration timeSyncEvery = std::chrono::seconds(1); ///< interval of latency measurements
+    int snapshotsPerSecond = 30;                      ///< at most 30; 0: only the last one
     bool diagnostics = true;  ///< off: snapshots have no time lines, and neither CPU load nor memory of the process
-    bool ownHeartbeat = true; ///< off: vehicles hear no heartbeat of this station, which has no pilot
+    bool ownHeartbeat = true; ///< off: this station, which has no pilot, sends no heartbeat
 };
 
 } // namespace skyseal::engine

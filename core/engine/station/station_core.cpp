@@ -125,7 +125,7 @@ void StationCore::applyPolicy()
 void StationCore::setPeers(std::vector<channel::Peer> peers)
 {
     m_receiver.gate().policy().setPeers(peers);
-    m_sender.routes().forgetClear(); // routes that are still accepted are heard again soon
+    m_sender.routes().forgetClear(); // routes that are still accepted are learned again soon
     followLinks();
     if (m_channel)
         m_channel->endpoint().setPeers(steadyNow(), std::move(peers));
@@ -151,7 +151,7 @@ bool StationCore::openPairing(std::string name, std::shared_ptr<const crypto::Pa
     config.systemId = m_config.systemId;
     config.passphrase = std::move(passphrase);
     m_channel->pairing.open(now, std::move(config));
-    callAgents(now); // one that listens may be waiting for this station
+    callAgents(now); // a listening agent may be waiting for this station
     finishWake();
     return true;
 }
@@ -191,7 +191,7 @@ void StationCore::perform(vehicle::RequestId id, std::uint8_t systemId, const ve
 
 void StationCore::resumeSuite(crypto::SuiteId suite)
 {
-    // A session that is silent may be replaced by a new one, which then has to begin with the suite.
+    // A silent session may be replaced by a new one, which must then begin with the suite.
     const bool anyHeard = m_channel && m_channel->switchAll(steadyNow(), suite);
     m_settings.setNextSuite(anyHeard ? std::nullopt : std::optional(suite));
     finishWake();
@@ -328,7 +328,7 @@ void StationCore::finishWake()
     if (m_channel) {
         m_channel->driver.flush(now);
         handleEvents(now, {});
-        m_channel->driver.flush(now); // what an event caused
+        m_channel->driver.flush(now); // datagrams caused by an event
         m_channel->pairing.flush();
     }
     m_links.flush();
@@ -470,7 +470,7 @@ SnapshotSources StationCore::sources()
             m_gateway.get(), m_feed.get(),    m_storage.countersProblem()};
 }
 
-/// A measurement wants to know what its meter costs.
+/// Measures its own cost, which a measurement reports.
 void StationCore::publishSnapshot(TimePoint now, bool withProbe)
 {
     const Duration before = m_measuring ? metrics::threadCpuTime() : Duration::zero();

@@ -1,10 +1,10 @@
-// The station's engine: wires links, secure channel, vehicles, recording and counters together and schedules them. The work
-// is done by the parts; each can be read and tested by itself. Lives on the I/O thread; other threads reach it only through
-// Station, which posts calls and hands out what the sinks receive.
+// The station's engine: wires links, secure channel, vehicles, recording and counters together and schedules them. The parts
+// do the work; each can be read and tested by itself. Lives on the I/O thread; other threads reach it only through Station,
+// which posts calls and passes on the output of the sinks.
 //
 // The path of a packet: linkReceived -> Ingress -> StationReceiver (record: the channel opens it in place | clear: FrameGate
-// judges it) -> Fleet, recorder. Each wake-up ends in finishWake(): the frames that the vehicles' conversations produced
-// are coalesced, sealed and flushed, and one timer is set for the earliest deadline of all parts.
+// judges it) -> Fleet, recorder. Each wake-up ends in finishWake(): the outgoing frames of the vehicles are
+// coalesced, sealed and flushed, and one timer is set for the earliest deadline of all parts.
 #pragma once
 
 #include "core/engine/common/deadline_timer.h"
@@ -28,7 +28,7 @@
 
 namespace skyseal::engine {
 
-/// Where the core's output goes; called on the I/O thread.
+/// Receivers of the core's output; called on the I/O thread.
 struct StationSinks
 {
     std::function<void(std::shared_ptr<const Snapshot>)> snapshot;
@@ -48,14 +48,14 @@ public:
 
     // Links.
     void addLink(LinkId id, const link::LinkUrl &url);
-    /// A link whose frames are encrypted as by the published code of MAVSec: received, never sent to.
+    /// A link whose frames are encrypted as by the published code of MAVSec: receive only.
     void addMavsecLink(LinkId id, const link::LinkUrl &url, crypto::MavsecCipher cipher);
     void removeLink(LinkId id);
 
     /// Serves clients on these links, in place of the earlier ones.
     void serve(std::vector<ServeConfig> served);
 
-    /// Gives the accepted frames to `feed`, too; null ends that.
+    /// Also passes the accepted frames to `feed`; null: no longer.
     void setFeed(std::shared_ptr<Feed> feed);
 
     // Security.
@@ -106,7 +106,7 @@ private:
     void linkPeerJoined(link::Link &link, const Path &path) override;
     void linkPeerLeft(link::Link &link, const Path &path) override;
     void linkChanged(link::Link &link);
-    /// Sends to addresses that nothing came from: to agents that listen, and to routers that do not know the station yet.
+    /// Sends to addresses from which nothing has arrived: to listening agents, and to routers that do not know the station yet.
     void callAgents(TimePoint now);
     void followLinks();
     bool isVehicle(std::uint8_t systemId) const override
@@ -149,7 +149,7 @@ private:
     std::shared_ptr<Feed> m_feed;       ///< null while nothing is published
     MetricsSampler m_sampler;
     SnapshotPace m_pace;
-    EventPublisher<Event, StationCauses> m_events; ///< those that strangers can cause; the others go to m_sinks
+    EventPublisher<Event, StationCauses> m_events; ///< limits the events that strangers can cause
     StationStorage m_storage;
     Clock m_clock;
     bool m_measuring = false;

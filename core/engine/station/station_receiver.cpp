@@ -68,7 +68,7 @@ void StationReceiver::takeRecord(const link::Link &link, const link::ReceivedBlo
     if (!isSealing()) {
         m_datagrams.waitingBytes += message.bytes.size();
         ++m_datagrams.waitingCount;
-        m_datagrams.garbage += !channel::Endpoint::isAnnouncement(message.bytes); // any agent announces itself
+        m_datagrams.garbage += !channel::Endpoint::isAnnouncement(message.bytes); // every agent announces itself
         if (m_channel)
             m_channel->goodbyes.recordArrived(message.time, message.path,
                                               [this](const Path &to, ByteView bytes) { m_parts.links.send(to, bytes); });
@@ -90,8 +90,8 @@ void StationReceiver::takeSealedInPlace(const link::Link &, const link::Received
 
 void StationReceiver::takeDelivery(const link::ReceivedBlock &block, const channel::Delivery &delivery)
 {
-    // The rules of a session must be known before its first frame is judged, and until its last one was, which a goodbye
-    // may have overtaken.
+    // The rights of a session must be known from its first frame until its last one was judged, which a goodbye may have
+    // overtaken.
     m_parts.events.handleEvents(block.time, delivery.session);
     std::uint64_t frames = 0;
     mavlink::scanFrames(delivery.frames, mavlink::Dialect::builtin(), [&](const mavlink::ScanItem &item) {
@@ -114,8 +114,8 @@ void StationReceiver::takeDelivery(const link::ReceivedBlock &block, const chann
     m_parts.links.noteRemote(block.path.link, block.path.remote);
 }
 
-/// A message that only clients may know. Without its definition it can be neither shown nor told from a newer one, so the
-/// clients receive it only if its record is fresh.
+/// A message that may be known to clients only. Without its definition it can neither be shown nor be compared with newer ones,
+/// so that clients receive it only if its record is fresh.
 void StationReceiver::takeUnknownMessage(const channel::Delivery &delivery, ByteView frame)
 {
     if ((m_gateway || m_feed) && delivery.freshness == channel::Freshness::Fresh
@@ -189,7 +189,7 @@ void StationReceiver::acceptFrame(TimePoint now, const Path &from, const mavlink
         m_parts.notify(*found);
 }
 
-/// The routes do not change: the vehicle may be elsewhere by now.
+/// Does not change the routes: the vehicle may have another address by now.
 void StationReceiver::acceptLateFrame(TimePoint now, const Path &from, const mavlink::Frame &frame,
                                       channel::Freshness freshness)
 {

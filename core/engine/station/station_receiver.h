@@ -24,7 +24,7 @@ namespace skyseal::engine {
 class StationReceiver final : private IngressSink
 {
 public:
-    /// Handles the events of the channel, except the end of the session `speaking` and what follows it.
+    /// Handles the events of the channel, except the end of the session `speaking` and later ones.
     class EventHandler
     {
     public:
@@ -53,7 +53,7 @@ public:
     /// Receives the accepted frames of vehicles; null when no clients are served.
     void setGateway(Gateway *gateway) { m_gateway = gateway; }
 
-    /// Receives them, too; null when nothing is published.
+    /// Receives them as well; null when nothing is published.
     void setFeed(Feed *feed) { m_feed = feed; }
 
     FrameGate &gate() { return m_gate; }
@@ -66,11 +66,11 @@ public:
     void addMavsecLink(LinkId id, const link::LinkTraits &traits, crypto::MavsecCipher cipher);
     /// Call after the link was closed.
     void removeLink(LinkId id);
-    /// Call when the protection in force has changed: what is looked for on the links depends on it.
+    /// Call when the protection in force has changed: the classification of blocks depends on it.
     void updateRules();
 
 private:
-    /// Receives from links that replay a log, which carry frames in clear alone.
+    /// Receives from links that replay a log, which carry only frames in clear.
     class RecordingSink final : public IngressSink
     {
     public:

@@ -58,8 +58,8 @@ void StationSender::sendHeartbeats(TimePoint now, const SenderPolicy &policy)
 }
 
 /// An autopilot that receives its station's heartbeat in clear, through a router beside the agent, would not act when the
-/// sealed link fails. So a station that knows agents sends clear heartbeats only where it accepted a vehicle in clear and
-/// where no agent is or was.
+/// sealed link fails. Therefore a station that knows agents sends clear heartbeats only to addresses where it accepted a
+/// vehicle in clear and where no agent is or was.
 bool StationSender::mayHeartbeat(const Route &route, const SenderPolicy &policy) const
 {
     if (route.session || !m_sealing || !policy.knowsAnybody())
@@ -87,12 +87,12 @@ void StationSender::transmit(TimePoint now, const Route &route, ByteView frame)
         m_recorder->record(wallNow(), frame);
     if (route.session)
         m_channel->driver.queue(now, *route.session, frame);
-    else if (!m_sealing || !m_ingress.isCobs(route.path, now)) // a clear frame would damage the COBS frame behind it
+    else if (!m_sealing || !m_ingress.isCobs(route.path, now)) // a clear frame would damage the next COBS frame
         m_links.send(route.path, frame);
 }
 
-/// A router that waits for connections learns the station's address from what it receives; agents behind it are not heard
-/// before that. A heartbeat would not do: in clear it would keep an autopilot from acting when the sealed link fails.
+/// A router that waits for connections learns the station's address from the first datagram; before, nothing from agents behind
+/// it arrives. A heartbeat is not suitable: in clear, it would keep an autopilot from acting when the sealed link fails.
 void StationSender::greetRouters()
 {
     std::vector<LinkId> served;

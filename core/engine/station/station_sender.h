@@ -1,5 +1,5 @@
-// Sends the station's MAVLink: what the vehicles' conversations produce, heartbeats, and a datagram by which routers learn
-// the station's address. Frames go into the session of their route or out in clear. I/O thread.
+// Sends the station's MAVLink: the outgoing frames of the vehicle objects, heartbeats, and a datagram by which routers learn
+// the station's address. Frames are sent over the session of their route, or in clear. I/O thread.
 #pragma once
 
 #include "core/engine/common/ingress.h"
@@ -26,15 +26,15 @@ public:
     void setSealing(bool sealing) { m_sealing = sealing; }
     /// Null when nothing is recorded.
     void setRecorder(Recorder *recorder) { m_recorder = recorder; }
-    /// While false no heartbeat is sent: vehicles act on its absence, so it must not be sent for an operator whose window
-    /// hangs.
+    /// While false no heartbeat is sent: vehicles act on its absence, so it must not be sent on behalf of an operator
+    /// whose window hangs.
     void setReaderAlive(bool alive) { m_readerAlive = alive; }
 
     RouteTable &routes() { return m_routes; }
     /// Makes a remote that the operator named in the URL of a link a target, or removes the targets of a link that is down.
     void followLink(const link::Link &link, bool mayBeClear);
 
-    /// Sends what a vehicle's conversations produced; without a route it is dropped. Returns true if it went into a session.
+    /// Sends the outgoing frames of a vehicle object; without a route they are dropped. Returns true if a session took them.
     bool sendOutgoing(TimePoint now, std::uint8_t systemId, vehicle::Vehicle &vehicle);
     /// Sends a frame of the gateway's clients, unchanged: to a system, or for 0 to every route where a heartbeat is allowed.
     void forward(TimePoint now, std::uint8_t systemId, ByteView frame, const SenderPolicy &policy);

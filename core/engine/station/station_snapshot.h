@@ -19,7 +19,7 @@ class Feed;
 class Gateway;
 struct Snapshot;
 
-/// The parts that a snapshot shows; references live during the call.
+/// The parts that a snapshot describes; references are valid during the call.
 struct SnapshotSources
 {
     LinkPool &links;
@@ -38,7 +38,7 @@ struct SnapshotSources
 MavlinkTotals mavlinkTotals(const SnapshotSources &from);
 ChannelTotals channelTotals(const SnapshotSources &from);
 
-/// The values of a point of the diagnostics. `anyHeard`: a vehicle is heard.
+/// The values of a point of the diagnostics. `anyHeard`: result of Fleet::sample().
 MetricsSampler::Reading metricsReading(const SnapshotSources &from, TimePoint now, bool anyHeard);
 
 /// The caller fills in the number and the time.

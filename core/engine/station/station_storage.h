@@ -1,5 +1,5 @@
-// Persistent state of a station beside its recordings: the system ids under which its peers were heard, and, by the counter
-// store, the counters of handshakes. Reports failures; nothing here stops a session. I/O thread.
+// Persistent state of a station other than recordings: the system ids that its peers have used, and, by the counter store, the
+// counters of handshakes. Reports failures; nothing here stops a session. I/O thread.
 #pragma once
 
 #include "core/engine/common/sealed_systems.h"
@@ -21,7 +21,7 @@ public:
     /// failure is returned. The ids stay in force for this run in any case.
     std::optional<RecordingProblem> saveSystems(TimePoint now, SecretFiles &secrets, const SealedSystems &heard);
 
-    /// Why counters are not stored; empty if they are.
+    /// Reason why counters are not stored; empty if they are.
     const std::string &countersProblem() const { return m_counters.problem(); }
 
 private:

@@ -1,4 +1,4 @@
-// An agent that does not take part in handshakes, as snapshots and events describe it.
+// An agent that does not take part in handshakes, for snapshots and events.
 #pragma once
 
 #include <string>

@@ -13,7 +13,7 @@ namespace skyseal::engine {
 class UnansweringAgents
 {
 public:
-    /// An answer takes one round trip, even over a radio; four lost messages are not an accident.
+    /// An answer takes one round trip, even over a radio; four unanswered messages in a row are not a coincidence.
     static constexpr Duration kPatience = std::chrono::seconds(3);
     static constexpr unsigned kLeastSent = 4;
     /// An agent announces itself every 500 ms; without an announcement for this long it is gone.

@@ -1,5 +1,5 @@
 // Agents that announce themselves with a key that is not among the known peers. An announcement contains neither a key nor a
-// fingerprint, and anybody can send one, so only its origin is known. No clock and no I/O; I/O thread.
+// fingerprint, and anybody can send one, so only its source address is known. No clock and no I/O; I/O thread.
 #pragma once
 
 #include "core/base/clock.h"
@@ -17,12 +17,12 @@ public:
     static constexpr Duration kStillThere = std::chrono::seconds(4);
     /// An agent that keeps announcing itself is reported again after this time.
     static constexpr Duration kReportAgain = std::chrono::minutes(1);
-    /// Entries at most, so that forged announcements cause few events.
+    /// Greatest number of entries, so that forged announcements cause few events.
     static constexpr std::size_t kMost = 8;
 
-    /// Notes an announcement of no known key. Returns true if it is to be reported.
+    /// Notes an announcement of an unknown key. Returns true if it is to be reported.
     bool note(TimePoint now, const Path &from);
-    /// Those that are still announcing themselves, oldest first.
+    /// The agents that still announce themselves, oldest first.
     std::vector<UnknownAgent> all(TimePoint now) const;
 
 private:

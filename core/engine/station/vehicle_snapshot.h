@@ -28,7 +28,7 @@ struct VehicleSnapshot
 {
     vehicle::VehicleState state;
     LinkId link{};
-    std::optional<channel::SessionId> session; ///< over which it was heard last, even if that ended; nullopt: plain
+    std::optional<channel::SessionId> session; ///< over which it was heard last, even if it has ended; nullopt: plain
     std::optional<EndedSession> ended;         ///< set if that session ended and its peer has no other
     double lossPercent = 0;                    ///< by MAVLink sequence numbers, over the last second
     double framesPerSecond = 0;
@@ -37,7 +37,7 @@ struct VehicleSnapshot
     std::shared_ptr<const std::vector<vehicle::MissionItem>> mission; ///< as last read from the vehicle
 };
 
-/// A vehicle in clear that is neither shown nor sent to before the operator allows it; see
+/// A vehicle in clear that is not shown, and to which nothing is sent, before the operator allows it; see
 /// Station::allowPlaintext().
 struct PendingVehicle
 {

@@ -1,5 +1,5 @@
-// The notes of a station about each vehicle beside the vehicle's own state: over which link and session it was heard last, how
-// that session ended, whether it is lost, and the loss of its frames. No I/O and no clock.
+// A station's records about each vehicle beside the vehicle's own state: the link and session over which it was heard last, the
+// end of that session, whether it is lost, and the loss of its frames. No I/O and no clock.
 #pragma once
 
 #include "core/engine/common/loss_meter.h"
@@ -20,7 +20,7 @@ class VehicleWatches
 public:
     /// A frame of a known vehicle was accepted; `session` is empty for clear frames.
     void heard(std::uint8_t systemId, LinkId link, std::optional<channel::SessionId> session);
-    /// Vehicles of this peer whose former session ended belong to the new one.
+    /// Assigns vehicles of this peer whose former session ended to the new one.
     void sessionUp(const channel::SessionUp &up);
     void sessionDown(channel::SessionId session, const SessionEnd &end);
 
@@ -31,7 +31,7 @@ public:
     /// The vehicle has a session, or had one when it was heard last.
     bool isOrWasSealed(std::uint8_t systemId) const;
 
-    /// Fills in what is noted here; leaves the rest as it is.
+    /// Sets the fields that are recorded here; does not change the others.
     void describe(TimePoint now, std::uint8_t systemId, VehicleSnapshot &out) const;
 
 private:
