@@ -29,7 +29,9 @@ QString sourceOf(const QString &program)
     QDirIterator walk(QStringLiteral(SKYSEAL_SOURCE_DIR "/tests"),
                       {program + QStringLiteral("_test.cpp"), program + QStringLiteral(".cpp")}, QDir::Files,
                       QDirIterator::Subdirectories);
-    return walk.hasNext() ? contentOf(walk.next()) : QString();
+    const QString found = walk.hasNext() ? walk.next() : QString();
+    // Two programs of one name in different folders: the document has to say which.
+    return found.isEmpty() || walk.hasNext() ? QString() : contentOf(found);
 }
 
 struct Mention
