@@ -23,7 +23,7 @@ inline constexpr std::size_t kTunnelPayload = 128;
 inline constexpr std::size_t kPartHead = 3;
 inline constexpr std::size_t kPartData = kTunnelPayload - kPartHead;
 inline constexpr std::size_t kMaxParts = 3;
-/// The longest frame, 280 bytes, makes a record of at most 318 bytes.
+/// The longest frame, 280 bytes, makes a record of at most 310 bytes.
 inline constexpr std::size_t kMaxTunnelled = kPartData * kMaxParts;
 
 /// MAVLink truncates trailing zeros of a payload, including those that make an announcement as long as its answer. Handshake
