@@ -74,6 +74,8 @@ bool AgentHandshakes::handleFirst(TimePoint now, const Path &from, ByteView data
     if (Session *old = m_core.table.upWith(key))
         old->sendKeepAlive(now);
 
+    if (!responder->hasCommonSuite(m_core.context.offer))
+        return refuse(now, from, RefusalReason::NoCommonSuite, key);
     makeRoomFor(key);
     const auto connection = m_core.table.reserve(m_core.context.random);
     if (!connection)
@@ -158,15 +160,18 @@ const AgentHandshakes::Answered *AgentHandshakes::greatestOf(const PublicKey &pe
 }
 
 /// Discards the oldest answer that does not have its peer's greatest counter. So replayed older messages of a station cannot
-/// displace its newest one, and an attacker with our key who invents counters cannot keep others out.
+/// displace its newest one, and an attacker with our key who invents counters cannot keep others out. If each has, as when he
+/// writes in the name of many peers, the oldest goes: at the rate that the agent computes it had a second to be confirmed.
 void AgentHandshakes::makeRoomFor(const PublicKey &peer)
 {
     const bool full = m_answered.size() >= kMostAnswered;
     const auto ofPeer = std::count_if(m_answered.begin(), m_answered.end(), [&](const Answered &a) { return a.peer == peer; });
     if (ofPeer < kMostAnsweredOfPeer && !full)
         return;
-    const auto found = std::find_if(m_answered.begin(), m_answered.end(),
-                                    [&](const Answered &a) { return (full || a.peer == peer) && &a != greatestOf(a.peer); });
+    auto found = std::find_if(m_answered.begin(), m_answered.end(),
+                              [&](const Answered &a) { return (full || a.peer == peer) && &a != greatestOf(a.peer); });
+    if (found == m_answered.end() && full)
+        found = m_answered.begin();
     if (found != m_answered.end())
         discardIf([session = found->session](const Answered &a) { return a.session == session; });
 }

@@ -113,6 +113,11 @@ Result<Responder, RefusalReason> Responder::read(const crypto::X25519KeyPair &id
     return Responder(std::move(*noise), key, *payload);
 }
 
+bool Responder::hasCommonSuite(const SuiteOffer &offer) const
+{
+    return chooseSuite(m_payload.offer, offer).has_value();
+}
+
 Result<Responder::Answer, RefusalReason> Responder::answer(const Peer &known, ConnectionId ours, const SuiteOffer &offer,
                                                            RandomSource &random) &&
 {

@@ -64,6 +64,9 @@ public:
     const PublicKey &peer() const { return m_peer; }
     const FirstPayload &payload() const { return m_payload; }
 
+    /// Returns false if answer() would fail with NoCommonSuite.
+    bool hasCommonSuite(const SuiteOffer &offer) const;
+
     struct Answer
     {
         AnswerMessage message{};

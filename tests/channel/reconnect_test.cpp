@@ -35,18 +35,19 @@ private Q_SLOTS:
     void firstMessagesOfAThiefDoNotBlock_data();
     void firstMessagesOfAThiefDoNotBlock();
     void repeatedOlderFirstMessagesDisplaceNothing();
+    void unconfirmedAnswersAreBounded_data();
     void unconfirmedAnswersAreBounded();
 
 private:
     SeededRandom m_random{13};
 
     /// A forged first message of the pair's station, possible with the agent's key; the thief cannot use the answer.
-    Bytes firstOfAThief(Pair &pair, std::uint64_t counter)
+    Bytes firstOfAThief(Pair &pair, std::uint64_t counter) { return firstOfAThief(pair, counter, *pair.ground().identity); }
+    Bytes firstOfAThief(Pair &pair, std::uint64_t counter, const crypto::X25519KeyPair &station)
     {
         const Peer agent{pair.air().publicKey(), "air", {}, {}, {}};
-        const auto forged = Initiator::begin(*pair.ground().identity, agent,
-                                             {ConnectionId{1}, offerOf(Policy{defaultSuites(), true, false}), counter},
-                                             m_random);
+        const auto forged = Initiator::begin(
+            station, agent, {ConnectionId{1}, offerOf(Policy{defaultSuites(), true, false}), counter}, m_random);
         return Bytes(forged->message().begin(), forged->message().end());
     }
     static Path elsewhere(const Pair &pair)
@@ -462,13 +463,29 @@ void ReconnectTest::repeatedOlderFirstMessagesDisplaceNothing()
     QCOMPARE(pair.air().all<SessionUp>().size(), 1u);
 }
 
+void ReconnectTest::unconfirmedAnswersAreBounded_data()
+{
+    QTest::addColumn<int>("stations");
+    QTest::newRow("in the name of the station") << 0;
+    QTest::newRow("in the names of as many others as a list has") << 255;
+}
+
 void ReconnectTest::unconfirmedAnswersAreBounded()
 {
     // At the rate that the agent computes, for as long as it keeps an answer: there is always room for the legitimate station.
+    QFETCH(int, stations);
     Pair pair;
     pair.kill(Ground);
-    for (int i = 0; i < 400; ++i) {
-        Bytes forged = firstOfAThief(pair, kGreatestCounter);
+    auto peers = pair.configOf(Air).peers;
+    std::vector<crypto::X25519KeyPair> others;
+    for (int i = 0; i < stations; ++i) {
+        others.push_back(crypto::X25519KeyPair::generate(m_random));
+        peers.push_back({others.back().publicKey, "other", PeerRole::Pilot, {}, {}});
+    }
+    pair.air().endpoint->setPeers(pair.now, peers);
+    for (std::size_t i = 0; i < 390; ++i) {
+        Bytes forged = others.empty() ? firstOfAThief(pair, kGreatestCounter)
+                                      : firstOfAThief(pair, kGreatestCounter, others[i % others.size()]);
         pair.air().endpoint->handleDatagram(pair.now, elsewhere(pair), forged);
         pair.run(25ms);
     }
