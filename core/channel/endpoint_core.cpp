@@ -20,7 +20,7 @@ bool sendsClose(DownReason reason)
 bool isCausedByStrangers(RefusalReason reason)
 {
     return reason == RefusalReason::WrongKey || reason == RefusalReason::UnknownPeer || reason == RefusalReason::Version
-        || reason == RefusalReason::ReplayedHandshake;
+        || reason == RefusalReason::ReplayedHandshake || reason == RefusalReason::NoCommonSuite;
 }
 
 bool samePresharedKey(const std::shared_ptr<const Key32> &one, const std::shared_ptr<const Key32> &other)
@@ -31,7 +31,7 @@ bool samePresharedKey(const std::shared_ptr<const Key32> &one, const std::shared
 EndpointCore::EndpointCore(Config configuration, RandomSource &random, CounterStore &store)
     : config(std::move(configuration)),
       counters(store), context{random, store, {}, {}, {}, config.timing, config.freshness, config.messageTraits.get()},
-      ownMac(config.identity->publicKey), m_strangerEvents(kRefusalPause, TimePoint::min())
+      ownMac(config.identity->publicKey), m_strangerEvents(kRefusalReasons, IntervalLimit(kRefusalPause, TimePoint::min()))
 {
     updateOffer();
 }
@@ -59,7 +59,7 @@ void EndpointCore::notifyRefused(TimePoint now, const Path &path, RefusalReason 
     // A station shows each agent that it does not know.
     const bool isUnknownAgent = config.role == Role::Station && reason == RefusalReason::UnknownPeer;
     if (isCausedByStrangers(reason) && !isUnknownAgent) {
-        if (m_strangerEvents.take(now))
+        if (m_strangerEvents[static_cast<std::size_t>(reason)].take(now))
             context.events.push_back(HandshakeRefused{path, reason, key});
         return;
     }

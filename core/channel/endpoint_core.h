@@ -43,7 +43,8 @@ private:
         Path path;
         TimePoint at{};
     };
-    IntervalLimit m_strangerEvents;
+    // One for each reason, so that a flood of one kind hides no other.
+    std::vector<IntervalLimit> m_strangerEvents;
     // A flood from many addresses shares these few slots, so that it fills neither memory nor the owner's log.
     std::array<std::optional<Notified>, 8> m_notified;
 };

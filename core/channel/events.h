@@ -88,12 +88,14 @@ enum class RefusalReason : std::uint8_t {
     CountersUsedUp,
     Flood, ///< many first messages: unknown senders must prove their address. At most once in ten seconds
 };
+constexpr std::size_t kRefusalReasons = static_cast<std::size_t>(RefusalReason::Flood) + 1;
 
 /// Returns true if messages of senders that are not authenticated, or copies of old messages, lead to this refusal. Flood is
 /// not among them: it has a limit of its own.
 bool isCausedByStrangers(RefusalReason reason);
 
-/// A refused handshake. At most one event a second and path, so that a flood cannot fill a log.
+/// A refused handshake, so limited that a flood cannot fill a log: at most one event a second of each reason that strangers
+/// cause, and of the others one a second and path.
 struct HandshakeRefused
 {
     Path path;

@@ -144,7 +144,7 @@ void AttackStrangerTest::cookiesForManyAttempts()
 void AttackStrangerTest::floodRaisesOneEventASecond()
 {
     // Every kind of message that an agent refuses, from many addresses: for another key, of an unknown peer, of another
-    // version, and replayed ones.
+    // version, replayed ones, and one of the listed station that asked for a suite the agent does not have.
     Pair pair(attackOptions());
     std::vector<Bytes> firsts;
     pair.link.attacker = [&](TimePoint, Flight &flight) {
@@ -159,23 +159,39 @@ void AttackStrangerTest::floodRaisesOneEventASecond()
     const Mac1 mac(pair.air().publicKey());
     Path source = pair.pathOf(Ground);
     SeededRandom random(kAttackSeed);
+    const SuiteOffer otherSuites{{crypto::SuiteId::Rc4}, true};
+    const auto withoutSuite = Initiator::begin(*pair.ground().identity, pair.configOf(Ground).peers.front(),
+                                               {ConnectionId{1}, otherSuites, kGreatestCounter}, random);
     std::uint16_t port = 1000;
+    int turn = 0;
     pair.every(4ms, [&] {
-        for (int kind = 0; kind < 4; ++kind) {
+        ++turn;
+        for (int i = 0; i < 5; ++i) {
+            const int kind = (turn / 100 + i) % 5; // Each is the first for a while, and computed on.
             Bytes message(127);
             random.fill(message);
             message[0] = kind == 0 ? 0x69 : 0x59;
             if (kind == 1)
                 mac.sign(message);
+            if (kind == 2)
+                message = firsts.front();
+            if (kind == 3)
+                message.assign(withoutSuite->message().begin(), withoutSuite->message().end());
             source.remote.port = ++port;
-            offer(pair, Air, kind == 2 ? firsts.front() : message, source);
+            offer(pair, Air, message, source);
         }
     });
     pair.run(20s);
     const auto told = pair.air().all<HandshakeRefused>();
-    const auto floods = std::ranges::count(told, RefusalReason::Flood, &HandshakeRefused::reason); // one in ten seconds
-    HOLDS(told.size() <= 21 + static_cast<std::size_t>(floods), "strangers cause one event a second");
-    QVERIFY(told.size() >= 19 && floods <= 3);
+    std::map<RefusalReason, int> count;
+    for (const HandshakeRefused &refused : told)
+        ++count[refused.reason];
+    QVERIFY(count[RefusalReason::Flood] <= 3); // one in ten seconds
+    for (const auto &[reason, times] : count)
+        HOLDS(times <= 21, "strangers cause one event a second of each reason");
+    for (const RefusalReason reason : // none hides another
+         {RefusalReason::WrongKey, RefusalReason::Version, RefusalReason::ReplayedHandshake, RefusalReason::NoCommonSuite})
+        QVERIFY2(count[reason] >= 8, qPrintable(QStringLiteral("%1 of %2").arg(count[reason]).arg(int(reason))));
 }
 
 SKYSEAL_TEST(AttackStrangerTest)

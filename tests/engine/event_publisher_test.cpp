@@ -58,7 +58,7 @@ void EventPublisherTest::othersAreNotDelayed()
     Published out;
     for (int i = 0; i < 10; ++i) {
         out.publisher.publish({}, VehicleLost{1});
-        out.publisher.publish({}, refused(channel::RefusalReason::NoCommonSuite));
+        out.publisher.publish({}, refused(channel::RefusalReason::CounterBehind));
     }
     QCOMPARE(out.events.size(), std::size_t(20));
     QCOMPARE(out.publisher.nextDeadline(), kNever);
