@@ -7,16 +7,11 @@
 #include "core/base/clock.h"
 #include "core/mavlink/messages.h"
 #include "core/mavlink/signing.h"
+#include "core/sim/link_trust.h"
 
 #include <optional>
 
 namespace skyseal::sim {
-
-/// How the autopilot regards the link on which a frame arrived.
-enum class LinkTrust : std::uint8_t {
-    Ordinary,
-    Trusted ///< unsigned frames are accepted in any case
-};
 
 class MessageSigning
 {

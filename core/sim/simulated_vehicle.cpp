@@ -8,6 +8,7 @@
 #include "core/sim/ftp_server.h"
 #include "core/sim/gcs_watch.h"
 #include "core/sim/log_server.h"
+#include "core/sim/message_signing.h"
 #include "core/sim/mission_server.h"
 #include "core/sim/parameter_server.h"
 

@@ -11,11 +11,13 @@
 #include "core/base/clock.h"
 #include "core/mavlink/frame.h"
 #include "core/sim/autopilot.h"
-#include "core/sim/message_signing.h"
+#include "core/sim/link_trust.h"
 
 #include <memory>
 
 namespace skyseal::sim {
+
+class MessageSigning;
 
 struct SimulatedVehicleConfig
 {

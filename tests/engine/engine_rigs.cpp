@@ -1,5 +1,6 @@
 #include "tests/engine/engine_rigs.h"
 
+#include "core/engine/agent/vehicle_signing.h"
 #include "core/engine/station/snapshot.h"
 #include "core/mavlink/dialect.h"
 #include "tests/support/addresses.h"

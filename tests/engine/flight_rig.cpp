@@ -2,6 +2,7 @@
 
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/x25519.h"
+#include "core/engine/agent/vehicle_signing.h"
 #include "core/engine/station/snapshot.h"
 #include "core/keys/peers_file.h"
 #include "core/keys/secret_file.h"
@@ -84,6 +85,8 @@ FlightRig::FlightRig(channel::PeerRole stationRole, std::vector<std::uint8_t> pi
     m_groundKey = ground->publicKey;
     introduceStation(true);
 }
+
+FlightRig::~FlightRig() = default;
 
 void FlightRig::introduceStation(bool known)
 {

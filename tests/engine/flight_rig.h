@@ -40,6 +40,7 @@ public:
     /// `stationSystems`: system ids that the agent binds to the station's key.
     explicit FlightRig(channel::PeerRole stationRole = channel::PeerRole::Pilot, std::vector<std::uint8_t> pinned = {},
                        std::vector<std::uint8_t> stationSystems = {});
+    ~FlightRig();
 
     engine::StationConfig stationConfig(engine::SecureMode mode = engine::SecureMode::Required) const;
     /// A fresh agent, as after a restart of its program, that announces itself to `ground` ("127.0.0.1:port").

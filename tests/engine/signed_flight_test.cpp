@@ -1,5 +1,6 @@
 // MAVLink signing between agent and vehicle, over real sockets: what the vehicle signed reaches the ground byte for byte, and
 // what has no signature does not. The flight of whole programs is in tests/integration/signing_programs_test.cpp.
+#include "core/engine/agent/vehicle_signing.h"
 #include "core/mavlink/messages.h"
 #include "tests/engine/engine_rigs.h"
 #include "tests/support/test_runner.h"

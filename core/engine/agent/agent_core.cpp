@@ -1,6 +1,7 @@
 #include "core/engine/agent/agent_core.h"
 
 #include "core/channel/endpoint.h"
+#include "core/engine/agent/vehicle_signing.h"
 #include "core/engine/common/dialect_traits.h"
 #include "core/mavlink/dialect.h"
 
@@ -35,6 +36,10 @@ channel::Endpoint makeEndpoint(const AgentConfig &config, SecretFiles &secrets)
 }
 
 } // namespace
+
+AgentCore::AgentCore(AgentConfig config, std::unique_ptr<SecretFiles> secrets, Notify notify)
+    : AgentCore(std::move(config), std::move(secrets), std::move(notify), nullptr)
+{}
 
 AgentCore::AgentCore(AgentConfig config, std::unique_ptr<SecretFiles> secrets, Notify notify,
                      std::unique_ptr<VehicleSigning> signing)

@@ -7,7 +7,6 @@
 
 #include "core/engine/agent/agent_receiver.h"
 #include "core/engine/agent/agent_snapshot.h"
-#include "core/engine/agent/vehicle_signing.h"
 #include "core/engine/common/channel_driver.h"
 #include "core/engine/common/deadline_timer.h"
 #include "core/engine/common/ingress.h"
@@ -21,6 +20,8 @@
 
 namespace skyseal::engine {
 
+class VehicleSigning;
+
 /// Reason why the pairing window was not opened.
 enum class PairingRefusal : std::uint8_t { Armed, OpenAlready };
 
@@ -29,9 +30,9 @@ class AgentCore : private link::LinkListener, private AgentReceiver::EventHandle
 public:
     using Notify = std::function<void(const AgentEvent &)>;
 
+    AgentCore(AgentConfig config, std::unique_ptr<SecretFiles> secrets, Notify notify);
     /// `signing`: of the vehicle's side; null without a key.
-    AgentCore(AgentConfig config, std::unique_ptr<SecretFiles> secrets, Notify notify,
-              std::unique_ptr<VehicleSigning> signing = {});
+    AgentCore(AgentConfig config, std::unique_ptr<SecretFiles> secrets, Notify notify, std::unique_ptr<VehicleSigning> signing);
     ~AgentCore() override;
 
     /// Opens the links.

@@ -2,6 +2,7 @@
 
 #include "core/base/weakness.h"
 #include "core/channel/endpoint.h"
+#include "core/engine/agent/vehicle_signing.h"
 #include "core/mavlink/dialect.h"
 
 #include <algorithm>

@@ -12,7 +12,6 @@
 #include "core/engine/agent/ground_sessions.h"
 #include "core/engine/agent/node_heartbeat.h"
 #include "core/engine/agent/vehicle_routes.h"
-#include "core/engine/agent/vehicle_signing.h"
 #include "core/engine/common/channel_driver.h"
 #include "core/engine/common/event_publisher.h"
 #include "core/engine/common/ingress.h"
@@ -22,6 +21,8 @@
 #include <optional>
 
 namespace skyseal::engine {
+
+class VehicleSigning;
 
 using AgentEvents = EventPublisher<AgentEvent, AgentCauses>;
 
