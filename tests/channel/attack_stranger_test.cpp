@@ -3,10 +3,13 @@
 #include "attack.h"
 #include "core/crypto/x25519.h"
 #include "core/channel/cookie.h"
+#include "core/channel/handshake.h"
 #include "core/channel/mac1.h"
 #include "core/crypto/init_crypto.h"
 #include "tests/support/holds.h"
 #include "tests/support/test_runner.h"
+
+#include <map>
 
 using namespace skyseal;
 using namespace skyseal::test;

@@ -63,6 +63,14 @@ public:
         }
     }
     std::size_t sessions() const { return m_station->sessions().size(); }
+    /// Sessions in which records arrive.
+    std::size_t heard() const
+    {
+        return static_cast<std::size_t>(
+            std::ranges::count_if(m_station->sessions(), [&](SessionId id) { return !m_station->sessionInfo(id)->silent; }));
+    }
+    /// From now on the agents are at other addresses, this much further.
+    void move(std::size_t addresses) { m_moved += addresses; }
     void kill(std::size_t agent) { m_agents[agent].endpoint.reset(); }
     void restart(std::size_t agent) { start(m_agents[agent]); }
 
@@ -104,7 +112,11 @@ private:
         agent.endpoint = std::make_unique<Endpoint>(std::move(config), m_random, agent.counters, now);
     }
     /// The last agent of the list is at the first address.
-    Agent &at(std::size_t address) { return m_agents[m_agents.size() - 1 - address]; }
+    Agent *findAt(std::size_t address)
+    {
+        const std::size_t place = address - m_moved;
+        return place < m_agents.size() ? &m_agents[m_agents.size() - 1 - place] : nullptr;
+    }
     static Path pathOf(std::size_t address)
     {
         Path path{LinkId{1 + static_cast<std::uint32_t>(address)}, {}};
@@ -116,8 +128,8 @@ private:
     {
         if (datagram.toStation)
             m_station->handleDatagram(now, pathOf(datagram.address), datagram.bytes);
-        else if (datagram.address < m_agents.size() && at(datagram.address).endpoint)
-            at(datagram.address).endpoint->handleDatagram(now, Path{LinkId{9}, {{}, 40000}}, datagram.bytes);
+        else if (Agent *agent = findAt(datagram.address); agent && agent->endpoint)
+            agent->endpoint->handleDatagram(now, Path{LinkId{9}, {{}, 40000}}, datagram.bytes);
         pump();
     }
     void noteFirst(ByteView message)
@@ -139,12 +151,12 @@ private:
             m_flying.emplace(now + 10ms, Datagram{false, address, Bytes(sent->bytes.begin(), sent->bytes.end())});
         }
         while (m_station->pollEvent()) {}
-        for (std::size_t address = 0; address < m_agents.size(); ++address) {
-            if (!at(address).endpoint)
+        for (std::size_t address = m_moved; const Agent *agent = findAt(address); ++address) {
+            if (!agent->endpoint)
                 continue;
-            while (const auto sent = at(address).endpoint->pollTransmit())
+            while (const auto sent = agent->endpoint->pollTransmit())
                 m_flying.emplace(now + 10ms, Datagram{true, address, Bytes(sent->bytes.begin(), sent->bytes.end())});
-            while (at(address).endpoint->pollEvent()) {}
+            while (agent->endpoint->pollEvent()) {}
         }
     }
 
@@ -154,6 +166,7 @@ private:
     MemoryCounterStore m_stationCounters;
     std::unique_ptr<Endpoint> m_station;
     std::multimap<TimePoint, Datagram> m_flying;
+    std::size_t m_moved = 0;
 };
 
 std::vector<std::size_t> upTo(std::size_t count)
@@ -175,6 +188,7 @@ private Q_SLOTS:
     void oneIsFoundAtOnce();
     void manyAreFoundInTurns();
     void isFoundAgainAfterARestart();
+    void isFoundAtAnotherAddress();
     void silentAddressIsCalledSparingly();
     void fourAreCalledAtATime();
     void changesBeginNoTurn();
@@ -231,6 +245,19 @@ void ListeningAgentsTest::isFoundAgainAfterARestart()
         QVERIFY(listeners.firsts > before);
         QCOMPARE(listeners.sessions(), std::size_t(2));
     }
+}
+
+/// Its modem or its address changes while the station still has the session, which it keeps for ten minutes.
+void ListeningAgentsTest::isFoundAtAnotherAddress()
+{
+    Listeners listeners(1);
+    listeners.call({0, 1});
+    listeners.run(20s);
+    QCOMPARE(listeners.heard(), std::size_t(1));
+    listeners.move(1);
+    listeners.run(15s); // silence, and two turns of calls at the most
+    QCOMPARE(listeners.heard(), std::size_t(1));
+    QCOMPARE(listeners.sessions(), std::size_t(1));
 }
 
 void ListeningAgentsTest::silentAddressIsCalledSparingly()
