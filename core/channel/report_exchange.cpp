@@ -8,8 +8,13 @@ namespace skyseal::channel {
 
 std::uint32_t ReportExchange::stamp(TimePoint now) const
 {
+    return static_cast<std::uint32_t>(fullStamp(now));
+}
+
+std::uint64_t ReportExchange::fullStamp(TimePoint now) const
+{
     // Bit 0 is set because 0 means "none" in an echo; an error of one microsecond does not matter.
-    return static_cast<std::uint32_t>(std::chrono::duration_cast<std::chrono::microseconds>(now - m_start).count()) | 1u;
+    return static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(now - m_start).count()) | 1u;
 }
 
 void ReportExchange::addTo(SessionStats &stats) const
@@ -36,8 +41,9 @@ bool ReportExchange::handle(TimePoint now, const Report &report)
     m_peer = report;
     m_peerAt = now;
     if (report.echo != 0) {
-        const std::uint32_t passed = stamp(now) - report.echo;
-        const std::chrono::microseconds roundTrip(static_cast<std::int32_t>(passed - report.held));
+        // In full, counted on from the echo before: modulo 2^32, an echo that was withheld for 72 minutes would look new.
+        m_echo += static_cast<std::uint32_t>(report.echo - static_cast<std::uint32_t>(m_echo));
+        const std::chrono::microseconds roundTrip(static_cast<std::int64_t>(fullStamp(now) - m_echo - report.held));
         m_roundTrip.add(roundTrip);
         if (roundTrip.count() >= 0)
             m_peerClock.add(now, now - roundTrip - std::chrono::microseconds(report.held / PeerClock::kDrift), report.stamp);

@@ -52,11 +52,14 @@ public:
     Report make(TimePoint now) const;
 
 private:
+    std::uint64_t fullStamp(TimePoint now) const;
+
     TimePoint m_start;
     TimePoint m_due;
     std::optional<FrameCounters> m_frames;
     std::optional<Report> m_peer;
-    TimePoint m_peerAt; ///< arrival of m_peer
+    TimePoint m_peerAt;       ///< arrival of m_peer
+    std::uint64_t m_echo = 0; ///< of the peer's latest report, not modulo 2^32
     std::uint64_t m_staleNotified = 0;
     bool m_storageNotified = false; ///< the owner was notified that the peer cannot store
     RoundTrip m_roundTrip;

@@ -36,6 +36,8 @@ private Q_SLOTS:
     void releasedAfterClose();
     void releasedAfterAWithheldClose_data() { everyWay(); }
     void releasedAfterAWithheldClose();
+    void releasedWhenTheStampsRepeat_data() { everyWay(); }
+    void releasedWhenTheStampsRepeat();
     void releasedAfterASwitch_data() { everyWay(); }
     void releasedAfterASwitch();
     void wholeFlowHeldThenReleased_data();
@@ -147,6 +149,41 @@ void AttackFreshnessTest::releasedAfterAWithheldClose()
         HOLDS(held <= kAge || !commands(judged), "nothing older than the limit is obeyed");
         QCOMPARE(commands(judged), held <= kAge);
     }
+}
+
+void AttackFreshnessTest::releasedWhenTheStampsRepeat()
+{
+    // The stamps of reports repeat after 2^32 us. One old record every nine minutes keeps the session of the agent up until
+    // then; the reports that were sent before the command, and it, come half a second later.
+    QFETCH(Way, way);
+    auto pair = flight(optionsWith(way, kAge));
+    std::vector<Flight> withheld;
+    pair->link.attacker = [&](TimePoint, Flight &datagram) {
+        if (datagram.from == Ground)
+            withheld.push_back(datagram);
+        return datagram.from == Air;
+    };
+    pair->run(12500ms);
+    const std::size_t before = withheld.size();
+    const std::uint64_t command = pair->sendFrame(Ground, 40);
+    const TimePoint end = pair->now + std::chrono::microseconds(1LL << 32) + 500ms;
+    pair->stopTraffic();
+    pair->ground().endpoint->close(pair->now, pair->ground().session());
+    pair->run(1s);
+    pair->kill(Ground);
+    std::size_t next = 0;
+    while (pair->now + 9min < end) {
+        pair->run(9min);
+        QVERIFY(next < before);
+        pair->link.inject(pair->now, withheld[next++]);
+    }
+    pair->run(end - pair->now);
+    QVERIFY(pair->air().up());
+    for (; next <= before; ++next)
+        pair->link.inject(pair->now + std::chrono::milliseconds(next), withheld[next]);
+    pair->run(1s);
+    QVERIFY(pair->air().freshness.contains(command));
+    HOLDS(!commands(pair->air().freshness[command]), "nothing older than the limit is obeyed");
 }
 
 void AttackFreshnessTest::releasedAfterASwitch()

@@ -63,6 +63,7 @@ inline constexpr Proof kProofs[] = {
     {"NoOvertakenLimit", "attack_freshness_test", "withheldBurst", "no overtaken command is obeyed"},
     {"CommandsAfterClose", "attack_freshness_test", "releasedAfterClose", "nothing commands after the close"},
     {"NoAgeLimit", "attack_freshness_test", "releasedAfterAWithheldClose", "nothing older than the limit is obeyed"},
+    {"NoAgeLimit", "attack_freshness_test", "releasedWhenTheStampsRepeat", "nothing older than the limit is obeyed"},
     {"NoOvertakenLimit", "attack_freshness_test", "releasedAfterASwitch", "no overtaken command is obeyed"},
     {"NoAgeLimit", "attack_freshness_test", "wholeFlowHeldThenReleased", "nothing older than the limit is obeyed"},
     {"NoAgeLimit", "attack_freshness_test", "wholeFlowDelayed", "nothing older than the limit is obeyed"},
