@@ -5,6 +5,7 @@
 #include "core/crypto/x25519.h"
 #include "core/engine/common/channel_driver.h"
 #include "core/engine/common/dialect_traits.h"
+#include "core/engine/common/totals.h"
 #include "core/mavlink/frame_reader.h"
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"
@@ -38,8 +39,8 @@ public:
         for (const SuiteId suite : suites) {
             auto &station = *m_stations.emplace_back(std::make_unique<Station>());
             channel::Config config = configOf(channel::Role::Station, keyPair(), {{suite}, false, false, true, true});
-            config.peers.push_back({agent.identity->publicKey, "agent"});
-            agent.peers.push_back({config.identity->publicKey, "station"});
+            config.peers.push_back({agent.identity->publicKey, "agent", {}, {}, {}});
+            agent.peers.push_back({config.identity->publicKey, "station", {}, {}, {}});
             agent.announceTo.push_back(pathTo(station));
             station.endpoint.emplace(std::move(config), m_random, station.counters, now);
         }
@@ -90,6 +91,7 @@ public:
     /// Of the records and frames of all sessions.
     channel::ReceiveCounters received() const
     {
+        using engine::operator+=;
         channel::ReceiveCounters out;
         for (const auto &station : m_stations)
             out += station->endpoint->stats(station->endpoint->sessions().at(0))->rx;

@@ -104,7 +104,7 @@ bool ChannelDriver::queueInline(TimePoint now, channel::SessionId session, ByteV
         return false;
     if (!batch.sealedInPlace) // the frames before it are sealed first, since counters increase
         sealBatch(now, session, batch);
-    transmit(now, session, batch);
+    transmit();
     const std::uint64_t begin = m_clock.begin();
     const auto size = m_endpoint->sealInline(now, session, frame, m_record);
     const std::uint64_t end = metrics::CycleClock::now();
@@ -126,14 +126,11 @@ void ChannelDriver::sealBatch(TimePoint now, channel::SessionId session, Batch &
 {
     if (batch.size == 0)
         return;
+    if (batch.sealedInPlace)
+        return sendInPlace(session, batch);
     const ByteView frames(batch.frames.data(), batch.size);
     batch.size = 0;
     batch.urgent = false;
-    if (std::exchange(batch.sealedInPlace, false)) {
-        m_wire.sent += frames.size();
-        m_links.send(m_endpoint->recordPath(session), frames);
-        return;
-    }
     transmit();
     const std::uint64_t begin = m_clock.begin();
     const auto size = m_endpoint->seal(now, session, frames, m_record);
@@ -150,21 +147,27 @@ void ChannelDriver::sealBatch(TimePoint now, channel::SessionId session, Batch &
 }
 
 /// Call before anything else is sealed: its counter is greater than those of the waiting records, which would arrive late.
+/// Frames that were sealed in place before these records go first, those of all sessions.
 void ChannelDriver::transmit()
 {
+    if (!m_endpoint->hasTransmit())
+        return;
+    for (auto &[session, batch] : m_batches) {
+        if (batch.sealedInPlace)
+            sendInPlace(session, batch);
+    }
     while (const auto out = m_endpoint->pollTransmit()) {
         m_wire.sent += out->bytes.size();
         m_links.send(out->to, out->bytes);
     }
 }
 
-/// The same before a frame is sealed in place. Those in the batch were sealed first.
-void ChannelDriver::transmit(TimePoint now, channel::SessionId session, Batch &batch)
+void ChannelDriver::sendInPlace(channel::SessionId session, Batch &batch)
 {
-    if (!m_endpoint->hasTransmit())
-        return;
-    sealBatch(now, session, batch);
-    transmit();
+    const ByteView frames(batch.frames.data(), std::exchange(batch.size, 0));
+    batch.sealedInPlace = false;
+    m_wire.sent += frames.size();
+    m_links.send(m_endpoint->recordPath(session), frames);
 }
 
 void ChannelDriver::flush(TimePoint now)

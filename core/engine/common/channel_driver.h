@@ -97,7 +97,7 @@ private:
     bool mayWait(TimePoint now, const Path &path, Batch &batch) const;
     void sealBatch(TimePoint now, channel::SessionId session, Batch &batch);
     void transmit();
-    void transmit(TimePoint now, channel::SessionId session, Batch &batch);
+    void sendInPlace(channel::SessionId session, Batch &batch);
 
     std::unique_ptr<channel::Endpoint> m_endpoint;
     LinkPool &m_links;
