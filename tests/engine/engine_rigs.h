@@ -5,6 +5,7 @@
 #include "core/engine/agent/agent_core.h"
 #include "core/engine/station/station_core.h"
 #include "core/mavlink/frame_intake.h"
+#include "core/mavlink/signing.h"
 #include "tests/engine/bare_end.h"
 #include "tests/engine/traffic.h"
 

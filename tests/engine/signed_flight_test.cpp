@@ -3,6 +3,7 @@
 #include "core/engine/agent/vehicle_signing.h"
 #include "core/mavlink/messages.h"
 #include "tests/engine/engine_rigs.h"
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 
 using namespace skyseal;
