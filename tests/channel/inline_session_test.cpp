@@ -23,7 +23,7 @@ Bytes sealOne(Pair &pair, Side from, std::size_t size = 28)
     return out;
 }
 
-bool offer(Pair &pair, Side to, Bytes frame, std::optional<Path> from = {})
+bool offerFrame(Pair &pair, Side to, Bytes frame, std::optional<Path> from = {})
 {
     return pair.ends[to]
         .endpoint->handleInlineFrame(pair.now, from.value_or(pair.pathOf(to == Air ? Ground : Air)), frame)
@@ -172,16 +172,16 @@ void InlineSessionTest::neverMovesTheAddress()
     Path elsewhere = pair.pathOf(Air);
     elsewhere.remote.port = 41000;
     const Bytes frame = sealOne(pair, Air);
-    QVERIFY(!offer(pair, Ground, frame, elsewhere)); // authentic, but its session has another address
+    QVERIFY(!offerFrame(pair, Ground, frame, elsewhere)); // authentic, but its session has another address
     QCOMPARE(pair.ground().endpoint->unmatched().malformed, std::uint64_t(1));
     QCOMPARE(pair.ground().endpoint->recordPath(pair.ground().session()), home);
-    QVERIFY(offer(pair, Ground, frame));
+    QVERIFY(offerFrame(pair, Ground, frame));
 
     // The agent gets another port: its next report moves the session, and frames are accepted again from then on.
     pair.air().port = 41000;
     pair.run(1500ms);
     QCOMPARE(pair.ground().endpoint->recordPath(pair.ground().session()).remote.port, std::uint16_t(41000));
-    QVERIFY(offer(pair, Ground, sealOne(pair, Air)));
+    QVERIFY(offerFrame(pair, Ground, sealOne(pair, Air)));
 }
 
 void InlineSessionTest::replayedReflectedForged()
@@ -192,24 +192,24 @@ void InlineSessionTest::replayedReflectedForged()
     const Bytes frame = sealOne(pair, Air, 33);
     const ReceiveCounters before = countersOf(pair.ground());
 
-    QVERIFY(!offer(pair, Air, frame)); // reflected
+    QVERIFY(!offerFrame(pair, Air, frame)); // reflected
     std::uint64_t forged = 0;
     for (std::size_t bit = 0; bit < frame.size() * 8; ++bit) {
         Bytes other = frame;
         other[bit / 8] ^= static_cast<std::uint8_t>(1 << bit % 8);
-        QVERIFY(!offer(pair, Ground, other));
+        QVERIFY(!offerFrame(pair, Ground, other));
         ++forged;
     }
     const ReceiveCounters after = countersOf(pair.ground());
     QCOMPARE(after.forged + after.malformed + after.replayed - before.forged - before.malformed - before.replayed, forged);
     QCOMPARE(after.lost, before.lost); // no forged counter moved the window
-    QVERIFY(offer(pair, Ground, frame));
+    QVERIFY(offerFrame(pair, Ground, frame));
     for (int i = 0; i < 3; ++i)
-        QVERIFY(!offer(pair, Ground, frame));
+        QVERIFY(!offerFrame(pair, Ground, frame));
     QCOMPARE(countersOf(pair.ground()).replayed, after.replayed + 3);
     for (int i = 0; i < 2049; ++i)
-        QVERIFY(offer(pair, Ground, sealOne(pair, Air)));
-    QVERIFY(!offer(pair, Ground, frame)); // by now older than the window
+        QVERIFY(offerFrame(pair, Ground, sealOne(pair, Air)));
+    QVERIFY(!offerFrame(pair, Ground, frame)); // by now older than the window
     pair.run(2s);
     QVERIFY(pair.sendFrame(Air) && pair.run(2s) == false && pair.accountFrom(Air).empty());
 }
@@ -221,15 +221,15 @@ void InlineSessionTest::acrossEpochs()
     const Bytes old = sealOne(pair, Air);
     pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), SuiteId::ChaCha20);
     pair.run(1s);
-    QVERIFY(offer(pair, Ground, old)); // late, under the keys of the epoch before
+    QVERIFY(offerFrame(pair, Ground, old)); // late, under the keys of the epoch before
     const Bytes older = sealOne(pair, Air);
     pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), SuiteId::Aes256Cbc);
     pair.run(10s);
-    QVERIFY(!offer(pair, Ground, older)); // those keys are gone
+    QVERIFY(!offerFrame(pair, Ground, older)); // those keys are gone
     Bytes relabelled = older;
     ++relabelled[relabelled.size() - kInlineTrailer];
     relabelled[relabelled.size() - kInlineTrailer + 2] = 0xff; // a counter that is fresh there
-    QVERIFY(!offer(pair, Ground, relabelled));
+    QVERIFY(!offerFrame(pair, Ground, relabelled));
     QCOMPARE(countersOf(pair.ground()).forged, std::uint64_t(1));
 }
 
@@ -242,7 +242,7 @@ void InlineSessionTest::consentWithdrawn()
     policy.allowInline = false;
     pair.ground().endpoint->setPolicy(pair.now, policy);
     QCOMPARE(framingOf(pair.ground()), Framing::Sealed);
-    QVERIFY(!offer(pair, Ground, frame));
+    QVERIFY(!offerFrame(pair, Ground, frame));
     QCOMPARE(countersOf(pair.ground()).malformed, std::uint64_t(1));
 }
 

@@ -22,9 +22,9 @@ channel::Peer peer(std::uint8_t number)
 }
 
 /// A station with two agents that were paired and not yet heard; the rogue one connects first.
-struct Rig
+struct Agents
 {
-    Rig()
+    Agents()
     {
         policy.setPeers({rogue, honest});
         policy.sessionUp(kRogue, rogue.key, kRoguePath);
@@ -48,7 +48,7 @@ private Q_SLOTS:
 
 void AttackSystemsTest::oneAgentClaimsEverySystem()
 {
-    Rig rig;
+    Agents rig;
     std::size_t claimed = 0;
     for (int round = 0; round < 3; ++round) {
         claimed = 0;
@@ -75,7 +75,7 @@ void AttackSystemsTest::claimEnds_data()
 void AttackSystemsTest::claimEnds()
 {
     QFETCH(bool, earlierRun);
-    Rig rig;
+    Agents rig;
     SealedSystems claimed;
     claimed[rig.rogue.key].set(1);
     if (earlierRun)

@@ -27,7 +27,7 @@ namespace {
 
 using Frames = std::vector<Bytes>;
 
-Bytes frameOf(std::uint32_t id, std::uint8_t crcExtra, std::uint8_t minLength, ByteView payload)
+Bytes frameFor(std::uint32_t id, std::uint8_t crcExtra, std::uint8_t minLength, ByteView payload)
 {
     std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
     mavlink::FrameWriter writer(255, 190);
@@ -35,11 +35,11 @@ Bytes frameOf(std::uint32_t id, std::uint8_t crcExtra, std::uint8_t minLength, B
     return Bytes(frame.begin(), frame.end());
 }
 
-template<typename Message> Bytes frameOf(const Message &message)
+template<typename Message> Bytes frameFor(const Message &message)
 {
     std::array<std::uint8_t, Message::kMaxLength> payload;
     message.encode(payload);
-    return frameOf(Message::kId, Message::kCrcExtra, Message::kMinLength, payload);
+    return frameFor(Message::kId, Message::kCrcExtra, Message::kMinLength, payload);
 }
 
 bool maySend(const Bytes &bytes, bool pilotThere = false)
@@ -53,12 +53,12 @@ bool maySend(const Bytes &bytes, bool pilotThere = false)
 
 Bytes commandBytes(std::uint16_t command, std::array<float, 7> p = {})
 {
-    return frameOf(test::commandLong(command, p));
+    return frameFor(test::commandLong(command, p));
 }
 
 Bytes commandInt(std::uint16_t command, float first = 0, float second = 0)
 {
-    return frameOf(
+    return frameFor(
         mavlink::CommandInt{.target_system = 1, .target_component = 1, .command = command, .param1 = first, .param2 = second});
 }
 
@@ -76,23 +76,23 @@ Frames acts()
         commandBytes(MAV_CMD_SET_MESSAGE_INTERVAL, {30, -1}),
         commandBytes(MAV_CMD_DO_MOTOR_TEST, {1, 0, 50, 5}),
         commandBytes(MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, {1}),
-        frameOf(SetMode{.target_system = 1, .base_mode = 1, .custom_mode = 9}),
-        frameOf(RcChannelsOverride{.target_system = 1, .target_component = 1, .chan1_raw = 1900, .chan3_raw = 1900}),
-        frameOf(ManualControl{.target = 1, .x = 1000, .z = 1000}),
-        frameOf(failsafe),
-        frameOf(MissionCount{.target_system = 1, .target_component = 1, .count = 3}),
-        frameOf(MissionClearAll{.target_system = 1, .target_component = 1}),
-        frameOf(MissionSetCurrent{.target_system = 1, .target_component = 1, .seq = 1}),
-        frameOf(MissionAck{.target_system = 1, .target_component = 1, .type = MAV_MISSION_OPERATION_CANCELLED}),
-        frameOf(SetPositionTargetLocalNed{.target_system = 1, .target_component = 1, .x = 100}),
-        frameOf(SetHomePosition{.target_system = 1}),
-        frameOf(Heartbeat{.type = MAV_TYPE_GCS, .autopilot = MAV_AUTOPILOT_INVALID}),
-        frameOf(SystemTime{.time_unix_usec = 1}),
-        frameOf(Ping{.time_usec = 5}),
-        frameOf(Timesync{.tc1 = 7, .ts1 = 5}),
-        frameOf(SetupSigning{.target_system = 1, .target_component = 1}),
-        frameOf(RequestDataStream{.target_system = 1, .target_component = 1, .start_stop = 0}),
-        frameOf(180'000, 77, 4, Bytes(4, 1)), // of no dialect that is known here
+        frameFor(SetMode{.target_system = 1, .base_mode = 1, .custom_mode = 9}),
+        frameFor(RcChannelsOverride{.target_system = 1, .target_component = 1, .chan1_raw = 1900, .chan3_raw = 1900}),
+        frameFor(ManualControl{.target = 1, .x = 1000, .z = 1000}),
+        frameFor(failsafe),
+        frameFor(MissionCount{.target_system = 1, .target_component = 1, .count = 3}),
+        frameFor(MissionClearAll{.target_system = 1, .target_component = 1}),
+        frameFor(MissionSetCurrent{.target_system = 1, .target_component = 1, .seq = 1}),
+        frameFor(MissionAck{.target_system = 1, .target_component = 1, .type = MAV_MISSION_OPERATION_CANCELLED}),
+        frameFor(SetPositionTargetLocalNed{.target_system = 1, .target_component = 1, .x = 100}),
+        frameFor(SetHomePosition{.target_system = 1}),
+        frameFor(Heartbeat{.type = MAV_TYPE_GCS, .autopilot = MAV_AUTOPILOT_INVALID}),
+        frameFor(SystemTime{.time_unix_usec = 1}),
+        frameFor(Ping{.time_usec = 5}),
+        frameFor(Timesync{.tc1 = 7, .ts1 = 5}),
+        frameFor(SetupSigning{.target_system = 1, .target_component = 1}),
+        frameFor(RequestDataStream{.target_system = 1, .target_component = 1, .start_stop = 0}),
+        frameFor(180'000, 77, 4, Bytes(4, 1)), // of no dialect that is known here
     };
 }
 
@@ -100,14 +100,14 @@ Frames questions()
 {
     using namespace mavlink;
     return {
-        frameOf(Timesync{.ts1 = 5}),
-        frameOf(ParamRequestRead{.target_system = 1, .target_component = 1, .param_index = 3}),
-        frameOf(MissionRequestList{.target_system = 1, .target_component = 1}),
-        frameOf(MissionRequestInt{.target_system = 1, .target_component = 1, .seq = 0}),
-        frameOf(MissionAck{.target_system = 1, .target_component = 1, .type = MAV_MISSION_ACCEPTED}),
+        frameFor(Timesync{.ts1 = 5}),
+        frameFor(ParamRequestRead{.target_system = 1, .target_component = 1, .param_index = 3}),
+        frameFor(MissionRequestList{.target_system = 1, .target_component = 1}),
+        frameFor(MissionRequestInt{.target_system = 1, .target_component = 1, .seq = 0}),
+        frameFor(MissionAck{.target_system = 1, .target_component = 1, .type = MAV_MISSION_ACCEPTED}),
         commandBytes(MAV_CMD_REQUEST_MESSAGE, {148}),
         commandInt(MAV_CMD_GET_HOME_POSITION),
-        frameOf(RequestDataStream{.target_system = 1, .target_component = 1, .req_message_rate = 4, .start_stop = 1}),
+        frameFor(RequestDataStream{.target_system = 1, .target_component = 1, .req_message_rate = 4, .start_stop = 1}),
     };
 }
 
@@ -176,7 +176,7 @@ void ObserverTest::ofAllMessagesOnlyQuestions()
     for (const mavlink::MessageInfo &info : mavlink::Dialect::builtin().messages()) {
         for (const std::uint8_t filling : {0x00, 0xff}) {
             const Bytes payload(info.maxLength, filling);
-            const bool may = maySend(frameOf(info.id, info.crcExtra, info.minLength, payload));
+            const bool may = maySend(frameFor(info.id, info.crcExtra, info.minLength, payload));
             if (!depends.contains(info.id))
                 QVERIFY2(may == always.contains(info.id), std::string(info.name).c_str());
             passed += may;
@@ -208,12 +208,12 @@ void ObserverTest::ofAllCommandsOnlyQuestions()
 
 void ObserverTest::streamsAreThePilotsWhileThereIsOne()
 {
-    const Bytes start = frameOf(mavlink::RequestDataStream{.target_system = 1, .req_message_rate = 4, .start_stop = 1});
+    const Bytes start = frameFor(mavlink::RequestDataStream{.target_system = 1, .req_message_rate = 4, .start_stop = 1});
     QVERIFY(maySend(start, false));
     QVERIFY(!maySend(start, true));
-    QVERIFY(!maySend(frameOf(mavlink::RequestDataStream{.target_system = 1, .req_message_rate = 4, .start_stop = 0}), false));
+    QVERIFY(!maySend(frameFor(mavlink::RequestDataStream{.target_system = 1, .req_message_rate = 4, .start_stop = 0}), false));
     for (const int rate : {0, 1, 10, 11, 65535}) {
-        const Bytes request = frameOf(mavlink::RequestDataStream{
+        const Bytes request = frameFor(mavlink::RequestDataStream{
             .target_system = 1, .req_message_rate = static_cast<std::uint16_t>(rate), .start_stop = 1});
         QCOMPARE(maySend(request, false), rate == 1 || rate == 10);
     }

@@ -11,7 +11,7 @@ using namespace skyseal::engine;
 namespace {
 
 constexpr channel::SessionId kOld{1}, kNew{2}, kThird{3};
-constexpr TimePoint kStart{std::chrono::seconds(100)};
+constexpr TimePoint kBegin{std::chrono::seconds(100)};
 
 channel::SessionUp up(channel::SessionId session, std::uint8_t key)
 {
@@ -40,13 +40,13 @@ struct Watches
     }
     void end(channel::SessionId session)
     {
-        if (const auto ended = sessions.sessionDown(kStart, down(session)))
+        if (const auto ended = sessions.sessionDown(kBegin, down(session)))
             vehicles.sessionDown(session, *ended);
     }
     VehicleSnapshot vehicle(std::uint8_t systemId) const
     {
         VehicleSnapshot out;
-        vehicles.describe(kStart + std::chrono::seconds(2), systemId, out);
+        vehicles.describe(kBegin + std::chrono::seconds(2), systemId, out);
         return out;
     }
 

@@ -21,11 +21,6 @@ inline QStringList with(QStringList arguments, const char *option, const QString
     return arguments;
 }
 
-inline QString loopback(const char *scheme, quint16 port)
-{
-    return QStringLiteral("%1:127.0.0.1:%2").arg(QLatin1String(scheme)).arg(port);
-}
-
 inline QString serial(const QString &device, int baud)
 {
     return QStringLiteral("serial:%1:%2").arg(device).arg(baud);

@@ -2,6 +2,7 @@
 // all suites and loses nothing; commands reach the vehicle; and the routers see only TUNNEL messages and the agent's
 // heartbeat. With SKYSEAL_MAVLINK_ROUTERD naming the program, also through the real mavlink-router.
 #include "carrier_flight.h"
+#include "tests/support/addresses.h"
 #include "tests/support/mavlink_hub.h"
 #include "tests/support/null_modem.h"
 #include "tests/support/test_runner.h"

@@ -2,6 +2,7 @@
 // every system id: the session stays up and loses only damaged records. With SKYSEAL_MAVLINK_ROUTERD set to the program, the
 // real mavlink-router is tested as well.
 #include "carrier_flight.h"
+#include "tests/support/addresses.h"
 #include "tests/support/eventually.h"
 #include "tests/support/mavlink_hub.h"
 #include "tests/support/null_modem.h"

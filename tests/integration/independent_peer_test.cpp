@@ -3,6 +3,7 @@
 //
 // Needs /usr/bin/python3 with python3-cryptography (Debian); SKYSEAL_PYTHON names another interpreter.
 #include "tests/support/flight.h"
+#include "tests/support/json_values.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QDeadlineTimer>
@@ -15,11 +16,6 @@ namespace {
 
 constexpr int kSuites = 6;
 constexpr int kFramesUnderEach = 20;
-
-qint64 number(const QJsonObject &object, const char *key)
-{
-    return object[QLatin1String(key)].toInteger();
-}
 
 QJsonObject within(const QJsonObject &object, const char *key)
 {

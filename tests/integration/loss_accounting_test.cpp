@@ -2,6 +2,7 @@
 // relay between them: the relay's log, replayed in the order of sending, gives the same numbers for every report. Covers both
 // directions, records, frames sealed in place and clear MAVLink, in the live counters and in a sweep.
 #include "tests/support/flight.h"
+#include "tests/support/json_values.h"
 #include "tests/support/record_counters.h"
 #include "tests/support/relay_ledger.h"
 #include "tests/support/run_program.h"
@@ -18,11 +19,6 @@ namespace {
 QString q(const char *text)
 {
     return QString::fromUtf8(text);
-}
-
-qint64 number(const QJsonValue &object, const char *key)
-{
-    return object[QLatin1String(key)].toInteger();
 }
 
 RelayLedger::Sealed sealedOf(const QJsonValue &counters)

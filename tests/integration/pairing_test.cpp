@@ -10,6 +10,7 @@
 #include "tests/support/flight.h"
 #include "tests/support/clear_frames.h"
 #include "tests/support/heartbeat.h"
+#include "tests/support/pairing_people.h"
 #include "tests/support/run_program.h"
 #include "tests/support/test_runner.h"
 
@@ -27,11 +28,6 @@ namespace {
 QString text(const QJsonObject &event, const char *key)
 {
     return event[QLatin1String(key)].toString();
-}
-
-Program::Predicate stateIs(const char *state)
-{
-    return [state](const QJsonObject &event) { return text(event, "state") == QLatin1String(state); };
 }
 
 /// A station that claims any system id, and confirms each agent that it is shown.

@@ -1,6 +1,7 @@
 // The sealed link between real programs: simulator, agent and monitor connect, switch through all suites and lose only what
 // the channel between them drops. The time that connecting may take: SessionTest::comesUpWithinASecond.
 #include "tests/support/flight.h"
+#include "tests/support/json_values.h"
 #include "tests/support/record_counters.h"
 #include "tests/support/test_runner.h"
 
@@ -15,11 +16,6 @@ namespace {
 const int kSwitchingSeconds = qEnvironmentVariableIsSet("SKYSEAL_SWITCHING_SECONDS")
     ? qEnvironmentVariableIntValue("SKYSEAL_SWITCHING_SECONDS")
     : 14;
-
-qint64 number(const QJsonObject &object, const char *key)
-{
-    return object[QLatin1String(key)].toInteger();
-}
 
 QJsonObject within(const QJsonObject &object, const char *outer, const char *inner)
 {

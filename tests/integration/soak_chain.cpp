@@ -1,5 +1,7 @@
 #include "tests/integration/soak_chain.h"
 
+#include "tests/support/addresses.h"
+
 #include <QtCore/QJsonArray>
 
 namespace skyseal::test {
@@ -21,11 +23,6 @@ const Authority &certify(Authority &authority)
     for (const char *name : {"broker", "dashboard", kPrefix})
         authority.certify(name);
     return authority;
-}
-
-QString loopback(const char *scheme, quint16 port)
-{
-    return QStringLiteral("%1:127.0.0.1:%2").arg(QLatin1String(scheme)).arg(port);
 }
 
 } // namespace

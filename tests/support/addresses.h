@@ -3,6 +3,8 @@
 
 #include "core/link/link_url.h"
 
+#include <QtCore/QString>
+
 #include <cstdint>
 #include <string>
 
@@ -12,6 +14,12 @@ namespace skyseal::test {
 inline link::LinkUrl urlOf(const std::string &text)
 {
     return *link::LinkUrl::parse(text);
+}
+
+/// The text of a link URL on this machine.
+inline QString loopback(const char *scheme, quint16 port)
+{
+    return QStringLiteral("%1:127.0.0.1:%2").arg(QLatin1String(scheme)).arg(port);
 }
 
 /// Of "127.0.0.1:14550".
