@@ -15,8 +15,14 @@ target_compile_definitions(skyseal_options INTERFACE
 
 include(SkysealHardening)
 
-# By its full path: automoc runs moc again for all files of a target when it does not find a file that moc names.
-set(CMAKE_AUTOMOC_MOC_OPTIONS --include ${CMAKE_CURRENT_LIST_DIR}/moc_first.h)
+# moc reads every header that a file includes, over a second for a test, although it needs none here: what it generates code for
+# is in the file itself. Without include paths it finds none, and a changed header runs no moc again.
+get_target_property(skyseal_moc Qt6::moc LOCATION)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/moc.in ${CMAKE_BINARY_DIR}/moc @ONLY
+  FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+function(skyseal_automoc target)
+  set_target_properties(${target} PROPERTIES AUTOMOC ON AUTOMOC_EXECUTABLE ${CMAKE_BINARY_DIR}/moc)
+endfunction()
 
 if(SKYSEAL_SANITIZE)
   add_compile_options(-fsanitize=${SKYSEAL_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
@@ -41,7 +47,7 @@ function(skyseal_library name)
   add_library(skyseal::${name} ALIAS skyseal_${name})
   target_link_libraries(skyseal_${name} PUBLIC skyseal_options ${arg_PUBLIC} PRIVATE skyseal_hardening ${arg_PRIVATE})
   if(arg_QT)
-    set_target_properties(skyseal_${name} PROPERTIES AUTOMOC ON)
+    skyseal_automoc(skyseal_${name})
   endif()
   if(arg_WIDGETS)
     skyseal_precompile(skyseal_${name} ui)
@@ -56,19 +62,29 @@ endfunction()
 function(skyseal_program name)
   cmake_parse_arguments(arg "" "COMPONENT" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
-  set_target_properties(${name} PROPERTIES AUTOMOC ON)
+  skyseal_automoc(${name})
   target_compile_definitions(${name} PRIVATE SKYSEAL_VERSION="${PROJECT_VERSION}")
   target_link_libraries(${name} PRIVATE skyseal_options skyseal_hardening ${arg_LINK})
   skyseal_precompile(${name} engine)
   install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${arg_COMPONENT})
 endfunction()
 
-# skyseal_unite(TARGET): compiles several source files as one where SKYSEAL_UNITY is on: less to do in all, more after a change.
+# skyseal_unite(TARGET SOURCE …): compiles these source files of one folder as eight where SKYSEAL_UNITY is on: less to do in
+# all, more after a change. The name of a file alone decides with which others it is compiled, so that a new file brings no two
+# old ones together.
 function(skyseal_unite target)
   if(NOT SKYSEAL_UNITY)
     return()
   endif()
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 4)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME folder)
+  foreach(source IN LISTS ARGN)
+    cmake_path(GET source FILENAME name)
+    string(MD5 hash ${name})
+    string(SUBSTRING ${hash} 0 1 digit)
+    math(EXPR group "0x${digit} % 8")
+    set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP ${folder}_${group})
+  endforeach()
   # A class with members of types from an anonymous namespace is as local in an included source file as in its own.
   target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
 endfunction()
@@ -78,7 +94,8 @@ endfunction()
 function(skyseal_test_program name)
   cmake_parse_arguments(arg "WIDGETS" "" "" ${ARGN})
   add_executable(${name})
-  set_target_properties(${name} PROPERTIES AUTOMOC ON RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+  skyseal_automoc(${name})
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   target_link_libraries(${name} PRIVATE skyseal_options skyseal_test_runner Qt6::Test Qt6::Network)
   target_compile_definitions(${name} PRIVATE
     SKYSEAL_SOURCE_DIR="${PROJECT_SOURCE_DIR}" SKYSEAL_BIN_DIR="${CMAKE_BINARY_DIR}/bin")
@@ -114,7 +131,7 @@ function(skyseal_test name)
   target_sources(${program} PRIVATE ${arg_SOURCES})
   target_link_libraries(${program} PRIVATE ${arg_LINK})
   if(NOT arg_ALONE)
-    skyseal_unite(${program})
+    skyseal_unite(${program} ${arg_SOURCES})
   endif()
   if(arg_DEFINE)
     set_source_files_properties(${arg_SOURCES} PROPERTIES COMPILE_DEFINITIONS "${arg_DEFINE}")

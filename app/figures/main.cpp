@@ -46,6 +46,10 @@ bool drawPicture(const QString &file)
     return false;
 }
 
+#ifdef Q_MOC_RUN // which reads no headers (SkysealTargets.cmake)
+Q_DECLARE_INTERFACE(QTextObjectInterface, "org.qt-project.Qt.QTextObjectInterface")
+#endif
+
 /// Draws the report's figures as vectors and text, not as pixels.
 class FigureDrawer : public QObject, public QTextObjectInterface
 {
