@@ -18,7 +18,7 @@ struct EndpointCore
     EndpointCore(Config configuration, RandomSource &random, CounterStore &store);
 
     const Peer *peer(const PublicKey &key) const;
-    /// Notifies the owner of a refused handshake, at most once a second for all reasons that a stranger can cause, and once a
+    /// Notifies the owner of a refused handshake, at most once a second for each reason that a stranger can cause, and once a
     /// second and path for the others, and for agents that are not listed. Does not count it.
     void notifyRefused(TimePoint now, const Path &path, RefusalReason reason, const PublicKey &key = {});
     /// Sets the offer of the context to the suites and framings of our policy that this machine provides.
