@@ -166,6 +166,7 @@ void ChannelDriver::sendInPlace(channel::SessionId session, Batch &batch)
 {
     const ByteView frames(batch.frames.data(), std::exchange(batch.size, 0));
     batch.sealedInPlace = false;
+    batch.urgent = false;
     m_wire.sent += frames.size();
     m_links.send(m_endpoint->recordPath(session), frames);
 }
