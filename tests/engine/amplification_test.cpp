@@ -1,5 +1,7 @@
 // Whoever sends from a forged address gains nothing: to each kind of message that a stranger can make, in each carrier, an
-// agent that listens and a station answer with no more bytes on the wire than came in.
+// agent that listens and a station answer with no more bytes on the wire than came in. A station may answer an announcement
+// up to 2 s later (PROTOCOL.md, section 3); so what one message did not use counts for those after it, but no more than the
+// longest message.
 #include "tests/engine/ground.h"
 #include "tests/support/stranger_messages.h"
 #include "tests/support/stranger_wire.h"
@@ -19,6 +21,7 @@ using namespace skyseal::test;
 namespace {
 
 constexpr int kCopies = 5;
+constexpr std::size_t kLongestAnswer = 145; ///< a first message in TUNNEL, byte
 
 /// One socket to a port of this machine.
 class Stranger
@@ -128,15 +131,18 @@ private:
     template<typename Counters> void attack(Stranger &stranger, const std::vector<MessageKind> &kinds, Counters &&counters)
     {
         m_answered.clear();
+        std::size_t unused = 0;
         for (const MessageKind &kind : kinds) {
             for (const Bytes &bytes : kind.blocks) {
                 const auto before = counters();
                 stranger.send(bytes);
                 EVENTUALLY(counters().rxBytes >= before.rxBytes + bytes.size());
                 const std::uint64_t out = counters().txBytes - before.txBytes;
-                QVERIFY2(out <= bytes.size(),
-                         qPrintable(QString::fromStdString(kind.name)
-                                    + QString::asprintf(": %llu for %zu", static_cast<unsigned long long>(out), bytes.size())));
+                const std::size_t allowed = bytes.size() + unused;
+                QVERIFY2(out <= allowed, qPrintable(QString::fromStdString(kind.name)
+                                                    + QString::asprintf(": %llu for %zu, of which %zu unused before",
+                                                                        static_cast<unsigned long long>(out), allowed, unused)));
+                unused = std::min<std::size_t>(allowed - out, kLongestAnswer);
                 if (out > 0 && (m_answered.empty() || m_answered.back() != kind.name))
                     m_answered.push_back(kind.name);
             }
