@@ -4,11 +4,21 @@
 
 #include "core/base/clock.h"
 
+#include <ctime>
+
 namespace skyseal {
 
+/// Never set back or forward. It counts the time while the machine was suspended, unlike std::chrono::steady_clock: what was
+/// sent before is older afterwards.
 inline TimePoint steadyNow()
 {
+#ifdef CLOCK_BOOTTIME
+    timespec now{};
+    ::clock_gettime(CLOCK_BOOTTIME, &now);
+    return TimePoint(std::chrono::seconds(now.tv_sec) + std::chrono::nanoseconds(now.tv_nsec));
+#else
     return TimePoint(std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now().time_since_epoch()));
+#endif
 }
 
 inline WallTime wallNow()

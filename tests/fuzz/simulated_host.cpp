@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <map>
 #include <random>
 
@@ -12,6 +13,8 @@
 #pragma clang diagnostic ignored "-Wreturn-type-c-linkage" // the wrapped symbol is a mangled C++ name
 #endif
 extern "C" {
+int __real_clock_gettime(clockid_t clock, timespec *out);
+int __wrap_clock_gettime(clockid_t clock, timespec *out);
 std::chrono::steady_clock::time_point __wrap__ZNSt6chrono3_V212steady_clock3nowEv();
 void __wrap__ZN6QTimer5startEi(QTimer *timer, int milliseconds);
 void __wrap__ZN6QTimer4stopEv(QTimer *timer);
@@ -162,6 +165,17 @@ void SimulatedHost::reconnect(LinkId link, const Address &from)
 } // namespace skyseal::test
 
 using skyseal::test::SimulatedHost;
+
+int __wrap_clock_gettime(clockid_t clock, timespec *out)
+{
+    if (clock != CLOCK_BOOTTIME) // steadyNow()
+        return __real_clock_gettime(clock, out);
+    const auto now = SimulatedHost::instance().readClock().time_since_epoch();
+    const auto seconds = std::chrono::floor<std::chrono::seconds>(now);
+    out->tv_sec = seconds.count();
+    out->tv_nsec = std::chrono::nanoseconds(now - seconds).count();
+    return 0;
+}
 
 std::chrono::steady_clock::time_point __wrap__ZNSt6chrono3_V212steady_clock3nowEv()
 {
