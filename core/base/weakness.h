@@ -22,17 +22,18 @@ enum class Weakness : std::uint8_t {
     WindowBeforeTag,    ///< the window moves before the tag is verified
     RoamOnForged,       ///< a rejected record moves the session's address
     RoamOnLate,         ///< an authentic record moves the address even when it is not the newest
-    NoTrial,          ///< the session's address stays where one record moved it, although nothing was received from there since
-    TrialByAnyEcho,   ///< the trial of an address ends by an echo of what was sent to another address
-    NoHardStop,       ///< an epoch never ends
-    KeepOldKeys,      ///< neither the previous epoch nor a session expires
-    NoWipe,           ///< secrets stay in memory after their destruction
-    NoMemoryLock,     ///< pages with keys may reach the swap space
-    NoOvertakenLimit, ///< a record commands, however long ago a newer one arrived
-    NoFrameOrder,     ///< frames that arrive late set present values of the display
-    NoAgeLimit,       ///< a record commands, however old it may be
-    OldReports,       ///< a report counts although a newer one came before it
-    CommandsAfterClose, ///< a record commands although the peer has closed the session
+    NoTrial,        ///< the session's address stays where one record moved it, although nothing was received from there since
+    TrialByAnyEcho, ///< the trial of an address ends by an echo of what was sent to another address
+    TrialByRepeatedStamp, ///< the trial of an address ends by an echo that is older by 36 to 72 minutes
+    NoHardStop,           ///< an epoch never ends
+    KeepOldKeys,          ///< neither the previous epoch nor a session expires
+    NoWipe,               ///< secrets stay in memory after their destruction
+    NoMemoryLock,         ///< pages with keys may reach the swap space
+    NoOvertakenLimit,     ///< a record commands, however long ago a newer one arrived
+    NoFrameOrder,         ///< frames that arrive late set present values of the display
+    NoAgeLimit,           ///< a record commands, however old it may be
+    OldReports,           ///< a report counts although a newer one came before it
+    CommandsAfterClose,   ///< a record commands although the peer has closed the session
     // switch
     NoSwitchExchange, ///< the keys of the next epoch follow from those of the present one
     CommitEarly,      ///< the responder sends under the next epoch as soon as it has accepted

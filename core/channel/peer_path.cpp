@@ -26,7 +26,7 @@ TimePoint PeerPath::deadline() const
 
 // An authentic record proves where its datagram came from, not that its writer is there: an attacker can keep a record from
 // us and deliver it from his own address. Therefore the trial.
-void PeerPath::moveTo(const Path &path, TimePoint now, std::uint32_t stamp)
+void PeerPath::moveTo(const Path &path, TimePoint now, std::uint64_t stamp)
 {
     m_heardHere = now;
     if (path == m_former)
@@ -37,15 +37,17 @@ void PeerPath::moveTo(const Path &path, TimePoint now, std::uint32_t stamp)
     m_current = path;
 }
 
-void PeerPath::reportSent(const Path &to, std::uint32_t stamp)
+void PeerPath::reportSent(const Path &to, std::uint64_t stamp)
 {
     if (to != m_current && !weakened(Weakness::TrialByAnyEcho))
         m_trialStamp = stamp;
 }
 
-void PeerPath::confirm(const Path &from, std::uint32_t echo)
+void PeerPath::confirm(const Path &from, std::uint64_t echo)
 {
-    if (from == m_current && static_cast<std::int32_t>(echo - m_trialStamp) > 0)
+    const bool isLater = weakened(Weakness::TrialByRepeatedStamp) ? static_cast<std::int32_t>(echo - m_trialStamp) > 0
+                                                                  : echo > m_trialStamp;
+    if (from == m_current && isLater)
         m_former.reset();
 }
 

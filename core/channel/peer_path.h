@@ -30,12 +30,15 @@ public:
 
     /// The newest record so far came from the current path.
     void stay(TimePoint now) { m_heardHere = now; }
+    // Stamps and echoes are those of the session clock in full: modulo 2^32, an echo that was withheld for 36 minutes would
+    // look newer than the move.
+
     /// The newest record so far came from another path. `stamp` is the session clock at this time.
-    void moveTo(const Path &path, TimePoint now, std::uint32_t stamp);
+    void moveTo(const Path &path, TimePoint now, std::uint64_t stamp);
     /// A report with this stamp goes to `to`. An echo of it proves nothing about the current path if that is another one.
-    void reportSent(const Path &to, std::uint32_t stamp);
+    void reportSent(const Path &to, std::uint64_t stamp);
     /// A report from `from` echoes the stamp `echo`. Ends the trial if the peer sent it after receiving a report at this path.
-    void confirm(const Path &from, std::uint32_t echo);
+    void confirm(const Path &from, std::uint64_t echo);
     void handleDeadline(TimePoint now);
     /// Returns a move of which the owner is to be notified now, at most one a second.
     std::optional<Move> takeMove(TimePoint now);
@@ -47,7 +50,7 @@ private:
     IntervalLimit m_moves;
     Duration m_trial;
     std::optional<Path> m_former;   ///< the last confirmed path; set while the current one is on trial
-    std::uint32_t m_trialStamp = 0; ///< later stamps were sent to the current path alone
+    std::uint64_t m_trialStamp = 0; ///< later stamps were sent to the current path alone
     TimePoint m_heardHere;          ///< newest record from the current path
 };
 

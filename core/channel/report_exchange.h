@@ -26,6 +26,10 @@ public:
     bool peerAsksCosts() const { return m_peer && m_peer->asksCosts; }
     /// Session clock in microseconds, modulo 2^32; never 0.
     std::uint32_t stamp(TimePoint now) const;
+    /// The same, not modulo 2^32.
+    std::uint64_t fullStamp(TimePoint now) const;
+    /// The session clock that the peer echoed last, not modulo 2^32; 0 before the first echo.
+    std::uint64_t echo() const { return m_echo; }
     /// Bounds the age of messages from the peer; before the first round trip by the fact that an agent's session clock begins
     /// before its station's.
     const PeerClock &peerClock() const { return m_peerClock; }
@@ -52,8 +56,6 @@ public:
     Report make(TimePoint now) const;
 
 private:
-    std::uint64_t fullStamp(TimePoint now) const;
-
     TimePoint m_start;
     TimePoint m_due;
     std::optional<FrameCounters> m_frames;

@@ -209,7 +209,7 @@ Session::Opened Session::open(TimePoint now, const Path &from, const RecordHeade
 {
     const auto record = m_receiver.open(header, from.carrier, datagram);
     if (!record && record.error() == RecordFault::Forged && weakened(Weakness::RoamOnForged))
-        m_path.moveTo(from, now, m_reports.stamp(now));
+        m_path.moveTo(from, now, m_reports.fullStamp(now));
     return record ? opened(now, from, *record, delivery) : refused(now, record.error());
 }
 
@@ -275,7 +275,7 @@ bool Session::follow(TimePoint now, const Path &from)
         m_path.stay(now);
         return true;
     }
-    m_path.moveTo(from, now, m_reports.stamp(now));
+    m_path.moveTo(from, now, m_reports.fullStamp(now));
     notifyMove(now);
     return false;
 }
@@ -391,7 +391,7 @@ void Session::sendReport(TimePoint now, const Path &to, bool answerAtOnce)
         report.freshness = m_freshness.report(report.rx.stale);
     report.cannotStore = !m_identity.initiator && !m_context.counters.problem().empty();
     report.receivesNothing = !m_identity.initiator && quiet(now);
-    m_path.reportSent(to, report.stamp);
+    m_path.reportSent(to, m_reports.fullStamp(now));
     if (m_reports.peerAsksCosts() && m_context.costs)
         report.costs = m_context.costs(id());
     sendTo(now, to, report);
@@ -402,7 +402,7 @@ void Session::handleReport(TimePoint now, const Path &from, RecordPosition posit
     if (m_reports.handle(now, report)) {
         m_freshness.addReport(position, report.stamp);
         if (report.echo != 0)
-            m_path.confirm(from, report.echo);
+            m_path.confirm(from, m_reports.echo());
         m_reports.notifyChanges(id(), m_context.events);
     }
     // A peer cannot have received more than we sent, unless a copy of this end sent it: see recent_tags.h.

@@ -36,6 +36,7 @@ private Q_SLOTS:
     void clockSteps();
     void replayedAnnouncementsEndNothing();
     void withheldReportOfADeafAgent();
+    void echoesOfAnHourAgoEndNoTrial();
     void killedTwoHundredTimes();
     void everyControlRecordDropped();
     void clonedEnd_data();
@@ -301,6 +302,45 @@ void AttackSessionTest::answersToOtherAddressesEndNoTrial()
     pair.run(2400ms); // The agent has asked by then.
     QVERIFY(where() == thief && !newest.empty());
     offer(pair, Air, newest, thief);
+    pair.run(5s);
+    HOLDS(where() == home, "the session goes back to its peer");
+}
+
+void AttackSessionTest::echoesOfAnHourAgoEndNoTrial()
+{
+    // The stamps of reports repeat after 2^32 us: by the sign of their difference, one that is older by more than half of that
+    // looks newer. The attacker withholds a station's reports, keeps the session up with one of them every nine minutes, and
+    // then delivers the others from his own address.
+    auto owner = pairUnder(SuiteId::ChaCha20Poly1305);
+    Pair &pair = *owner;
+    const auto where = [&] { return pair.air().endpoint->recordPath(pair.air().session()); };
+    const Path home = where();
+    Path thief = home;
+    thief.remote.port = 6666;
+    pair.every(20ms, [&pair] { pair.sendFrame(Air); });
+    pair.run(3s);
+    std::vector<Flight> withheld;
+    pair.link.attacker = [&](TimePoint, Flight &flight) {
+        if (flight.from == Ground)
+            withheld.push_back(flight);
+        return flight.from == Air && flight.targetPort != thief.remote.port;
+    };
+    pair.run(15s);
+    pair.stopTraffic();
+    pair.kill(Ground);
+    std::size_t next = 0;
+    for (int turn = 0; turn < 5; ++turn) {
+        pair.run(9min);
+        pair.link.inject(pair.now, withheld.at(next++));
+    }
+    pair.run(1s);
+    QVERIFY(pair.air().up() && where() == home && next + 5 < withheld.size());
+    for (; next < withheld.size(); ++next) {
+        offer(pair, Air, withheld[next].bytes, thief);
+        if (where() == thief)
+            pair.run(10ms);
+    }
+    QVERIFY(where() == thief);
     pair.run(5s);
     HOLDS(where() == home, "the session goes back to its peer");
 }

@@ -47,6 +47,7 @@ inline constexpr Proof kProofs[] = {
     {"RoamOnForged", "attack_session_test", "newPortResumesAtOnce", "the session "},
     {"NoTrial", "attack_session_test", "withheldRecordDivertsForSeconds", "the session goes back to its peer"},
     {"TrialByAnyEcho", "attack_session_test", "answersToOtherAddressesEndNoTrial", "the session goes back to its peer"},
+    {"TrialByRepeatedStamp", "attack_session_test", "echoesOfAnHourAgoEndNoTrial", "the session goes back to its peer"},
     {"NoReplayWindow", "attack_session_test", "jitterReorderingAndDuplicates", "each frame arrives once"},
     {"WindowBeforeTag", "attack_session_test", "deletion", "lost is exactly what was dropped"},
     {"Impatient", "attack_session_test", "outageOfFiveMinutes", "the first record after it is accepted"},

@@ -40,6 +40,7 @@ constexpr Named kNames[] = {
     {Weakness::RoamOnLate, "RoamOnLate"},
     {Weakness::NoTrial, "NoTrial"},
     {Weakness::TrialByAnyEcho, "TrialByAnyEcho"},
+    {Weakness::TrialByRepeatedStamp, "TrialByRepeatedStamp"},
     {Weakness::NoHardStop, "NoHardStop"},
     {Weakness::NoOvertakenLimit, "NoOvertakenLimit"},
     {Weakness::NoAgeLimit, "NoAgeLimit"},
