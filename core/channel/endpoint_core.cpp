@@ -64,7 +64,7 @@ void EndpointCore::notifyRefused(TimePoint now, const Path &path, RefusalReason 
         return;
     }
     std::optional<Notified> *slot = nullptr;
-    for (auto &notified : m_notified) {
+    for (auto &notified : isUnknownAgent && !weakened(Weakness::SharedNotices) ? m_unknownAgents : m_otherRefusals) {
         const bool current = notified && now < notified->at + kRefusalPause;
         if (current && notified->path == path)
             return;

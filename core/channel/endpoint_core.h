@@ -45,8 +45,9 @@ private:
     };
     // One for each reason, so that a flood of one kind hides no other.
     std::vector<IntervalLimit> m_strangerEvents;
-    // A flood from many addresses shares these few slots, so that it fills neither memory nor the owner's log.
-    std::array<std::optional<Notified>, 8> m_notified;
+    // A flood from many addresses shares a few slots, so that it fills neither memory nor the owner's log.
+    using Notices = std::array<std::optional<Notified>, 8>;
+    Notices m_unknownAgents, m_otherRefusals;
 };
 
 } // namespace skyseal::channel

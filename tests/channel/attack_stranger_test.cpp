@@ -61,6 +61,7 @@ private Q_SLOTS:
     void announcementsForManyPeers();
     void cookiesForManyAttempts();
     void floodRaisesOneEventASecond();
+    void unknownAgentsHideNoRefusal();
 };
 
 void AttackStrangerTest::malformedMessagesCostNoHash_data()
@@ -195,6 +196,36 @@ void AttackStrangerTest::floodRaisesOneEventASecond()
     for (const RefusalReason reason : // none hides another
          {RefusalReason::WrongKey, RefusalReason::Version, RefusalReason::ReplayedHandshake, RefusalReason::NoCommonSuite})
         QVERIFY2(count[reason] >= 8, qPrintable(QStringLiteral("%1 of %2").arg(count[reason]).arg(int(reason))));
+}
+
+void AttackStrangerTest::unknownAgentsHideNoRefusal()
+{
+    // A station that cannot start a session says why each second, whoever forges announcements of agents that it does not know.
+    Pair pair(attackOptions());
+    QVERIFY(pair.ground().counters.skipTo(kGreatestCounter + 1));
+    SeededRandom random(kAttackSeed);
+    Path source = pair.pathOf(Air);
+    source.remote.port = 1000;
+    pair.link.attacker = [](TimePoint, Flight &) { return false; };
+    pair.run(300ms); // so that the flood begins first, and between two announcements of the agent
+    pair.every(1ms, [&] {
+        Bytes forged(127);
+        random.fill(forged);
+        forged[0] = 0x58;
+        std::fill(forged.begin() + 33, forged.end(), std::uint8_t(0));
+        ++source.remote.port;
+        offer(pair, Ground, forged, source);
+    });
+    pair.run(100ms);
+    pair.link.attacker = nullptr;
+    pair.run(20s);
+    int unknown = 0, usedUp = 0;
+    for (const HandshakeRefused &refused : pair.ground().all<HandshakeRefused>()) {
+        unknown += refused.reason == RefusalReason::UnknownPeer;
+        usedUp += refused.reason == RefusalReason::CountersUsedUp;
+    }
+    QVERIFY2(unknown >= 100 && unknown <= 8 * 21, qPrintable(QString::number(unknown)));
+    HOLDS(usedUp >= 8, "a station reports its own refusals");
 }
 
 SKYSEAL_TEST(AttackStrangerTest)

@@ -86,6 +86,7 @@ inline constexpr Proof kProofs[] = {
     {"NoRateLimit", "attack_stranger_test", "cookiesForManyAttempts", "a message of a stranger costs two hashes"},
     {"TellEverything", "attack_stranger_test", "floodRaisesOneEventASecond",
      "strangers cause one event a second of each reason"},
+    {"SharedNotices", "attack_stranger_test", "unknownAgentsHideNoRefusal", "a station reports its own refusals"},
     {"TellEverything", "attack_flood_test", "floodRaisesFewEvents", "a flood from everywhere is told in few words"},
     {"AnswerTwice", "attack_flood_test", "noMoreOutThanIn", "no more goes out than came in"},
     {"AnswerTwice", "attack_flood_test", "noMoreOutThanInDuringASession", "no more goes out than came in"},

@@ -64,6 +64,7 @@ constexpr Named kNames[] = {
     {Weakness::AnswerTwice, "AnswerTwice"},
     {Weakness::NoForm, "NoForm"},
     {Weakness::TellEverything, "TellEverything"},
+    {Weakness::SharedNotices, "SharedNotices"},
     {Weakness::TrustAnnouncements, "TrustAnnouncements"},
     {Weakness::NoCookie, "NoCookie"},
     {Weakness::HurryCalls, "HurryCalls"},
