@@ -1,7 +1,9 @@
 // The option --serve: forms, defaults, and errors that name the invalid part.
 #include "core/engine/gateway/serve_config.h"
 #include "core/link/address_text.h"
+#include "core/mavlink/frame_writer.h"
 #include "core/mavlink/message_ids.h"
+#include "core/mavlink/messages.h"
 #include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
@@ -18,10 +20,54 @@ private Q_SLOTS:
     void listensOnLoopbackUnlessAnAddressIsGiven();
     void optionsMayHaveLists();
     void rightsOpenClasses();
+    void missionItemsThatCommandNeedTheRightToCommand();
     void clientsComeFromTheNetworkAlone();
     void errorsNameTheInvalidPart_data();
     void errorsNameTheInvalidPart();
 };
+
+namespace {
+
+/// A frame of a message without fields that matter, or of one that is in no dialect.
+struct FrameOf
+{
+    explicit FrameOf(std::uint32_t messageId)
+    {
+        bytes = {mavlink::kMagic2,
+                 0,
+                 0,
+                 0,
+                 0,
+                 255,
+                 190,
+                 static_cast<std::uint8_t>(messageId),
+                 static_cast<std::uint8_t>(messageId >> 8),
+                 static_cast<std::uint8_t>(messageId >> 16),
+                 0,
+                 0};
+        item.bytes = bytes;
+        item.fault = mavlink::FrameFault::UnknownMessage;
+    }
+    template<typename Message> explicit FrameOf(const Message &message)
+    {
+        std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
+        const ByteView written = mavlink::FrameWriter(255, 190).write(message, buffer);
+        bytes.assign(written.begin(), written.end());
+        item.bytes = bytes;
+        item.frame = *mavlink::readFrame(bytes, mavlink::Dialect::builtin());
+    }
+    FrameOf(const FrameOf &) = delete;
+
+    Bytes bytes;
+    mavlink::ScanItem item;
+};
+
+bool mayWrite(const WriteRights &rights, std::uint32_t messageId)
+{
+    return rights.mayWrite(FrameOf(messageId).item);
+}
+
+} // namespace
 
 void ServeConfigTest::clientsMayOnlyReadByDefault()
 {
@@ -57,15 +103,34 @@ void ServeConfigTest::rightsOpenClasses()
     using namespace mavlink;
     const auto rights = WriteRights::parse("param,rc");
     QVERIFY(rights && rights->any());
-    QVERIFY(rights->mayWrite(MAVLINK_MSG_ID_PARAM_SET) && rights->mayWrite(MAVLINK_MSG_ID_RC_CHANNELS_OVERRIDE));
+    QVERIFY(mayWrite(*rights, MAVLINK_MSG_ID_PARAM_SET) && mayWrite(*rights, MAVLINK_MSG_ID_RC_CHANNELS_OVERRIDE));
     for (const std::uint32_t closed :
          {std::uint32_t(MAVLINK_MSG_ID_COMMAND_LONG), std::uint32_t(MAVLINK_MSG_ID_MISSION_COUNT),
           std::uint32_t(MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL), std::uint32_t(MAVLINK_MSG_ID_SERIAL_CONTROL), 16'000'000u})
-        QVERIFY(!rights->mayWrite(closed));
+        QVERIFY(!mayWrite(*rights, closed));
     for (const std::uint32_t any : {std::uint32_t(MAVLINK_MSG_ID_SERIAL_CONTROL), 16'000'000u})
-        QVERIFY(WriteRights::all().mayWrite(any));
+        QVERIFY(mayWrite(WriteRights::all(), any));
     for (const char *text : {"none", "all", "mission,param,command,ftp,rc", "ftp"})
         QCOMPARE(WriteRights::parse(text)->toText(), std::string(text));
+}
+
+void ServeConfigTest::missionItemsThatCommandNeedTheRightToCommand()
+{
+    using namespace mavlink;
+    const WriteRights mission = *WriteRights::parse("mission"), command = *WriteRights::parse("command");
+    for (const int current : {0, 1, 2, 3, 255}) {
+        const auto now = static_cast<std::uint8_t>(current);
+        const bool commands = current >= 2;
+        const FrameOf item(MissionItem{.target_system = 1, .command = MAV_CMD_NAV_WAYPOINT, .current = now});
+        const FrameOf itemInt(MissionItemInt{.target_system = 1, .command = MAV_CMD_NAV_WAYPOINT, .current = now});
+        for (const FrameOf *frame : {&item, &itemInt}) {
+            QCOMPARE(mission.mayWrite(frame->item), !commands);
+            QCOMPARE(command.mayWrite(frame->item), commands);
+        }
+    }
+    // A vehicle on its mission flies to another item at once.
+    const FrameOf setCurrent(MissionSetCurrent{.target_system = 1, .seq = 7});
+    QVERIFY(!mission.mayWrite(setCurrent.item) && command.mayWrite(setCurrent.item));
 }
 
 void ServeConfigTest::clientsComeFromTheNetworkAlone()

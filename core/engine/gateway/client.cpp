@@ -42,7 +42,7 @@ Client::Verdict Client::judgeUncounted(TimePoint now, const mavlink::ScanItem &i
     const std::uint32_t messageId = mavlink::messageIdOf(item.bytes);
     if (messageId == mavlink::Heartbeat::kId)
         return m_config.write.any() ? Verdict::Forward : Verdict::Ignore;
-    if (m_config.write.mayWrite(messageId))
+    if (m_config.write.mayWrite(item))
         return Verdict::Forward;
     if (!item.frame || !mayAsk(*item.frame, !pilotThere))
         return Verdict::Deny;

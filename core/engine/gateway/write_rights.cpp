@@ -1,6 +1,8 @@
 #include "core/engine/gateway/write_rights.h"
 
+#include "core/mavlink/frame_header.h"
 #include "core/mavlink/message_ids.h"
+#include "core/mavlink/messages.h"
 
 #include <array>
 
@@ -13,6 +15,22 @@ constexpr std::array kClasses{WriteClass::Mission, WriteClass::Parameter, WriteC
 constexpr std::uint8_t bitOf(WriteClass writeClass)
 {
     return static_cast<std::uint8_t>(1u << static_cast<unsigned>(writeClass));
+}
+
+/// An autopilot flies to such an item, or takes its altitude, at once ("guided mode" in the description of the field
+/// MISSION_ITEM.current); the mission is not changed.
+constexpr std::uint8_t kFirstCommandingCurrent = 2;
+
+bool isCommandingItem(const mavlink::ScanItem &item)
+{
+    if (!item.frame)
+        return false;
+    const ByteView payload = item.frame->payload();
+    switch (item.frame->messageId()) {
+    case mavlink::MissionItem::kId: return mavlink::MissionItem::decode(payload).current >= kFirstCommandingCurrent;
+    case mavlink::MissionItemInt::kId: return mavlink::MissionItemInt::decode(payload).current >= kFirstCommandingCurrent;
+    default: return false;
+    }
 }
 
 } // namespace
@@ -29,16 +47,17 @@ std::string_view keyword(WriteClass writeClass)
     return "";
 }
 
-std::optional<WriteClass> writeClassOf(std::uint32_t messageId)
+std::optional<WriteClass> writeClassOf(const mavlink::ScanItem &item)
 {
     using enum WriteClass;
-    switch (messageId) {
+    if (isCommandingItem(item))
+        return Command;
+    switch (mavlink::messageIdOf(item.bytes)) {
     case mavlink::MAVLINK_MSG_ID_MISSION_COUNT:
     case mavlink::MAVLINK_MSG_ID_MISSION_ITEM:
     case mavlink::MAVLINK_MSG_ID_MISSION_ITEM_INT:
     case mavlink::MAVLINK_MSG_ID_MISSION_ACK:
     case mavlink::MAVLINK_MSG_ID_MISSION_CLEAR_ALL:
-    case mavlink::MAVLINK_MSG_ID_MISSION_SET_CURRENT:
     case mavlink::MAVLINK_MSG_ID_MISSION_REQUEST_PARTIAL_LIST:
     case mavlink::MAVLINK_MSG_ID_MISSION_WRITE_PARTIAL_LIST:
     case mavlink::MAVLINK_MSG_ID_FENCE_POINT:
@@ -52,6 +71,7 @@ std::optional<WriteClass> writeClassOf(std::uint32_t messageId)
     case mavlink::MAVLINK_MSG_ID_COMMAND_INT:
     case mavlink::MAVLINK_MSG_ID_COMMAND_CANCEL:
     case mavlink::MAVLINK_MSG_ID_SET_MODE:
+    case mavlink::MAVLINK_MSG_ID_MISSION_SET_CURRENT:
     case mavlink::MAVLINK_MSG_ID_REQUEST_DATA_STREAM:
     case mavlink::MAVLINK_MSG_ID_SET_HOME_POSITION:
     case mavlink::MAVLINK_MSG_ID_SET_GPS_GLOBAL_ORIGIN:
@@ -102,11 +122,11 @@ Result<WriteRights, std::string> WriteRights::parse(std::string_view text)
     }
 }
 
-bool WriteRights::mayWrite(std::uint32_t messageId) const
+bool WriteRights::mayWrite(const mavlink::ScanItem &item) const
 {
     if (m_all)
         return true;
-    const auto writeClass = writeClassOf(messageId);
+    const auto writeClass = writeClassOf(item);
     return writeClass && (m_classes & bitOf(*writeClass));
 }
 

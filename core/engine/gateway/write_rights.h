@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/mavlink/frame_scanner.h"
 
 #include <cstdint>
 #include <optional>
@@ -12,7 +13,7 @@
 namespace skyseal::engine {
 
 enum class WriteClass : std::uint8_t {
-    Mission,   ///< missions, fences, rally points
+    Mission,   ///< missions, fences, rally points; not the choice of the item to fly next
     Parameter, ///< values of parameters
     Command,   ///< commands, modes, targets of position and attitude
     Ftp,       ///< files and logs
@@ -21,8 +22,8 @@ enum class WriteClass : std::uint8_t {
 
 /// "mission", as in the option write=.
 std::string_view keyword(WriteClass writeClass);
-/// The class of a message; nullopt for one that is in no class.
-std::optional<WriteClass> writeClassOf(std::uint32_t messageId);
+/// The class of a message, a whole one from a scanner; nullopt for one that is in no class.
+std::optional<WriteClass> writeClassOf(const mavlink::ScanItem &item);
 
 class WriteRights
 {
@@ -34,7 +35,7 @@ public:
     /// "none", "all", or names of classes separated by commas.
     static Result<WriteRights, std::string> parse(std::string_view text);
 
-    bool mayWrite(std::uint32_t messageId) const;
+    bool mayWrite(const mavlink::ScanItem &item) const;
     /// Whether the client may write at all. Only then its heartbeat is forwarded.
     bool any() const { return m_all || m_classes != 0; }
     /// Text that parse() reads back to these rights.
