@@ -139,9 +139,12 @@ private:
                 EVENTUALLY(counters().rxBytes >= before.rxBytes + bytes.size());
                 const std::uint64_t out = counters().txBytes - before.txBytes;
                 const std::size_t allowed = bytes.size() + unused;
-                QVERIFY2(out <= allowed, qPrintable(QString::fromStdString(kind.name)
-                                                    + QString::asprintf(": %llu for %zu, of which %zu unused before",
-                                                                        static_cast<unsigned long long>(out), allowed, unused)));
+                QVERIFY2(out <= allowed,
+                         qPrintable(QStringLiteral("%1: %2 for %3, of which %4 unused before")
+                                        .arg(QString::fromStdString(kind.name))
+                                        .arg(out)
+                                        .arg(allowed)
+                                        .arg(unused)));
                 unused = std::min<std::size_t>(allowed - out, kLongestAnswer);
                 if (out > 0 && (m_answered.empty() || m_answered.back() != kind.name))
                     m_answered.push_back(kind.name);
