@@ -7,7 +7,7 @@ target_compile_options(skyseal_options INTERFACE
 # g++ 12 warns of overlapping copies inside operator+(const char *, std::string &&) (GCC bug 105329), and of what other
 # alternatives of a std::variant or std::optional hold when one is moved (GCC bug 80635); differently at each -O.
 target_compile_options(skyseal_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-maybe-uninitialized>
-  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<CONFIG:Release>>:-Wno-stringop-overflow>)
+  "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<CONFIG:Release>>:-Wno-stringop-overflow;-Wno-array-bounds>")
 target_include_directories(skyseal_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_definitions(skyseal_options INTERFACE
   QT_NO_CAST_FROM_ASCII QT_NO_FOREACH QT_NO_KEYWORDS $<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS>
