@@ -115,8 +115,8 @@ void parseStream(benchmark::State &state)
 }
 BENCHMARK(parseStream);
 
-/// The costliest datagrams of 2048 bytes, and random ones to compare with.
-void scanHostile(benchmark::State &state, std::uint8_t fill)
+/// The costliest datagrams of 2048 bytes, and random ones to compare with: of strangers, and as records deliver them.
+void scanHostile(benchmark::State &state, std::uint8_t fill, WastedWork limit)
 {
     Bytes bytes(2048, fill);
     if (fill == 0) {
@@ -126,16 +126,18 @@ void scanHostile(benchmark::State &state, std::uint8_t fill)
     }
     std::uint64_t crcBytes = 0;
     for (auto _ : state) {
-        FrameScanner scanner(bytes, Dialect::builtin());
+        FrameScanner scanner(bytes, Dialect::builtin(), BufferEnd::Final, limit);
         while (const auto item = scanner.next())
             benchmark::DoNotOptimize(item->offset);
         crcBytes = scanner.crcBytes();
     }
     state.counters["crc bytes"] = static_cast<double>(crcBytes);
 }
-BENCHMARK_CAPTURE(scanHostile, random, 0);
-BENCHMARK_CAPTURE(scanHostile, all_0xFE, kMagic1);
-BENCHMARK_CAPTURE(scanHostile, all_0xFD, kMagic2);
+BENCHMARK_CAPTURE(scanHostile, random, 0, WastedWork::OfDatagram);
+BENCHMARK_CAPTURE(scanHostile, all_0xFE, kMagic1, WastedWork::OfDatagram);
+BENCHMARK_CAPTURE(scanHostile, all_0xFD, kMagic2, WastedWork::OfDatagram);
+BENCHMARK_CAPTURE(scanHostile, sealed_random, 0, WastedWork::Unlimited);
+BENCHMARK_CAPTURE(scanHostile, sealed_all_0xFE, kMagic1, WastedWork::Unlimited);
 
 void parseAndDecodeAttitude(benchmark::State &state)
 {
