@@ -64,7 +64,7 @@ public:
         : m_side(side), m_pair(optionsOf(carrier)), m_link(url, kLink), m_ingress(mavlink::Dialect::builtin(), m_carriers)
     {
         m_pair.run(2s, [this] { return m_pair.bothUp(); });
-        m_pair.link.attacker = [this](TimePoint, Flight &flight) {
+        m_pair.link.attacker = [this](TimePoint, SentDatagram &flight) {
             if (flight.from != m_side && flight.bytes[0] < 0x58)
                 m_knows.record = flight.bytes;
             return true;

@@ -28,7 +28,7 @@ std::unique_ptr<Pair> pairUnder(SuiteId suite, LinkModel link)
 Caught catchOne(Pair &pair, std::size_t size, Side from)
 {
     Caught caught;
-    const auto before = std::exchange(pair.link.attacker, [&caught](TimePoint, Flight &flight) {
+    const auto before = std::exchange(pair.link.attacker, [&caught](TimePoint, SentDatagram &flight) {
         caught.flight = flight;
         return false;
     });
@@ -44,10 +44,10 @@ bool offer(Pair &pair, Side to, Bytes bytes, std::optional<Path> from)
     return pair.ends[to].endpoint->handleDatagram(pair.now, path, bytes).has_value();
 }
 
-std::size_t offerAll(Pair &pair, const std::vector<Flight> &flights)
+std::size_t offerAll(Pair &pair, const std::vector<SentDatagram> &flights)
 {
     std::size_t taken = 0;
-    for (const Flight &flight : flights)
+    for (const SentDatagram &flight : flights)
         taken += offer(pair, flight.from == Air ? Ground : Air, flight.bytes);
     return taken;
 }

@@ -23,7 +23,7 @@ std::unique_ptr<Pair> pairUnder(SuiteId suite, LinkModel link = {});
 
 struct Caught
 {
-    Flight flight;
+    SentDatagram flight;
     std::uint64_t number = 0;
 };
 
@@ -34,7 +34,7 @@ Caught catchOne(Pair &pair, std::size_t size = 28, Side from = Air);
 bool offer(Pair &pair, Side to, Bytes bytes, std::optional<Path> from = {});
 
 /// Delivers all of them to their receivers at once; returns the number of accepted ones.
-std::size_t offerAll(Pair &pair, const std::vector<Flight> &flights);
+std::size_t offerAll(Pair &pair, const std::vector<SentDatagram> &flights);
 
 std::uint32_t counterOf(ByteView record);
 void setCounter(Bytes &record, std::uint32_t counter);

@@ -78,9 +78,9 @@ void AttackCookieTest::replayedAnnouncementsDoNotAmplify()
 {
     // One recorded announcement, replayed from many addresses: each copy is answered once.
     Pair pair;
-    std::optional<Flight> announcement;
+    std::optional<SentDatagram> announcement;
     std::uint64_t in = 0, out = 0;
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
+    pair.link.attacker = [&](TimePoint, SentDatagram &flight) {
         if (flight.bytes[0] == 0x58 && flight.from == Air)
             announcement = flight;
         if (flight.from == Ground)
@@ -112,7 +112,7 @@ void AttackCookieTest::forgedCookiesDoNotAmplify()
     pair.kill(Air);
     std::optional<Bytes> first;
     std::uint64_t in = 0, out = 0;
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
+    pair.link.attacker = [&](TimePoint, SentDatagram &flight) {
         if (flight.from == Ground) {
             out += flight.bytes.size();
             first = flight.bytes;

@@ -128,7 +128,7 @@ void AttackFloodTest::handshakeFlood()
             offer(pair, Air, flood);
         }
     });
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
+    pair.link.attacker = [&](TimePoint, SentDatagram &flight) {
         answered += flight.bytes[0] == 0x5a;
         return true;
     };
@@ -170,7 +170,7 @@ void AttackFloodTest::floodAnswers(Pair &pair, std::size_t length, double &took)
     Bytes heard;
     TimePoint knownFrom = kNever;
     bool jammed = true;
-    pair.link.attacker = [&](TimePoint at, Flight &flight) {
+    pair.link.attacker = [&](TimePoint at, SentDatagram &flight) {
         if (flight.bytes[0] != 0x5a)
             return true;
         heard = flight.bytes;
@@ -244,7 +244,7 @@ void AttackFloodTest::numberFloodWithTheRightMac()
     pair.kill(Ground);
     pair.ground().counters.loseOwn();
     Bytes number;
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
+    pair.link.attacker = [&](TimePoint, SentDatagram &flight) {
         if (flight.bytes[0] != 0x5b)
             return true;
         number = flight.bytes;
@@ -300,12 +300,12 @@ void AttackFloodTest::noMoreOutThanIn()
         fresh.kill(victim == Ground ? Air : Ground);
         fresh.run(10ms);
         std::uint64_t in = 0, out = 0;
-        fresh.link.attacker = [&](TimePoint, Flight &flight) {
+        fresh.link.attacker = [&](TimePoint, SentDatagram &flight) {
             out += flight.bytes[0] != 0x58 ? flight.bytes.size() : 0; // announcements are not answers
             return false;
         };
         for (int round = 0; round < 100; ++round) {
-            for (const Flight &flight : tap.flights) {
+            for (const SentDatagram &flight : tap.flights) {
                 if (flight.from == victim || (flight.bytes[0] & 0xfc) != 0x58)
                     continue; // shaped like an answer to a handshake
                 offer(fresh, victim, flight.bytes);
@@ -348,7 +348,7 @@ void AttackFloodTest::noMoreOutThanInDuringASession()
         pair.run(1s);
         std::vector<Bytes> firsts;
         bool jammed = true;
-        pair.link.attacker = [&](TimePoint, Flight &flight) {
+        pair.link.attacker = [&](TimePoint, SentDatagram &flight) {
             if (flight.bytes[0] == 0x59 && (firsts.empty() || firsts.back() != flight.bytes))
                 firsts.push_back(flight.bytes);
             return !jammed && (flight.bytes[0] & 0xfc) != 0x58;
@@ -360,7 +360,7 @@ void AttackFloodTest::noMoreOutThanInDuringASession()
         pair.link.attacker = nullptr;
         QVERIFY(pair.bothUp() && pair.air().all<SessionUp>().size() == 1);
         if (deaf) {
-            pair.link.attacker = [](TimePoint, Flight &flight) { return flight.from != Ground; };
+            pair.link.attacker = [](TimePoint, SentDatagram &flight) { return flight.from != Ground; };
             pair.run(4s);
         }
 

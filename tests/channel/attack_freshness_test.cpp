@@ -140,7 +140,7 @@ void AttackFreshnessTest::releasedAfterAWithheldClose()
     for (const Duration held : {way.inPlace ? Duration(3500ms) : Duration(4500ms), Duration(5100ms), Duration(60s)}) {
         auto pair = flight(optionsWith(way, kAge));
         const Caught command = catchOne(*pair, 40, Ground);
-        pair->link.attacker = [](TimePoint, Flight &datagram) { return datagram.from == Air; };
+        pair->link.attacker = [](TimePoint, SentDatagram &datagram) { return datagram.from == Air; };
         pair->ground().endpoint->close(pair->now, pair->ground().session());
         pair->stopTraffic();
         pair->run(held);
@@ -157,8 +157,8 @@ void AttackFreshnessTest::releasedWhenTheStampsRepeat()
     // then; the reports that were sent before the command, and it, come half a second later.
     QFETCH(Way, way);
     auto pair = flight(optionsWith(way, kAge));
-    std::vector<Flight> withheld;
-    pair->link.attacker = [&](TimePoint, Flight &datagram) {
+    std::vector<SentDatagram> withheld;
+    pair->link.attacker = [&](TimePoint, SentDatagram &datagram) {
         if (datagram.from == Ground)
             withheld.push_back(datagram);
         return datagram.from == Air;
@@ -220,8 +220,8 @@ void AttackFreshnessTest::wholeFlowHeldThenReleased()
     QFETCH(int, seconds);
     QFETCH(bool, newestFirst);
     auto pair = flight(optionsWith(way, kAge));
-    std::vector<Flight> held;
-    pair->link.attacker = [&](TimePoint, Flight &datagram) {
+    std::vector<SentDatagram> held;
+    pair->link.attacker = [&](TimePoint, SentDatagram &datagram) {
         if (datagram.from == Ground)
             held.push_back(datagram);
         return datagram.from == Air;
@@ -230,7 +230,7 @@ void AttackFreshnessTest::wholeFlowHeldThenReleased()
     pair->link.attacker = {};
     if (newestFirst)
         std::reverse(held.begin(), held.end());
-    for (Flight &datagram : held)
+    for (SentDatagram &datagram : held)
         pair->link.inject(pair->now, std::move(datagram));
     pair->run(100ms);
     HOLDS(freshAndOlder(*pair, kAge) == 0, "nothing older than the limit is obeyed");
@@ -270,7 +270,7 @@ void AttackFreshnessTest::wholeFlowDelayed()
     pair->run(30s);
     // The attacker takes over and delays every datagram by the same time.
     const auto delayBy = [&](int fromGround, int fromAir) {
-        pair->link.attacker = [=, &pair](TimePoint at, Flight &datagram) {
+        pair->link.attacker = [=, &pair](TimePoint at, SentDatagram &datagram) {
             pair->link.inject(at + std::chrono::milliseconds(datagram.from == Ground ? fromGround : fromAir), datagram);
             return false;
         };
@@ -289,7 +289,7 @@ void AttackFreshnessTest::onlyTheWayBackDelayed()
     // Commands arrive in time, but the agent does not know it: their answers take 7 s. The previous bound holds for a minute.
     QFETCH(Way, way);
     auto pair = flight(optionsWith(way, kAge));
-    pair->link.attacker = [&](TimePoint at, Flight &datagram) {
+    pair->link.attacker = [&](TimePoint at, SentDatagram &datagram) {
         pair->link.inject(at + (datagram.from == Ground ? 10ms : 7000ms), datagram);
         return false;
     };
@@ -308,7 +308,7 @@ void AttackFreshnessTest::growingDelay()
     QFETCH(Way, way);
     auto pair = flight(optionsWith(way, kAge));
     const TimePoint begin = pair->now;
-    pair->link.attacker = [&](TimePoint at, Flight &datagram) {
+    pair->link.attacker = [&](TimePoint at, SentDatagram &datagram) {
         pair->link.inject(at + (at - begin) / 20, datagram);
         return false;
     };

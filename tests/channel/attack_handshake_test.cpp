@@ -230,7 +230,7 @@ void AttackHandshakeTest::revealedKeysOpenNothing()
             continue;
         auto secrets = session->epochZero(SuiteId::ChaCha20Poly1305);
         const auto reader = crypto::makeRecordCipher(SuiteId::ChaCha20Poly1305, std::move(secrets.fromResponder));
-        for (const Flight &flight : tap.flights) {
+        for (const SentDatagram &flight : tap.flights) {
             const auto header = RecordHeader::read(flight.bytes);
             if (flight.from != Air || !header)
                 continue;
@@ -252,7 +252,7 @@ void AttackHandshakeTest::replayedFirstMessage()
     Tap tap(pair);
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
     pair.run(1s);
-    const Flight first = tap.ofKind(0x59).at(0);
+    const SentDatagram first = tap.ofKind(0x59).at(0);
     QCOMPARE(tap.ofKind(0x5a).size(), 1u);
     for (int i = 0; i < 20; ++i) {
         pair.link.inject(pair.now, first);

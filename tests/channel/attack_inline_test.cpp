@@ -115,7 +115,7 @@ void AttackInlineTest::replayOfFrames()
     pair.run(50ms);
     pair.link.attacker = nullptr;
     std::size_t taken = 0, tried = 0;
-    for (const Flight &flight : tap.flights) {
+    for (const SentDatagram &flight : tap.flights) {
         if (!Endpoint::ownsFrame(flight.bytes))
             continue;
         ++tried;

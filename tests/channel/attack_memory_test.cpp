@@ -300,7 +300,7 @@ void AttackMemoryTest::stolenChainOpensNoLaterEpoch()
     const auto opened = [&](std::optional<Key32> shared) {
         SwitchSecret exchanged{proposal->key, acceptance->key, shared ? std::move(*shared) : Key32()};
         const EpochSecrets next = thief.epoch().next.advance(Epoch{1}, SuiteId::ChaCha20Poly1305, exchanged);
-        return std::count_if(later.begin(), later.end(), [&](const Flight &record) { return thief.open(record, next); });
+        return std::count_if(later.begin(), later.end(), [&](const SentDatagram &record) { return thief.open(record, next); });
     };
     const auto &station = pair.ground().identity, &agent = pair.air().identity;
     const auto inAll = opened(std::nullopt) + opened(crypto::x25519(station->secret, acceptance->key))

@@ -47,7 +47,7 @@ struct InBetween
             faces[as].emplace(config, random, pair.now);
             keys[as] = config.identity->publicKey;
         }
-        pair.link.attacker = [this](TimePoint, Flight &flight) {
+        pair.link.attacker = [this](TimePoint, SentDatagram &flight) {
             const Side as = flight.from == Ground ? Air : Ground;
             faces[as]->handleDatagram(pair.now, PairingPair::pathOf(flight.from), flight.bytes);
             pump();
@@ -253,7 +253,7 @@ struct Interceptor
 {
     explicit Interceptor(PairingPair &victims) : pair(victims)
     {
-        pair.link.attacker = [this](TimePoint, Flight &flight) {
+        pair.link.attacker = [this](TimePoint, SentDatagram &flight) {
             caught[flight.from].push_back(flight.bytes);
             return false;
         };

@@ -50,7 +50,7 @@ void AttackRecordTest::eavesdropping()
     // Frames of zeros except for their number: on the wire every byte behind the header looks random.
     std::array<std::uint64_t, 256> histogram{};
     std::uint64_t total = 0;
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
+    pair.link.attacker = [&](TimePoint, SentDatagram &flight) {
         if (flight.tag == 0)
             return true;
         for (std::size_t i = 6; i < flight.bytes.size(); ++i, ++total)

@@ -60,7 +60,7 @@ void traffic(Pair &pair, Duration period = 20ms)
 
 void swallowEverything(Pair &pair)
 {
-    pair.link.attacker = [](TimePoint, Flight &) { return false; };
+    pair.link.attacker = [](TimePoint, SentDatagram &) { return false; };
 }
 
 } // namespace
@@ -81,7 +81,7 @@ void AttackSessionTest::replayOfAnEarlierSession()
     pair.stopTraffic();
     pair.run(1s);
     const auto ground = pair.ground().delivered.size(), air = pair.air().delivered.size();
-    for (const Flight &flight : tap.flights) {
+    for (const SentDatagram &flight : tap.flights) {
         QVERIFY(!offer(pair, flight.from == Air ? Ground : Air, flight.bytes));
         pair.run(1ms);
     }
@@ -113,7 +113,7 @@ void AttackSessionTest::replayOnAnotherLink()
     QVERIFY(!tap.ofKind(0x59).empty() && !tap.ofKind(0x5a).empty());
     QVERIFY(tap.flights.size() > 500);
     std::size_t taken = 0;
-    for (const Flight &flight : tap.flights) {
+    for (const SentDatagram &flight : tap.flights) {
         taken += offer(pair, flight.from == Air ? Ground : Air, flight.bytes, onAnother(flight.from));
         pair.run(1ms);
     }
@@ -144,7 +144,7 @@ void AttackSessionTest::reflection()
     std::unique_ptr<Pair> owner;
     std::unique_ptr<Tap> tap;
     const auto idFrom = [&](Side side) -> int {
-        for (const Flight &flight : tap->flights) {
+        for (const SentDatagram &flight : tap->flights) {
             if (flight.from == side && (flight.bytes[0] & 0xfc) == 0x50)
                 return flight.bytes[1] | flight.bytes[2] << 8;
         }
@@ -161,7 +161,7 @@ void AttackSessionTest::reflection()
     pair.every(50ms, [&] { pair.sendFrame(Ground); }); // fewer, so that the agent has not received its own counters
     for (int i = 0; i < 100; ++i) {
         pair.run(30ms);
-        for (const Flight &flight : std::exchange(tap->flights, {}))
+        for (const SentDatagram &flight : std::exchange(tap->flights, {}))
             HOLDS(!offer(pair, flight.from, flight.bytes), "nothing is accepted by its own sender");
     }
     pair.link.attacker = nullptr;
@@ -202,7 +202,7 @@ void AttackSessionTest::hijackOfAnAddress()
     const Caught late = catchOne(pair);
     pair.sendFrame(Air);
     pair.run(10ms);
-    for (const Flight &flight : tap.flights) {
+    for (const SentDatagram &flight : tap.flights) {
         if (flight.from != Air)
             continue;
         offer(pair, Ground, flight.bytes, thief);
@@ -259,7 +259,7 @@ void AttackSessionTest::withheldRecordDivertsForSeconds()
     Path thief = home;
     thief.remote.port = 6666;
     const Caught kept = catchOne(pair, 28, Ground);
-    pair.link.attacker = [](TimePoint, Flight &flight) { return flight.from == Air; };
+    pair.link.attacker = [](TimePoint, SentDatagram &flight) { return flight.from == Air; };
     pair.every(20ms, [&pair] { pair.sendFrame(Air); });
     pair.run(300ms);
     QVERIFY(offer(pair, Air, kept.flight.bytes, thief));
@@ -289,7 +289,7 @@ void AttackSessionTest::answersToOtherAddressesEndNoTrial()
     thief.remote.port = 6666;
     const Caught kept = catchOne(pair, 28, Ground);
     Bytes newest;
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
+    pair.link.attacker = [&](TimePoint, SentDatagram &flight) {
         if (flight.from == Ground)
             newest = flight.bytes;
         return flight.from == Air && flight.targetPort != thief.remote.port;
@@ -319,8 +319,8 @@ void AttackSessionTest::echoesOfAnHourAgoEndNoTrial()
     thief.remote.port = 6666;
     pair.every(20ms, [&pair] { pair.sendFrame(Air); });
     pair.run(3s);
-    std::vector<Flight> withheld;
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
+    std::vector<SentDatagram> withheld;
+    pair.link.attacker = [&](TimePoint, SentDatagram &flight) {
         if (flight.from == Ground)
             withheld.push_back(flight);
         return flight.from == Air && flight.targetPort != thief.remote.port;
@@ -391,7 +391,7 @@ void AttackSessionTest::deletion()
     pair.link.model.burstEnd = burstEnd;
     // On a lossy link an attacker forges counters that have not arrived yet: loss and forgeries are counted apart.
     std::uint64_t sealedByAir = 0;
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
+    pair.link.attacker = [&](TimePoint, SentDatagram &flight) {
         sealedByAir = flight.from == Air ? counterOf(flight.bytes) + 1 : sealedByAir;
         return true;
     };
@@ -509,10 +509,10 @@ void AttackSessionTest::withheldReportOfADeafAgent()
     const auto announcements = tap.ofKind(0x58);
     QVERIFY(!announcements.empty());
     pair.run(2s);
-    std::vector<Flight> withheld;
-    pair.link.attacker = [](TimePoint, Flight &flight) { return flight.from == Air; };
+    std::vector<SentDatagram> withheld;
+    pair.link.attacker = [](TimePoint, SentDatagram &flight) { return flight.from == Air; };
     pair.run(1600ms); // from now on the agent says so
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
+    pair.link.attacker = [&](TimePoint, SentDatagram &flight) {
         if (flight.from == Air && (flight.bytes[0] & 0xfc) == 0x50)
             withheld.push_back(flight);
         return false;
@@ -526,7 +526,7 @@ void AttackSessionTest::withheldReportOfADeafAgent()
     thief.link = LinkId{7};
     thief.carrier = Carrier::Tunnel;
     const std::uint64_t before = *pair.ground().counters.next();
-    for (const Flight &flight : withheld) {
+    for (const SentDatagram &flight : withheld) {
         offer(pair, Ground, flight.bytes);
         offer(pair, Ground, announcements[0].bytes, thief);
         pair.run(100ms);
@@ -568,7 +568,7 @@ void AttackSessionTest::everyControlRecordDropped()
     Pair pair(options);
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
     pair.run(1s);
-    pair.link.attacker = [](TimePoint, Flight &flight) { return flight.tag != 0; }; // Only frames pass.
+    pair.link.attacker = [](TimePoint, SentDatagram &flight) { return flight.tag != 0; }; // Only frames pass.
     const auto before = pair.air().endpoint->stats(pair.air().session())->tx.records;
     pair.every(10ms, [&] { pair.sendFrame(Air); });
     pair.every(20ms, [&] { pair.sendFrame(Ground); });
@@ -630,7 +630,7 @@ void AttackSessionTest::restoredEnd()
     traffic(*pair);
     pair->run(5s);
     std::vector<Bytes> sent;
-    pair->link.attacker = [&](TimePoint, Flight &flight) {
+    pair->link.attacker = [&](TimePoint, SentDatagram &flight) {
         if (flight.from == to)
             sent.push_back(flight.bytes);
         return true;

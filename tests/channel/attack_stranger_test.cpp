@@ -75,7 +75,7 @@ void AttackStrangerTest::malformedMessagesCostNoHash()
 {
     QFETCH(int, firstByte);
     ManyListed many;
-    many.pair.link.attacker = [](TimePoint, Flight &flight) { return flight.from == Ground; };
+    many.pair.link.attacker = [](TimePoint, SentDatagram &flight) { return flight.from == Ground; };
     auto announcement = Announcement(many.keys.back().key).make(many.random); // so that a first message waits for a cookie
     many.pair.ground().endpoint->handleDatagram(many.pair.now, many.pair.pathOf(Air), announcement);
     many.pair.pump();
@@ -151,7 +151,7 @@ void AttackStrangerTest::floodRaisesOneEventASecond()
     // version, replayed ones, and one of the listed station that asked for a suite the agent does not have.
     Pair pair(attackOptions());
     std::vector<Bytes> firsts;
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
+    pair.link.attacker = [&](TimePoint, SentDatagram &flight) {
         if (flight.bytes[0] == 0x59)
             firsts.push_back(flight.bytes);
         return true;
@@ -206,7 +206,7 @@ void AttackStrangerTest::unknownAgentsHideNoRefusal()
     SeededRandom random(kAttackSeed);
     Path source = pair.pathOf(Air);
     source.remote.port = 1000;
-    pair.link.attacker = [](TimePoint, Flight &) { return false; };
+    pair.link.attacker = [](TimePoint, SentDatagram &) { return false; };
     pair.run(300ms); // so that the flood begins first, and between two announcements of the agent
     pair.every(1ms, [&] {
         Bytes forged(127);

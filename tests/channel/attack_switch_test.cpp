@@ -83,7 +83,7 @@ void AttackSwitchTest::acceptancesAreDropped()
     traffic(pair);
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
     pair.run(1s);
-    pair.link.attacker = [&](TimePoint, Flight &flight) { return flight.from == Ground || flight.tag != 0; };
+    pair.link.attacker = [&](TimePoint, SentDatagram &flight) { return flight.from == Ground || flight.tag != 0; };
     pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), SuiteId::Aes256Gcm);
     pair.run(6s);
     pair.link.attacker = nullptr;
@@ -110,7 +110,7 @@ void AttackSwitchTest::proposalFlood()
         offer(pair, Air, station.seal(Ground, 1000 + i, Propose{ProposalId{i}, Epoch{1}, SuiteId::ChaCha20Poly1305, key}));
     pair.pump();
     std::set<crypto::PublicKey> answers;
-    for (const Flight &flight : tap.ofKind(0x50)) {
+    for (const SentDatagram &flight : tap.ofKind(0x50)) {
         if (const auto acceptance = station.newest<Accept>({flight}))
             answers.insert(acceptance->key);
     }

@@ -85,7 +85,7 @@ void CarrierSessionTest::handshakesStayInTheirCarrier()
             Pair pair(in(sent));
             // The station sends no announcements; it answers in the carrier in which it received the agent.
             pair.setArrival(arrived);
-            pair.link.attacker = [&](TimePoint, Flight &flight) {
+            pair.link.attacker = [&](TimePoint, SentDatagram &flight) {
                 pair.setArrival(flight.from == Ground ? arrived : sent);
                 return true;
             };

@@ -178,7 +178,7 @@ void CookieTest::unrelatedCookiesHaveNoEffect()
     FirstMessage unseen;
     random.fill(unseen);
     std::uint64_t given = 0, sent = 0;
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
+    pair.link.attacker = [&](TimePoint, SentDatagram &flight) {
         sent += flight.bytes[0] == 0x59;
         return true;
     };
@@ -209,7 +209,7 @@ void CookieTest::forgedCookieDelaysOneAttempt()
     CookieMaker imitator(pair.air().publicKey(), random);
     int swallow = 1; // so that the first one does not succeed at once
     std::uint64_t copies = 0;
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
+    pair.link.attacker = [&](TimePoint, SentDatagram &flight) {
         if (flight.bytes[0] != 0x59)
             return true;
         ++copies;

@@ -129,7 +129,7 @@ void DayTest::nothingGrowsOrSticks()
                 pair.ground().endpoint->rekey(pair.now, pair.ground().session());
                 ++rekeys;
             } else if (chance(6)) {
-                pair.link.attacker = [](TimePoint, Flight &) { return false; };
+                pair.link.attacker = [](TimePoint, SentDatagram &) { return false; };
                 pair.run(std::chrono::seconds(random() % 60 + 1));
                 pair.link.attacker = {};
                 ++outages;
@@ -137,7 +137,7 @@ void DayTest::nothingGrowsOrSticks()
                 pair.air().port = static_cast<std::uint16_t>(40000 + random() % 20000);
                 ++moves;
             } else if (chance(4)) {
-                Flight noise{chance(2) ? Ground : Air, 666, 0, Bytes(random() % 200 + 1)};
+                SentDatagram noise{chance(2) ? Ground : Air, 666, 0, Bytes(random() % 200 + 1)};
                 for (auto &byte : noise.bytes)
                     byte = static_cast<std::uint8_t>(random());
                 pair.link.inject(pair.now, noise);

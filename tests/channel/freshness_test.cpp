@@ -146,7 +146,7 @@ void FreshnessTest::unknownAgeIsReported()
     // After a step of the station's steady clock, as of a virtual machine, its stamps say nothing before its next report.
     auto pair = flight(optionsWith(kRecords, kAge));
     pair->ground().clock.offset += 8s;
-    pair->link.attacker = [](TimePoint, Flight &datagram) { return datagram.from == Air || datagram.tag != 0; };
+    pair->link.attacker = [](TimePoint, SentDatagram &datagram) { return datagram.from == Air || datagram.tag != 0; };
     QVERIFY(pair->run(3s, [&] { return !pair->ground().all<CommandsLate>().empty(); }));
     QVERIFY(!pair->ground().all<CommandsLate>().front().report.isAgeKnown());
     pair->link.attacker = {};
@@ -186,7 +186,7 @@ void FreshnessTest::framesSealedInPlaceHaveTheAgeOfTheLastReport()
     pair->run(20s);
     QCOMPARE(shareOfFresh(*pair, begin), 1.);
     // Without reports the agent cannot determine their age.
-    pair->link.attacker = [](TimePoint, Flight &datagram) { return datagram.from == Air || datagram.bytes[0] == 0xfd; };
+    pair->link.attacker = [](TimePoint, SentDatagram &datagram) { return datagram.from == Air || datagram.bytes[0] == 0xfd; };
     pair->run(5s);
     const TimePoint silent = pair->now;
     pair->run(5s);

@@ -150,7 +150,7 @@ void HandshakeTest::lostMessagesAreRepeated()
         for (int copies = 1; copies <= 3; ++copies) {
             Pair pair;
             int left = copies;
-            pair.link.attacker = [&, lost](TimePoint, Flight &flight) { return flight.bytes[0] != lost || --left < 0; };
+            pair.link.attacker = [&, lost](TimePoint, SentDatagram &flight) { return flight.bytes[0] != lost || --left < 0; };
             QVERIFY(pair.run(4s, [&] { return pair.bothUp(); }));
             QVERIFY(left < 0 || lost == 0x5a);
         }
@@ -171,7 +171,7 @@ void HandshakeTest::repeatedMessagesAreAnsweredTheSame()
     QCOMPARE(pair.air().all<SessionUp>().size(), 1u);
     const auto answers = tap.ofKind(0x5a);
     QVERIFY(answers.size() > 1);
-    for (const Flight &flight : answers)
+    for (const SentDatagram &flight : answers)
         QCOMPARE(toHex(flight.bytes), toHex(answers[0].bytes));
     // The station used the first of them; the others count as repeated, not as malformed or forged.
     const ReceiveCounters &unmatched = pair.ground().endpoint->unmatched();

@@ -93,7 +93,7 @@ void InlineSessionTest::allSuitesBothWays()
     pair.every(10ms, [&] { pair.sendFrame(Air, 9 + pair.sent[Air].size() % 240); });
     pair.every(13ms, [&] { pair.sendFrame(Ground, 9 + pair.sent[Ground].size() % 240); });
     std::uint64_t inPlace = 0;
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
+    pair.link.attacker = [&](TimePoint, SentDatagram &flight) {
         inPlace += Endpoint::ownsFrame(flight.bytes);
         return true;
     };

@@ -39,7 +39,7 @@ std::unique_ptr<Pair> settledPair(PairOptions options = {})
     return pair;
 }
 
-bool isRecord(const Flight &flight)
+bool isRecord(const SentDatagram &flight)
 {
     return (flight.bytes[0] & 0xfc) == 0x50;
 }
@@ -54,14 +54,14 @@ void give(Pair &pair, Side to, Bytes datagram)
 Bytes catchAnswer(Pair &pair)
 {
     Bytes answer;
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
+    pair.link.attacker = [&](TimePoint, SentDatagram &flight) {
         if (flight.bytes[0] != 0x5a)
             return true;
         answer = flight.bytes;
         return false;
     };
     pair.run(2s, [&] { return !answer.empty(); });
-    pair.link.attacker = [](TimePoint, Flight &flight) { return flight.bytes[0] != 0x5a; };
+    pair.link.attacker = [](TimePoint, SentDatagram &flight) { return flight.bytes[0] != 0x5a; };
     return answer;
 }
 
@@ -76,7 +76,7 @@ void LateMessagesTest::recordOfARemovedPeer()
 {
     Pair pair;
     std::optional<Bytes> proof; // the record by which the station confirms the session
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
+    pair.link.attacker = [&](TimePoint, SentDatagram &flight) {
         if (flight.from == Ground && isRecord(flight) && !proof)
             proof = flight.bytes;
         return flight.from == Air || !isRecord(flight);
@@ -140,7 +140,7 @@ void LateMessagesTest::countOfADeletedEpoch()
     std::uint64_t lost = 0;
     bool losing = false;
     const TimePoint confirmsFrom = pair->now + 8s;
-    pair->link.attacker = [&](TimePoint at, Flight &flight) {
+    pair->link.attacker = [&](TimePoint at, SentDatagram &flight) {
         constexpr std::size_t kConfirm = 6 + 9 + 16;
         const bool drop = flight.from == Ground && isRecord(flight)
             && ((flight.tag && losing) || (flight.bytes.size() == kConfirm && at < confirmsFrom));
@@ -166,7 +166,7 @@ void LateMessagesTest::refusalIsRepeated()
     auto pair = settledPair();
     pair->air().endpoint->setPolicy(pair->now, Policy{{SuiteId::ChaCha20Poly1305}, true, false}); // known to itself alone
     const TimePoint until = pair->now + 450ms;
-    pair->link.attacker = [&](TimePoint at, Flight &flight) { return flight.from == Ground || at > until; };
+    pair->link.attacker = [&](TimePoint at, SentDatagram &flight) { return flight.from == Ground || at > until; };
     pair->ground().endpoint->switchSuite(pair->now, pair->ground().session(), SuiteId::Aes256Gcm);
     pair->run(400ms);
     QVERIFY(pair->ground().all<SwitchDone>().empty());
@@ -198,7 +198,7 @@ void LateMessagesTest::commitOfAnAbandonedSwitch()
     // committed: its records must open, and its choice stands.
     auto pair = settledPair();
     bool deaf = false;
-    pair->link.attacker = [&](TimePoint, Flight &flight) { return !(deaf && flight.from == Ground); };
+    pair->link.attacker = [&](TimePoint, SentDatagram &flight) { return !(deaf && flight.from == Ground); };
     pair->ground().endpoint->switchSuite(pair->now, pair->ground().session(), SuiteId::Aes256Gcm);
     QVERIFY(pair->run(1s, [&] { return deaf = !pair->air().all<SwitchPending>().empty(); }));
     pair->run(5500ms);
@@ -223,7 +223,7 @@ void LateMessagesTest::commitOfAnAbandonedSwitch()
 void LateMessagesTest::closedWhileASwitchIsInDoubt()
 {
     auto pair = settledPair();
-    pair->link.attacker = [](TimePoint, Flight &flight) { return flight.from == Ground; };
+    pair->link.attacker = [](TimePoint, SentDatagram &flight) { return flight.from == Ground; };
     pair->ground().endpoint->switchSuite(pair->now, pair->ground().session(), SuiteId::Aes256Gcm);
     QVERIFY(pair->run(1s, [&] { return !pair->air().all<SwitchPending>().empty(); }));
     pair->air().endpoint->close(pair->now, pair->air().session());
@@ -251,7 +251,7 @@ void LateMessagesTest::policyThatLeavesNothing()
 void LateMessagesTest::closeThatOvertookALostRecord()
 {
     auto pair = settledPair();
-    pair->link.attacker = [](TimePoint, Flight &flight) { return flight.tag == 0; };
+    pair->link.attacker = [](TimePoint, SentDatagram &flight) { return flight.tag == 0; };
     pair->sendFrame(Air);
     pair->link.attacker = {};
     pair->air().endpoint->close(pair->now, pair->air().session());
@@ -274,7 +274,7 @@ void LateMessagesTest::inlineFrameEndsTheAttempt()
     QCOMPARE(framingOf(pair->air()), Framing::Inline);
     bool frames = false;
     std::size_t calls = 0;
-    pair->link.attacker = [&](TimePoint, Flight &flight) {
+    pair->link.attacker = [&](TimePoint, SentDatagram &flight) {
         calls += flight.bytes[0] == 0x59;
         return flight.from == Ground ? flight.bytes[0] != 0x59 : frames && Endpoint::ownsFrame(flight.bytes);
     };

@@ -150,7 +150,7 @@ bool Pair::run(Duration span, const std::function<bool()> &until)
     return true;
 }
 
-void Pair::arrive(Flight flight)
+void Pair::arrive(SentDatagram flight)
 {
     const Side to = flight.from == Ground ? Air : Ground;
     End &end = ends[to];

@@ -165,7 +165,7 @@ private:
         Duration period;
         std::function<void()> act;
     };
-    void arrive(Flight flight);
+    void arrive(SentDatagram flight);
     Bytes frameWith(std::uint64_t number, std::size_t size) const;
 
     PairOptions m_options;

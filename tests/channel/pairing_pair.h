@@ -124,7 +124,7 @@ public:
             }
             now = std::max(now, due);
             if (link.next() <= now) {
-                const Flight flight = link.take();
+                const SentDatagram flight = link.take();
                 if (auto &to = ends[flight.from == Ground ? Air : Ground].pairing)
                     to->handleDatagram(now, pathOf(flight.from), flight.bytes);
             }
@@ -151,7 +151,7 @@ struct Stranger
 {
     explicit Stranger(PairingPair &pair)
     {
-        pair.link.attacker = [this](TimePoint, Flight &flight) {
+        pair.link.attacker = [this](TimePoint, SentDatagram &flight) {
             if (const auto called = calledToken(flight.bytes))
                 token = called;
             return true;

@@ -256,7 +256,7 @@ void PairingTest::lastWordLost()
         QVERIFY(pair.run(2s, [&] { return pair.shown(); }));
         pair.confirm(deaf);
         pair.run(1s);
-        pair.link.attacker = [&](TimePoint, Flight &flight) { return flight.from == deaf; };
+        pair.link.attacker = [&](TimePoint, SentDatagram &flight) { return flight.from == deaf; };
         pair.confirm(deaf == Ground ? Air : Ground);
         pair.run(4s);
         QVERIFY(isNothing(pair.ends[deaf]) && !isNothing(pair.ends[deaf == Ground ? Air : Ground]));
@@ -326,7 +326,7 @@ void PairingTest::unansweredOpeningEndsTheWindow()
     for (const Side deaf : {Ground, Air}) { // It does not receive the other end's opening, or the words after it.
         PairingPair pair;
         Tap recorded(pair);
-        const auto drop = [&](TimePoint, Flight &flight) {
+        const auto drop = [&](TimePoint, SentDatagram &flight) {
             recorded.flights.push_back(flight);
             return flight.from == deaf || flight.bytes[0] != firstByte(PairingMessage::Sealed);
         };
@@ -339,7 +339,7 @@ void PairingTest::unansweredOpeningEndsTheWindow()
         QVERIFY(pair.ground().all<PairingPeerSeen>().empty() && other.all<PairingPeerSeen>().empty());
         std::set<Bytes> openings;
         std::size_t copies = 0;
-        for (const Flight &flight : recorded.flights) {
+        for (const SentDatagram &flight : recorded.flights) {
             if (flight.from == Ground && isOpening(flight.bytes)) {
                 openings.insert(flight.bytes);
                 ++copies;

@@ -46,12 +46,12 @@ void PairingWireTest::replayOfAWholePairing()
     pair.confirm(Air);
     pair.confirm(Ground);
     QVERIFY(pair.run(20s, [&] { return pair.ground().pairing->finished() && pair.air().pairing->finished(); }));
-    pair.link.attacker = [](TimePoint, Flight &) { return false; };
+    pair.link.attacker = [](TimePoint, SentDatagram &) { return false; };
     for (PairingSide &side : pair.ends)
         side.events.clear();
     pair.openBoth(); // Later, new windows; nobody answers but the recording.
     for (int round = 0; round < 5; ++round) {
-        for (const Flight &flight : recorded.flights) {
+        for (const SentDatagram &flight : recorded.flights) {
             pair.link.inject(pair.now, flight);
             pair.run(30ms);
         }
@@ -64,8 +64,8 @@ void PairingWireTest::reflection()
 {
     // Reflection: an end's messages come back to it from the other end's address. Two roles of one key do not pair.
     PairingPair pair;
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
-        Flight back = flight;
+    pair.link.attacker = [&](TimePoint, SentDatagram &flight) {
+        SentDatagram back = flight;
         back.from = flight.from == Ground ? Air : Ground;
         pair.link.inject(pair.now + 1ms, back);
         return true;
@@ -144,8 +144,8 @@ void PairingWireTest::wordsOfElsewhere()
 {
     // Words of one pairing, repeated in the next between the same devices.
     PairingPair pair;
-    std::vector<Flight> words;
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
+    std::vector<SentDatagram> words;
+    pair.link.attacker = [&](TimePoint, SentDatagram &flight) {
         if (isWord(flight.bytes))
             words.push_back(flight);
         return true;
@@ -155,12 +155,12 @@ void PairingWireTest::wordsOfElsewhere()
     pair.confirm(Air);
     pair.confirm(Ground);
     QVERIFY(pair.run(1s, [&] { return pair.paired(); }));
-    const std::vector<Flight> old = words;
+    const std::vector<SentDatagram> old = words;
     pair.openBoth();
     QVERIFY(pair.run(3s, [&] { return pair.shown(); }));
-    for (const Flight &flight : old) {
+    for (const SentDatagram &flight : old) {
         pair.link.inject(pair.now, flight);
-        Flight sameId = flight; // And with the id of the present one.
+        SentDatagram sameId = flight; // And with the id of the present one.
         std::copy_n(words.back().bytes.begin() + 1, 4, sameId.bytes.begin() + 1);
         pair.link.inject(pair.now, sameId);
     }
@@ -176,7 +176,7 @@ void PairingWireTest::lateAnswerOfAnother()
     PairingPair pair;
     SeededRandom random(15);
     const auto other = newKey(random);
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
+    pair.link.attacker = [&](TimePoint, SentDatagram &flight) {
         const auto head = readFirst(flight.bytes);
         if (!head)
             return true;
@@ -275,7 +275,7 @@ void PairingWireTest::floodWithTheToken()
     PairingPair pair;
     SeededRandom random(22);
     PairingToken token{};
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
+    pair.link.attacker = [&](TimePoint, SentDatagram &flight) {
         if (const auto called = calledToken(flight.bytes))
             token = *called;
         return true;
@@ -358,7 +358,7 @@ void PairingWireTest::floodOfFalseAnswers()
     std::optional<PairingId> known, heard;
     TimePoint knownFrom = kNever;
     bool jammed = true;
-    pair.link.attacker = [&](TimePoint at, Flight &flight) {
+    pair.link.attacker = [&](TimePoint at, SentDatagram &flight) {
         if (const auto head = readFirst(flight.bytes); head && heard != head->id) {
             heard = head->id;
             knownFrom = at + 3ms; // it is no nearer than the agent
@@ -431,13 +431,13 @@ void PairingWireTest::noMoreOutThanIn()
     for (const Side victim : {Ground, Air}) {
         PairingPair fresh;
         std::uint64_t in = 0, out = 0;
-        fresh.link.attacker = [&](TimePoint, Flight &flight) {
+        fresh.link.attacker = [&](TimePoint, SentDatagram &flight) {
             out += calledToken(flight.bytes) ? 0 : flight.bytes.size(); // A call is no answer to anything.
             return false;
         };
         fresh.open(victim);
         for (int round = 0; round < 30; ++round) {
-            for (const Flight &flight : recorded.flights) {
+            for (const SentDatagram &flight : recorded.flights) {
                 if (flight.from == victim)
                     continue;
                 fresh.link.inject(fresh.now, flight);

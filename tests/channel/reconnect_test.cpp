@@ -91,7 +91,7 @@ void ReconnectTest::fiveMinutesOutage()
     pair.run(5s);
     bool cut = true;
     std::uint64_t handshakes = 0;
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
+    pair.link.attacker = [&](TimePoint, SentDatagram &flight) {
         handshakes += !cut && (flight.bytes[0] == 0x59 || flight.bytes[0] == 0x5a);
         return !cut;
     };
@@ -115,7 +115,7 @@ void ReconnectTest::outageBeyondTenMinutes()
     Pair pair;
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
     pair.run(2s);
-    pair.link.attacker = [](TimePoint, Flight &) { return false; };
+    pair.link.attacker = [](TimePoint, SentDatagram &) { return false; };
     pair.run(11min);
     QVERIFY(!pair.ground().up() && !pair.air().up());
     QCOMPARE(pair.ground().all<SessionDown>().at(0).reason, DownReason::TimedOut);
@@ -134,7 +134,7 @@ void ReconnectTest::retriesAreJittered()
         QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
         pair.run(1s);
         std::vector<TimePoint> sent;
-        pair.link.attacker = [&](TimePoint at, Flight &flight) {
+        pair.link.attacker = [&](TimePoint at, SentDatagram &flight) {
             if (flight.bytes[0] == 0x59)
                 sent.push_back(at);
             return false;
@@ -157,8 +157,8 @@ void ReconnectTest::repeatedAnnouncementsDoNotRenew()
     PairOptions options;
     options.link.delay = 750ms;
     Pair pair(options);
-    std::optional<Flight> announcement;
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
+    std::optional<SentDatagram> announcement;
+    pair.link.attacker = [&](TimePoint, SentDatagram &flight) {
         if (flight.bytes[0] == 0x58)
             announcement = flight;
         return true;
@@ -177,7 +177,7 @@ void ReconnectTest::repeatedAnnouncementsDoNotEvictTheAgent()
     options.link.delay = 40ms;
     Pair pair(options);
     std::optional<Bytes> announcement;
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
+    pair.link.attacker = [&](TimePoint, SentDatagram &flight) {
         if (flight.bytes[0] == 0x58)
             announcement = flight.bytes;
         return true;
@@ -210,7 +210,7 @@ void ReconnectTest::repeatedAnnouncementsDoNotDelayRetries()
     Pair pair;
     std::optional<Bytes> announcement;
     std::size_t copies = 0;
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
+    pair.link.attacker = [&](TimePoint, SentDatagram &flight) {
         if (flight.bytes[0] == 0x58)
             announcement = flight.bytes;
         copies += flight.bytes[0] == 0x59;
@@ -284,7 +284,7 @@ void ReconnectTest::counterCorrectionIsBoundToItsStation()
     Pair pair;
     std::vector<Bytes> firsts, numbers;
     std::uint64_t in = 0, out = 0;
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
+    pair.link.attacker = [&](TimePoint, SentDatagram &flight) {
         if (flight.bytes[0] == 0x59)
             firsts.push_back(flight.bytes);
         if (flight.bytes[0] == 0x5b) {
@@ -367,7 +367,7 @@ void ReconnectTest::lastCounterIsTheLast()
     pair.kill(Ground);
     pair.start(Ground);
     std::size_t firsts = 0;
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
+    pair.link.attacker = [&](TimePoint, SentDatagram &flight) {
         firsts += flight.bytes[0] == 0x59;
         return true;
     };
@@ -439,13 +439,13 @@ void ReconnectTest::repeatedOlderFirstMessagesDisplaceNothing()
     // An attacker withheld the answers for a minute and recorded first messages that were never confirmed. Later he replays all
     // of them behind each true one.
     Pair pair;
-    std::vector<Flight> kept;
+    std::vector<SentDatagram> kept;
     bool jammed = true;
-    pair.link.attacker = [&](TimePoint at, Flight &flight) {
+    pair.link.attacker = [&](TimePoint at, SentDatagram &flight) {
         if (flight.bytes[0] != 0x59)
             return !jammed || flight.bytes[0] != 0x5a;
         if (!jammed) {
-            for (const Flight &old : kept)
+            for (const SentDatagram &old : kept)
                 pair.link.inject(at + 1100us, old);
         } else if (kept.empty() || kept.back().bytes != flight.bytes) {
             kept.push_back(flight);

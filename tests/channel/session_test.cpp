@@ -198,7 +198,7 @@ void SessionTest::outageResumesWithoutHandshake()
         Pair pair;
         pair.every(10ms, [&pair] { pair.sendFrame(Air); });
         pair.run(5s);
-        pair.link.attacker = [](TimePoint, Flight &) { return false; };
+        pair.link.attacker = [](TimePoint, SentDatagram &) { return false; };
         pair.run(outage);
         QVERIFY(pair.ground().endpoint->sessionInfo(pair.ground().session())->silent);
         pair.link.attacker = nullptr;
@@ -243,7 +243,7 @@ void SessionTest::staysAtTheConfirmedAddress()
     const auto where = [&] { return pair.ground().endpoint->recordPath(pair.ground().session()).remote.port; };
     QVERIFY(pair.run(1100ms, [&] { return where() == 50001; }));
     pair.run(2100ms); // a report there, and one back
-    pair.link.attacker = [](TimePoint, Flight &) { return false; };
+    pair.link.attacker = [](TimePoint, SentDatagram &) { return false; };
     pair.run(60s);
     QCOMPARE(where(), std::uint16_t(50001));
     pair.link.attacker = nullptr;

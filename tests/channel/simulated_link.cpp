@@ -8,7 +8,7 @@ SimulatedLink::SimulatedLink(LinkModel linkModel, std::uint64_t seed) : model(li
 
 SimulatedLink::~SimulatedLink() = default;
 
-void SimulatedLink::inject(TimePoint at, Flight flight)
+void SimulatedLink::inject(TimePoint at, SentDatagram flight)
 {
     m_flying.emplace(at, std::move(flight));
 }
@@ -28,7 +28,7 @@ bool SimulatedLink::chance(double p)
     return p > 0 && std::uniform_real_distribution<>(0, 1)(m_random) < p;
 }
 
-bool SimulatedLink::send(TimePoint now, Flight flight)
+bool SimulatedLink::send(TimePoint now, SentDatagram flight)
 {
     if (attacker && !attacker(now, flight))
         return false;
@@ -39,7 +39,7 @@ bool SimulatedLink::send(TimePoint now, Flight flight)
     for (int i = 0; i < copies; ++i) {
         if (chance(model.loss))
             continue;
-        Flight copy = flight;
+        SentDatagram copy = flight;
         if (chance(model.corrupt) && !copy.bytes.empty()) {
             const std::size_t bit = std::uniform_int_distribution<std::size_t>(0, copy.bytes.size() * 8 - 1)(m_random);
             copy.bytes[bit / 8] = static_cast<std::uint8_t>(copy.bytes[bit / 8] ^ 1u << bit % 8);
@@ -59,9 +59,9 @@ Duration SimulatedLink::delay()
     return chance(model.reorder) ? d + model.reorderBy : d;
 }
 
-Flight SimulatedLink::take()
+SentDatagram SimulatedLink::take()
 {
-    Flight flight = std::move(m_flying.begin()->second);
+    SentDatagram flight = std::move(m_flying.begin()->second);
     m_flying.erase(m_flying.begin());
     return flight;
 }

@@ -29,7 +29,7 @@ struct LinkModel
 enum Side { Ground = 0, Air = 1 };
 
 /// One datagram under way.
-struct Flight
+struct SentDatagram
 {
     Side from = Ground;
     std::uint16_t sourcePort = 0;
@@ -45,16 +45,16 @@ public:
     ~SimulatedLink();
 
     /// Called for each datagram before random loss; may change it; returns false to drop it.
-    std::function<bool(TimePoint, Flight &)> attacker;
+    std::function<bool(TimePoint, SentDatagram &)> attacker;
     LinkModel model;
 
     /// Sends; returns whether at least one intact copy will arrive.
-    bool send(TimePoint now, Flight flight);
+    bool send(TimePoint now, SentDatagram flight);
     /// Puts a datagram on the wire, unaffected by the attacker and by random loss.
-    void inject(TimePoint at, Flight flight);
+    void inject(TimePoint at, SentDatagram flight);
 
     TimePoint next() const { return m_flying.empty() ? kNever : m_flying.begin()->first; }
-    Flight take();
+    SentDatagram take();
     void cut();
 
 private:
@@ -64,7 +64,7 @@ private:
 
     std::mt19937_64 m_random;
     std::array<bool, 2> m_inBurst{};
-    std::multimap<TimePoint, Flight> m_flying;
+    std::multimap<TimePoint, SentDatagram> m_flying;
 };
 
 } // namespace skyseal::test

@@ -32,7 +32,7 @@ public:
     StolenSession(const Pair &pair, const Tap &tap, std::uint64_t seed, crypto::SuiteId suite)
         : m_suite(suite), m_stream(4096), m_session(reveal(pair, tap, seed, m_stream)), m_epoch(m_session.epochZero(suite))
     {
-        for (const Flight &flight : tap.ofKind(0x50)) {
+        for (const SentDatagram &flight : tap.ofKind(0x50)) {
             if (flight.from == Ground)
                 m_agents = static_cast<ConnectionId>(flight.bytes[1] | flight.bytes[2] << 8);
             else
@@ -46,7 +46,7 @@ public:
     crypto::X25519KeyPair keyPairOf(const crypto::PublicKey &key) const { return keyPairIn(m_stream, key); }
 
     /// The plaintext of a record under these secrets; nullopt if it does not open.
-    std::optional<Bytes> open(const Flight &flight, const EpochSecrets &secrets) const
+    std::optional<Bytes> open(const SentDatagram &flight, const EpochSecrets &secrets) const
     {
         Bytes bytes = flight.bytes;
         const auto header = RecordHeader::read(bytes);
@@ -60,10 +60,10 @@ public:
         return plain ? std::optional(Bytes(plain->begin(), plain->end())) : std::nullopt;
     }
     /// The newest control message of a type among records of epoch 0.
-    template<typename Message> std::optional<Message> newest(const std::vector<Flight> &flights) const
+    template<typename Message> std::optional<Message> newest(const std::vector<SentDatagram> &flights) const
     {
         std::optional<Message> out;
-        for (const Flight &flight : flights) {
+        for (const SentDatagram &flight : flights) {
             const auto plain = open(flight, m_epoch);
             const auto message = plain && isControl(*plain) ? readControl(*plain) : std::nullopt;
             if (message && std::holds_alternative<Message>(*message))

@@ -280,7 +280,7 @@ void SwitchTest::unansweredRollsBackOnce()
     Pair pair;
     traffic(pair);
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
-    pair.link.attacker = [](TimePoint, Flight &flight) { return flight.from == Ground; }; // nothing reaches the station
+    pair.link.attacker = [](TimePoint, SentDatagram &flight) { return flight.from == Ground; }; // nothing reaches the station
     pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), SuiteId::Aes256Gcm);
     pair.run(4900ms);
     QCOMPARE(pair.ground().all<SwitchDone>().size(), 0u);
@@ -313,7 +313,7 @@ void SwitchTest::confirmationLostForAMinute()
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
     pair.run(1s);
     bool cut = false;
-    pair.link.attacker = [&cut](TimePoint, Flight &flight) { return !(cut && flight.from == Ground); };
+    pair.link.attacker = [&cut](TimePoint, SentDatagram &flight) { return !(cut && flight.from == Ground); };
     pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), SuiteId::Aes256Gcm);
     QVERIFY(pair.run(1s, [&] { return !pair.air().all<SwitchPending>().empty(); }));
     cut = true;
@@ -366,7 +366,7 @@ void SwitchTest::endsWithTheSession()
 {
     Pair pair;
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
-    pair.link.attacker = [](TimePoint, Flight &) { return false; };
+    pair.link.attacker = [](TimePoint, SentDatagram &) { return false; };
     pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), SuiteId::Aes256Gcm);
     pair.run(1s);
     pair.ground().endpoint->close(pair.now, pair.ground().session());
@@ -422,7 +422,7 @@ void SwitchTest::weakKeysAreRefused()
     QVERIFY(pair.air().all<SwitchPending>().empty());
 
     // In an answer: the proposal stays open, and the true answer to its next copy is taken.
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
+    pair.link.attacker = [&](TimePoint, SentDatagram &flight) {
         tap.flights.push_back(flight);
         return flight.from == Ground;
     };

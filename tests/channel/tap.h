@@ -14,7 +14,7 @@ struct Tap
     /// `ends` owns the link. The tap must outlive its traffic.
     template<typename Ends> explicit Tap(Ends &ends)
     {
-        ends.link.attacker = [this](TimePoint, Flight &flight) {
+        ends.link.attacker = [this](TimePoint, SentDatagram &flight) {
             flights.push_back(flight);
             return true;
         };
@@ -22,14 +22,14 @@ struct Tap
     Tap(const Tap &) = delete;
     Tap &operator=(const Tap &) = delete;
 
-    std::vector<Flight> ofKind(std::uint8_t first) const
+    std::vector<SentDatagram> ofKind(std::uint8_t first) const
     {
-        std::vector<Flight> out;
+        std::vector<SentDatagram> out;
         std::copy_if(flights.begin(), flights.end(), std::back_inserter(out),
-                     [first](const Flight &flight) { return flight.bytes[0] == first; });
+                     [first](const SentDatagram &flight) { return flight.bytes[0] == first; });
         return out;
     }
-    std::vector<Flight> flights;
+    std::vector<SentDatagram> flights;
 };
 
 } // namespace skyseal::test

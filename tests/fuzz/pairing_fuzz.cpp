@@ -33,7 +33,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     PairingPair pair;
     PairingToken token{};
     std::array<std::uint8_t, 4> id{};
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
+    pair.link.attacker = [&](TimePoint, SentDatagram &flight) {
         if (const auto called = calledToken(flight.bytes))
             token = *called;
         else
