@@ -35,18 +35,31 @@ std::uint16_t advance(std::uint16_t state, std::size_t bytes)
                                       ^ row[3][state >> 12]);
 }
 
+/// Enough for a damaged frame that claims the greatest length, and the longest frame after it, in a datagram of the two.
+constexpr std::size_t kReserve = 2 * OverlappingCrc::kLongestRange;
+
+/// Of random bytes about 32 % go through the CRC: twice as much is allowed from the longest datagram of Ethernet on. Beyond that,
+/// the share is above that of random bytes, so that they cost no frame.
+std::size_t ofDatagram(std::size_t received)
+{
+    constexpr std::size_t kEthernet = 1472;
+    return kReserve + received / 4 + (received > kEthernet ? (received - kEthernet) / 8 : 0);
+}
+
+/// A stream has no end at which a remainder is lost: the longer it is, the less the constant matters.
+std::size_t ofStream(std::size_t received)
+{
+    return kReserve + received / 16 * 9;
+}
+
 } // namespace
 
 bool OverlappingCrc::affords(std::size_t offset, std::size_t bytes, std::size_t received) const
 {
-    // A damaged frame that claims the greatest length, and the longest frame after it. 2,048 random bytes take 648 on average,
-    // so this and three eighths of them are twice as much. A stream has no end at which a remainder is lost: the longer it is,
-    // the less the constant matters.
-    constexpr std::size_t kReserve = 2 * kLongestRange;
     if (m_limit == WastedWork::Unlimited || weakened(Weakness::NoScanLimit))
         return true;
-    const std::size_t sixteenths = m_limit == WastedWork::OfDatagram ? 6 : 9;
-    return m_wasted + unprocessed(offset, bytes) <= received / 16 * sixteenths + kReserve;
+    return m_wasted + unprocessed(offset, bytes)
+        <= (m_limit == WastedWork::OfDatagram ? ofDatagram(received) : ofStream(received));
 }
 
 /// Number of these bytes that a check would process.

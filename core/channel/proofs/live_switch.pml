@@ -227,7 +227,7 @@ inline crash(victim)
 }
 
 /* An end crashes, or the station finds the session silent; the station begins a new session, then the agent does on the
-   station's first record (live_session.pml has the details). */
+   station's first record (session.pml has the details). */
 active proctype Replacement()
 {
     if
