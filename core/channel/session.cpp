@@ -65,6 +65,8 @@ SessionStats Session::stats() const
     stats.rx = m_epochs.received();
     stats.tx = m_epochs.sent();
     stats.epochs = m_epochs.history();
+    if (!m_identity.initiator)
+        stats.freshness = m_freshness.report(stats.rx.stale);
     m_reports.addTo(stats);
     return stats;
 }

@@ -77,6 +77,7 @@ struct SessionStats
     bool peerReported = false;
     std::optional<FrameCounters> peerFrames;      ///< our frames as counted by the peer, if it counts them
     std::optional<EndCosts> peerCosts;            ///< only if requested, and if the peer measures them
+    std::optional<FreshnessReport> freshness;     ///< delay of the peer's records; at an agent only
     std::optional<FreshnessReport> peerFreshness; ///< delay of our records; from an agent only
     bool peerCannotStore = false;                 ///< an agent that cannot store the counters of handshakes
     std::uint32_t peerStamp = 0;                  ///< microseconds of the peer's clock at that report, modulo 2^32

@@ -86,18 +86,22 @@ void FreshnessTest::ageIsNeverTooSmall()
 
 void FreshnessTest::slowLinkStaysFresh_data()
 {
+    QTest::addColumn<Way>("way");
     QTest::addColumn<int>("loss");
     QTest::addColumn<double>("rate");
-    QTest::addRow("no loss") << 0 << 1.;
-    QTest::addRow("a tenth lost, a clock 200 ppm fast") << 10 << 1.0002;
-    QTest::addRow("half lost, a clock 200 ppm slow") << 50 << .9998;
+    for (const Way &way : kWays) {
+        QTest::addRow("%s, no loss", way.name) << way << 0 << 1.;
+        QTest::addRow("%s, a tenth lost, a clock 200 ppm fast", way.name) << way << 10 << 1.0002;
+        QTest::addRow("%s, half lost, a clock 200 ppm slow", way.name) << way << 50 << .9998;
+    }
 }
 
 void FreshnessTest::slowLinkStaysFresh()
 {
+    QFETCH(Way, way);
     QFETCH(int, loss);
     QFETCH(double, rate);
-    PairOptions options = optionsWith(kRecords, kAge);
+    PairOptions options = optionsWith(way, kAge);
     options.link.delay = 900ms;
     options.link.jitter = 300ms; // 0.9 to 1.5 s each way
     options.link.loss = loss / 100.;

@@ -29,8 +29,8 @@ public:
     }
     quint16 port() const { return m_path.port(); }
 
-    int milliseconds = 600;
-    int jitter = 150;
+    int milliseconds = 1200;
+    int jitter = 300;
 
 private:
     UdpAttacker m_path;
@@ -76,6 +76,13 @@ void DelayedLinkTest::fliesWithTheDefaultsAndRefusesWhatIsTooOld()
     QVERIFY(!monitor.waitFor(QStringLiteral("command"), isStep("wait alt_rel")).isEmpty());
     QVERIFY(monitor.events(QStringLiteral("commands_late")).empty());
     QVERIFY(air.events(QStringLiteral("frames_refused")).empty());
+    const auto isOnItsWay = [](const QJsonObject &stats) {
+        const QJsonObject freshness = stats[QLatin1String("freshness")].toObject();
+        return freshness[QLatin1String("age_ms")].toDouble() >= 900 && freshness[QLatin1String("age_ms")].toDouble() < 5000
+            && freshness[QLatin1String("age_limit_ms")].toInt() == 5000
+            && freshness[QLatin1String("overtaken_limit_ms")].toInt() == 1000;
+    };
+    QVERIFY2(!air.waitFor(QStringLiteral("stats"), isOnItsWay).isEmpty(), "the agent shows age and limits");
 
     link.milliseconds = 6000;
     const QJsonObject late = monitor.waitFor(QStringLiteral("commands_late"));

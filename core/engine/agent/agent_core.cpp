@@ -141,6 +141,18 @@ void AgentCore::stop()
     });
 }
 
+/// Of the session whose commands may be the oldest.
+std::optional<channel::FreshnessReport> AgentCore::latestCommands()
+{
+    std::optional<channel::FreshnessReport> out;
+    for (const channel::SessionId session : m_channel.endpoint().sessions()) {
+        const auto stats = m_channel.endpoint().stats(session);
+        if (stats && stats->freshness && (!out || stats->freshness->ageMicroseconds > out->ageMicroseconds))
+            out = stats->freshness;
+    }
+    return out;
+}
+
 AgentSnapshot AgentCore::snapshot()
 {
     const TimePoint now = steadyNow();
@@ -170,6 +182,7 @@ AgentSnapshot AgentCore::snapshot()
     out.channel = m_channel.totals();
     out.channel.rx.malformed += out.counters.unusable;
     out.channel.rx.plaintextDropped = out.counters.clearRefused;
+    out.freshness = latestCommands();
     out.processCpuPercent = m_cpu.sample(now, metrics::processCpuTime());
     out.residentBytes = metrics::residentBytes().value_or(0);
     return out;

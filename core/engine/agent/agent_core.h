@@ -57,6 +57,7 @@ public:
     AgentSnapshot snapshot();
 
 private:
+    std::optional<channel::FreshnessReport> latestCommands();
     void linkReceived(link::Link &link, std::span<const link::ReceivedBlock> blocks) override;
     void linkPeerJoined(link::Link &link, const Path &path) override;
     void linkPeerLeft(link::Link &link, const Path &path) override;

@@ -1,6 +1,7 @@
 // The state of an agent for reports, as a value.
 #pragma once
 
+#include "core/channel/freshness.h"
 #include "core/engine/common/link_snapshot.h"
 #include "core/engine/common/totals.h"
 
@@ -47,6 +48,8 @@ struct AgentSnapshot
     MavlinkTotals mavlink;             ///< frames received from the vehicle
     ChannelTotals channel;
     AgentCounters counters;
+    /// Of the session whose commands may be the oldest, with the limits in force; nullopt without a session.
+    std::optional<channel::FreshnessReport> freshness;
     std::optional<SigningCounters> signing; ///< if there is a signing key
     std::string storageProblem;             ///< why the counters of handshakes are not stored; empty if they are
     double processCpuPercent = 0;

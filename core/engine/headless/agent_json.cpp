@@ -93,6 +93,11 @@ std::string agentStatsEvent(std::string_view event, const AgentSnapshot &snapsho
     json.field("late_refused", snapshot.counters.lateRefused).field("ground_id_refused", snapshot.counters.groundIdRefused);
     json.field("clear_refused", snapshot.counters.clearRefused).field("undelivered", snapshot.counters.undelivered);
     json.endObject();
+    if (snapshot.freshness) {
+        json.key("freshness").beginObject();
+        writeFreshness(json, *snapshot.freshness);
+        json.endObject();
+    }
     if (snapshot.signing)
         writeSigning(json, *snapshot.signing);
     if (!snapshot.storageProblem.empty())

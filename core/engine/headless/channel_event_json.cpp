@@ -79,15 +79,6 @@ public:
     }
 
 private:
-    static void writeFreshness(JsonWriter &json, const channel::FreshnessReport &report)
-    {
-        if (report.isAgeKnown())
-            json.field("age_ms", double(report.ageMicroseconds) / 1e3);
-        else
-            json.key("age_ms").null();
-        json.field("overtaken_limit_ms", report.overtakenMilliseconds).field("age_limit_ms", report.limitMilliseconds);
-    }
-
     const PeerNames &m_names;
 };
 

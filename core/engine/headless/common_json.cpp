@@ -91,6 +91,15 @@ void writeChannel(JsonWriter &json, const ChannelTotals &totals)
     json.endObject();
 }
 
+void writeFreshness(JsonWriter &json, const channel::FreshnessReport &report)
+{
+    if (report.isAgeKnown())
+        json.field("age_ms", double(report.ageMicroseconds) / 1e3);
+    else
+        json.key("age_ms").null();
+    json.field("overtaken_limit_ms", report.overtakenMilliseconds).field("age_limit_ms", report.limitMilliseconds);
+}
+
 void writeProcess(JsonWriter &json, double cpuPercent, std::uint64_t residentBytes)
 {
     json.key("process").beginObject();

@@ -25,6 +25,8 @@ std::string counterStorageEvent(const CounterStorage &storage);
 /// Parts of "stats" and "summary".
 void writeMavlink(JsonWriter &json, const MavlinkTotals &totals);
 void writeChannel(JsonWriter &json, const ChannelTotals &totals);
+/// Fields of the object that is open: "age_ms" (null if unknown), "overtaken_limit_ms", "age_limit_ms" (0: none).
+void writeFreshness(JsonWriter &json, const channel::FreshnessReport &report);
 void writeProcess(JsonWriter &json, double cpuPercent, std::uint64_t residentBytes);
 
 } // namespace skyseal::engine
