@@ -42,7 +42,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t kMost = 4u << 20; ///< the corpora leave 0.3 MB at most, their own records included
+    static constexpr std::size_t kMost = 1u << 20; ///< the corpora leave 0.3 MB at most, their own records included
     std::size_t m_before = allocatedBytes();
 };
 
