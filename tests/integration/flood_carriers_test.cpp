@@ -148,6 +148,7 @@ struct FloodedFlight
                                                words({"--pair", "--json", "--identity"})
                                                    << flight.path(QStringLiteral("air.key")));
             QVERIFY(!m_desk->waitFor(QStringLiteral("pairing")).isEmpty());
+            EVENTUALLY(wire->token().has_value());
         }
     }
 
@@ -234,7 +235,7 @@ void FloodCarriersTest::pilotCommandsDuringEachFlood()
     flown.begin();
     if (QTest::currentTestFailed())
         return;
-    const StrangersKnowledge knows = flown.knows();
+    StrangersKnowledge knows = flown.knows();
     std::vector<double> quiet, flooded;
     std::uint64_t expected = 0;
     const auto fly = [&](std::vector<double> &times) {
@@ -252,8 +253,9 @@ void FloodCarriersTest::pilotCommandsDuringEachFlood()
         return true;
     };
     for (const StrangerMessage &message : kStrangerMessages) {
-        const auto messages = aSecondOf(message, knows, static_cast<Carrier>(carrier));
         flown.openPairing();
+        knows.token = flown.wire->token().value_or(channel::PairingToken{});
+        const auto messages = aSecondOf(message, knows, static_cast<Carrier>(carrier));
         QVERIFY2(fly(quiet), "a command without a flood is answered");
         flown.wire->flood(messages);
         const std::uint64_t before = flown.wire->sent();

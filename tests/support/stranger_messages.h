@@ -77,6 +77,8 @@ inline constexpr StrangerMessage kStrangerMessages[] = {
     {"clear MAVLink: 0xFE alone", [](const StrangersKnowledge &, std::mt19937_64 &) { return Bytes(1472, 0xfe); }},
     {"clear MAVLink: 0xFD alone", [](const StrangersKnowledge &, std::mt19937_64 &) { return Bytes(1472, 0xfd); }},
     {"another version", [](const StrangersKnowledge &, std::mt19937_64 &random) { return randomBytes(random, 127, 0x69); }},
+    {"part of a message in TUNNEL",
+     [](const StrangersKnowledge &, std::mt19937_64 &random) { return randomBytes(random, 128, 0x80); }},
     {"record of no session", [](const StrangersKnowledge &, std::mt19937_64 &random) { return randomBytes(random, 60, 0x50); }},
     {"record of the session, 60 bytes",
      [](const StrangersKnowledge &knows, std::mt19937_64 &random) { return forgedRecord(knows, random, 60); }},

@@ -163,8 +163,8 @@ public:
     }
 
     std::uint16_t port() const { return m_agentSide.port(); }
-    /// Forwards what arrives until `due`. `noteRecord(ByteView)` is called for each record on its way to the target.
-    template<typename NoteRecord> void forwardUntil(TimePoint due, NoteRecord &&noteRecord)
+    /// Forwards what arrives until `due`. `note(isFromAgent, message)` is called for each message of the channel.
+    template<typename Note> void forwardUntil(TimePoint due, Note &&note)
     {
         do {
             const Duration left = std::max(due - steadyNow(), Duration());
@@ -173,9 +173,9 @@ public:
             if (::ppoll(waiting.data(), waiting.size(), &time, nullptr) <= 0)
                 continue;
             if (waiting[0].revents)
-                forward(true, noteRecord);
+                forward(true, note);
             if (waiting[1].revents)
-                forward(false, noteRecord);
+                forward(false, note);
         } while (steadyNow() < due);
     }
     /// Sends the stranger's messages to the target. Returns false while that is not possible.
@@ -205,7 +205,7 @@ private:
     bool isStream() const { return m_carrier == Carrier::Serial; }
     int fromAgent() const { return m_agent.isOpen() ? m_agent.fd() : m_agentSide.fd(); }
 
-    template<typename NoteRecord> void forward(bool isFromAgent, NoteRecord &&noteRecord)
+    template<typename Note> void forward(bool isFromAgent, Note &&note)
     {
         if (isStream() && isFromAgent && !m_agent.isOpen()) {
             m_agent = Socket(::accept(m_agentSide.fd(), nullptr, nullptr));
@@ -220,8 +220,7 @@ private:
         if (size <= 0)
             return;
         const ByteView bytes = ByteView(m_bytes).first(static_cast<std::size_t>(size));
-        if (isFromAgent == (m_target == Target::Station))
-            tap(bytes, noteRecord);
+        tap(isFromAgent, bytes, note);
         if (isStream()) {
             (isFromAgent ? m_stationSide : m_agent).write(bytes);
             m_atBoundary = isFromAgent ? m_atBoundary : bytes.back() == 0;
@@ -233,27 +232,19 @@ private:
         }
     }
 
-    template<typename NoteRecord> void tap(ByteView bytes, NoteRecord &&noteRecord)
+    template<typename Note> void tap(bool isFromAgent, ByteView bytes, Note &&note)
     {
         switch (m_carrier) {
-        case Carrier::Datagram:
-            if (isRecord(bytes))
-                noteRecord(bytes);
-            break;
+        case Carrier::Datagram: note(isFromAgent, bytes); break;
         case Carrier::Serial:
-            m_cobs.feed(bytes, [&](MutableByteView message) {
-                if (isRecord(message))
-                    noteRecord(message);
-            });
+            m_cobs[isFromAgent].feed(bytes, [&](MutableByteView message) { note(isFromAgent, message); });
             break;
         case Carrier::Tunnel:
             mavlink::scanFrames(bytes, mavlink::Dialect::builtin(), [&](const mavlink::ScanItem &item) {
                 if (!item.frame || item.frame->messageId() != mavlink::Tunnel::kId)
                     return;
                 const mavlink::Tunnel tunnel = mavlink::Tunnel::decode(item.frame->payload());
-                const ByteView message = ByteView(tunnel.payload).first(std::min<std::size_t>(tunnel.payload_length, 128));
-                if (isRecord(message))
-                    noteRecord(message);
+                note(isFromAgent, ByteView(tunnel.payload).first(std::min<std::size_t>(tunnel.payload_length, 128)));
             });
             break;
         }
@@ -269,14 +260,14 @@ private:
     BareSocket m_datagrams; ///< the stranger's
     std::vector<ByteView> m_views;
     std::uint16_t m_agentPort = 0;
-    bool m_atBoundary = true; ///< the stream to the agent is between two COBS frames
-    channel::CobsReader m_cobs;
+    bool m_atBoundary = true;                  ///< the stream to the agent is between two COBS frames
+    std::array<channel::CobsReader, 2> m_cobs; ///< by isFromAgent
     Bytes m_joined;
     std::array<std::uint8_t, 65536> m_bytes;
 };
 
 StrangerWire::StrangerWire(Carrier carrier, Target target, std::uint16_t stationPort)
-    : m_ends(std::make_unique<Ends>(carrier, target, stationPort)), m_thread([this] { run(); })
+    : m_target(target), m_ends(std::make_unique<Ends>(carrier, target, stationPort)), m_thread([this] { run(); })
 {}
 
 StrangerWire::~StrangerWire()
@@ -296,6 +287,12 @@ Bytes StrangerWire::record() const
     return m_record;
 }
 
+std::optional<channel::PairingToken> StrangerWire::token() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_token;
+}
+
 void StrangerWire::flood(std::shared_ptr<const std::vector<Bytes>> messages)
 {
     const std::lock_guard lock(m_mutex);
@@ -308,13 +305,21 @@ void StrangerWire::run()
     // It represents other machines and must not use CPU time of the program that is measured.
     ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), 10);
     for (TimePoint due = steadyNow(); !m_stop; due += kTick) {
-        m_ends->forwardUntil(due, [this](ByteView record) {
-            const std::lock_guard lock(m_mutex);
-            m_record.assign(record.begin(), record.end());
-        });
+        m_ends->forwardUntil(due, [this](bool isFromAgent, ByteView message) { note(isFromAgent, message); });
         if (!inject())
             due = steadyNow();
     }
+}
+
+void StrangerWire::note(bool isFromAgent, ByteView message)
+{
+    const bool isToTarget = isFromAgent == (m_target == Target::Station);
+    const auto token = isFromAgent ? channel::calledToken(message) : std::nullopt;
+    const std::lock_guard lock(m_mutex);
+    if (isToTarget && isRecord(message))
+        m_record.assign(message.begin(), message.end());
+    if (token)
+        m_token = token;
 }
 
 /// Returns false while nothing is to be sent.

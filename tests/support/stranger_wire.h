@@ -4,11 +4,13 @@
 
 #include "core/base/bytes.h"
 #include "core/base/path.h"
+#include "core/channel/pairing_messages.h"
 
 #include <atomic>
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -30,6 +32,8 @@ public:
     std::uint16_t port() const;
     /// The newest record on its way to the target; empty before.
     Bytes record() const;
+    /// Of the newest call of the agent, whose pairing window is open; nullopt before.
+    std::optional<channel::PairingToken> token() const;
 
     /// Sends all of `messages`, which are as on the wire, each second, again and again; empty = none.
     void flood(std::shared_ptr<const std::vector<Bytes>> messages);
@@ -39,12 +43,15 @@ public:
 private:
     class Ends;
     void run();
+    void note(bool isFromAgent, ByteView message);
     bool inject();
 
+    const Target m_target;
     std::unique_ptr<Ends> m_ends;
-    mutable std::mutex m_mutex; ///< of the next two
+    mutable std::mutex m_mutex; ///< of the next three
     std::shared_ptr<const std::vector<Bytes>> m_messages;
     Bytes m_record;
+    std::optional<channel::PairingToken> m_token;
     std::size_t m_next = 0;
     std::atomic<std::uint64_t> m_sent{0};
     std::atomic<bool> m_stop{false};
