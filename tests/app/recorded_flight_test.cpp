@@ -1,6 +1,7 @@
 // A flight by script with a simulator on a plain link, and then what became of its recording.
 #include "tests/support/run_program.h"
 #include "tests/support/eventually.h"
+#include "tests/support/free_port.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QDir>
@@ -8,20 +9,11 @@
 #include <QtCore/QJsonDocument>
 #include <QtCore/QJsonObject>
 #include <QtCore/QTemporaryDir>
-#include <QtNetwork/QUdpSocket>
 #include <QtTest/QTest>
 
 using namespace skyseal::test;
 
 namespace {
-
-/// A port that was free a moment ago.
-quint16 freePort()
-{
-    QUdpSocket socket;
-    socket.bind(QHostAddress::LocalHost, 0);
-    return socket.localPort();
-}
 
 std::vector<QJsonObject> eventsOf(const QByteArray &output, const char *kind)
 {
@@ -57,7 +49,7 @@ private:
 
 void RecordedFlightTest::initTestCase()
 {
-    const QString port = QString::number(freePort());
+    const QString port = QString::number(freeUdpPort());
     QProcess sim;
     sim.start(
         QStringLiteral(SKYSEAL_BIN_DIR "/skyseal-sim"),

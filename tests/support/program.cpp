@@ -5,8 +5,6 @@
 #include <QtCore/QDir>
 #include <QtCore/QJsonDocument>
 #include <QtCore/QTimer>
-#include <QtNetwork/QTcpServer>
-#include <QtNetwork/QUdpSocket>
 #include <QtTest/QTest>
 
 #include <csignal>
@@ -156,20 +154,6 @@ const QByteArrayList &Program::otherLines()
 {
     drain();
     return m_otherLines;
-}
-
-quint16 freeUdpPort()
-{
-    QUdpSocket socket;
-    socket.bind(QHostAddress::LocalHost, 0);
-    return socket.localPort();
-}
-
-quint16 freeTcpPort()
-{
-    QTcpServer server;
-    server.listen(QHostAddress::LocalHost, 0);
-    return server.serverPort();
 }
 
 } // namespace skyseal::test

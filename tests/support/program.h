@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/support/eventually.h"
+#include "tests/support/free_port.h"
 
 #include <QtCore/QJsonObject>
 #include <QtCore/QProcess>
@@ -60,9 +61,5 @@ private:
     std::vector<QJsonObject> m_events;
     std::size_t m_waitedUpTo = 0;
 };
-
-/// A UDP port of 127.0.0.1 that was free a moment ago.
-quint16 freeUdpPort();
-quint16 freeTcpPort();
 
 } // namespace skyseal::test

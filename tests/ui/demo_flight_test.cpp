@@ -8,6 +8,7 @@
 #include "core/engine/station/session_snapshot.h"
 #include "core/engine/station/vehicle_snapshot.h"
 #include "tests/support/eventually.h"
+#include "tests/support/free_port.h"
 #include "tests/support/test_runner.h"
 #include "ui/flight/hold_button.h"
 #include "ui/window/main_window.h"
@@ -18,7 +19,6 @@
 #include <QtCore/QDir>
 #include <QtCore/QSettings>
 #include <QtCore/QTemporaryDir>
-#include <QtNetwork/QUdpSocket>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 #include <QtWidgets/QComboBox>
@@ -55,10 +55,7 @@ private Q_SLOTS:
         m_window->resize(1280, 900);
         m_window->show();
 
-        QUdpSocket probe;
-        QVERIFY(probe.bind(QHostAddress::LocalHost, 0));
-        const quint16 port = probe.localPort();
-        probe.close();
+        const quint16 port = test::freeUdpPort();
         m_window->addLink(QStringLiteral("udpin:127.0.0.1:%1").arg(port));
         m_demo->start(port);
     }

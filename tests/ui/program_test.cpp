@@ -2,12 +2,13 @@
 #include "core/engine/station/snapshot.h"
 #include "tests/engine/flight_rig.h"
 #include "tests/support/eventually.h"
+#include "tests/support/free_port.h"
 #include "tests/support/test_runner.h"
 
+#include <QtCore/QFile>
 #include <QtCore/QProcess>
 #include <QtCore/QTemporaryDir>
 #include <QtGui/QImage>
-#include <QtNetwork/QUdpSocket>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 
@@ -109,16 +110,12 @@ private Q_SLOTS:
 
     void endsOnAnInterrupt()
     {
-        QUdpSocket probe;
-        QVERIFY(probe.bind(QHostAddress::LocalHost, 0));
-        const quint16 port = probe.localPort();
-        probe.close();
+        const quint16 port = freeUdpPort();
         QProcess skyseal;
         prepare(skyseal);
         skyseal.start(program(), {QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:%1").arg(port)});
         QVERIFY(skyseal.waitForStarted());
-        // It listens once the port can no longer be bound.
-        EVENTUALLY(!QUdpSocket().bind(QHostAddress::LocalHost, port, QAbstractSocket::DontShareAddress));
+        EVENTUALLY(isBound(port));
         ::kill(static_cast<pid_t>(skyseal.processId()), SIGINT);
         QVERIFY(skyseal.waitForFinished());
         QCOMPARE(skyseal.exitStatus(), QProcess::NormalExit);
@@ -129,10 +126,7 @@ private Q_SLOTS:
     {
         FlightRig rig;
         const engine::KeyPaths keys = rig.stationConfig().keys;
-        QUdpSocket probe;
-        QVERIFY(probe.bind(QHostAddress::LocalHost, 0));
-        const quint16 port = probe.localPort();
-        probe.close();
+        const quint16 port = freeUdpPort();
         QProcess skyseal;
         prepare(skyseal);
         skyseal.start(program(),
@@ -161,6 +155,13 @@ private Q_SLOTS:
     }
 
 private:
+    /// Looks without binding the port, which could take it from the program.
+    static bool isBound(quint16 udpPort)
+    {
+        QFile sockets(QStringLiteral("/proc/net/udp"));
+        return sockets.open(QIODevice::ReadOnly)
+            && sockets.readAll().contains(':' + QByteArray::number(udpPort, 16).toUpper() + " 00000000:0000 ");
+    }
     static QString program() { return QStringLiteral(SKYSEAL_BIN_DIR "/skyseal"); }
 
     void prepare(QProcess &process)
