@@ -56,8 +56,9 @@ void HeadlessRunTest::pendingSwitchMayFinish()
     engine::HeadlessRun run(*ground.station, listener, std::move(plan), {});
     std::optional<engine::RunOutcome> outcome;
     connect(&run, &engine::HeadlessRun::finished, this, [&](engine::RunOutcome reached) { outcome = reached; });
-    run.start();
     rig.startAgent(ground.ears->listening());
+    EVENTUALLY(ground.up()); // before the time of the run begins
+    run.start();
     EVENTUALLY(outcome);
     QCOMPARE(listener.switches.size(), std::size_t(1));
     QCOMPARE(int(listener.switches[0].failure), int(channel::SwitchFailure::NotConfirmed));
