@@ -17,6 +17,7 @@
 
 #include <functional>
 #include <map>
+#include <set>
 #include <numeric>
 
 using namespace skyseal;
@@ -372,8 +373,10 @@ void AttackFlightTest::strangersCauseOneEventASecond()
     flight.ground.ears->events.clear();
     flight.rig.agentEvents.clear();
     const TimePoint begun = steadyNow();
+    std::set<Duration::rep> floodedSeconds; // a busy machine leaves some out
     QTimer flood;
     connect(&flood, &QTimer::timeout, this, [&] {
+        floodedSeconds.insert((steadyNow() - begun) / 1s);
         QUdpSocket stranger; // each from another address
         for (const QByteArray &datagram : {otherVersion, announcement, heartbeat})
             stranger.writeDatagram(datagram, QHostAddress::LocalHost, port);
@@ -382,26 +385,31 @@ void AttackFlightTest::strangersCauseOneEventASecond()
             flight.attacker.toAgent(datagram);
         announcement[1] = static_cast<char>(announcement[1] + 1);
     });
+    const auto countKinds = [&flight] {
+        std::map<std::string, int> out;
+        for (const engine::Event &event : flight.ground.ears->events) {
+            if (const auto *refused = std::get_if<channel::HandshakeRefused>(&event))
+                ++out[refused->reason == channel::RefusalReason::UnknownPeer ? "unknown agent" : "refused"];
+            else if (std::holds_alternative<channel::ForgeryAlarm>(event))
+                ++out["forged"];
+            else if (std::holds_alternative<engine::PlaintextRefused>(event))
+                ++out["clear"];
+        }
+        return out;
+    };
     flood.start(4);
-    EVENTUALLY(steadyNow() >= begun + 6s);
+    constexpr std::size_t kKinds = 4;
+    EVENTUALLY(steadyNow() >= begun + 6s && (countKinds().size() == kKinds || steadyNow() >= begun + 20s));
     flood.stop();
     const double took = seconds(steadyNow() - begun);
-    std::map<std::string, int> kinds;
-    for (const engine::Event &event : flight.ground.ears->events) {
-        if (const auto *refused = std::get_if<channel::HandshakeRefused>(&event))
-            ++kinds[refused->reason == channel::RefusalReason::UnknownPeer ? "unknown agent" : "refused"];
-        else if (std::holds_alternative<channel::ForgeryAlarm>(event))
-            ++kinds["forged"];
-        else if (std::holds_alternative<engine::PlaintextRefused>(event))
-            ++kinds["clear"];
-    }
+    const std::map<std::string, int> kinds = countKinds();
     const auto lines = std::accumulate(kinds.begin(), kinds.end(), 0,
                                        [](int sum, const auto &kind) { return sum + kind.second; });
     HOLDS(lines <= took + 2, "strangers cause one event a second");
     HOLDS(static_cast<double>(flight.rig.agentEvents.size()) <= took + 2, "strangers cause one event a second");
     for (const char *kind : {"unknown agent", "refused", "forged", "clear"})
         QVERIFY2(kinds.contains(kind), kind); // no kind hides another
-    QVERIFY(static_cast<double>(flight.rig.agentEvents.size()) >= took - 2);
+    QVERIFY(flight.rig.agentEvents.size() + 2 >= floodedSeconds.size());
 }
 
 SKYSEAL_TEST(AttackFlightTest)
