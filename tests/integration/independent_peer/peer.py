@@ -82,12 +82,13 @@ class End:
             now = time.monotonic()
             if self._flood:
                 self._flood.aim(address, now)
-                self._flood.tick(now)  # ahead of the reply, also if this program was held up
             if self._flood is None or self._flood.is_on():
                 self._end.receive(datagram, address, now)
                 self._flush()
 
     def _flush(self):
+        if self._flood and self._end.out:
+            self._flood.tick(time.monotonic())  # ahead of what was computed, also if this program was held up meanwhile
         for datagram, address in self._end.out:
             try:
                 self._socket.sendto(datagram, address)
