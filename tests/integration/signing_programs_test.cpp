@@ -140,9 +140,11 @@ void SigningProgramsTest::wholeFlight()
     QVERIFY(!isArmedFor(true));
     {
         Program air(QStringLiteral("skyseal-air"), flight.airArguments(0, withKey));
-        Program monitor(
-            QStringLiteral("skyseal-cli"),
-            flight.monitorArguments({QStringLiteral("--do"), QStringLiteral("mode GUIDED; arm; wait armed==1 30")}));
+        // With the usual failsafe the vehicle disarms 5 s after the monitor has ended, while the stranger is watched.
+        Program monitor(QStringLiteral("skyseal-cli"),
+                        flight.monitorArguments({QStringLiteral("--do"),
+                                                 QStringLiteral("param FS_GCS_TIMEOUT 120; mode GUIDED; "
+                                                                "arm; wait armed==1 30")}));
         QVERIFY(!air.waitFor(QStringLiteral("vehicle_signing"),
                              [](const QJsonObject &event) {
                                  return event[QLatin1String("state")].toString() == QLatin1String("verified");
