@@ -387,7 +387,7 @@ void PairingTest::sendHeartbeats(Program &until, const char *event, const Progra
     QUdpSocket autopilot;
     QVERIFY(autopilot.bind(QHostAddress::LocalHost, 0));
     QJsonObject heard;
-    for (int i = 0; i < 100 && heard.isEmpty(); ++i) {
+    for (const QDeadlineTimer deadline(kDeadlineMs); heard.isEmpty() && !deadline.hasExpired();) {
         autopilot.writeDatagram(clearHeartbeat(1, 1, armed), QHostAddress::LocalHost, m_vehiclePort);
         autopilot.writeDatagram(clearHeartbeat(2, 1, false), QHostAddress::LocalHost,
                                 m_vehiclePort); // another one, on the ground
