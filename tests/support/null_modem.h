@@ -2,6 +2,8 @@
 // Runs in the test's event loop. Linux.
 #pragma once
 
+#include "tests/support/eventually.h"
+
 #include <QtCore/QSocketNotifier>
 #include <QtCore/QString>
 
@@ -11,6 +13,7 @@
 #include <memory>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -68,9 +71,13 @@ private:
             noise(from, bytes, static_cast<std::size_t>(size));
         for (ssize_t at = 0; at < size;) {
             const ssize_t done = ::write(m_masters[1 - from], bytes.data() + at, static_cast<std::size_t>(size - at));
-            if (done <= 0)
+            if (done > 0) {
+                at += done;
+                continue;
+            }
+            pollfd room{m_masters[1 - from], POLLOUT, 0}; // until the program at the other end has read
+            if (::poll(&room, 1, kDeadlineMs) <= 0 || !(room.revents & POLLOUT))
                 return;
-            at += done;
         }
     }
 
