@@ -49,7 +49,7 @@ void CarriersTest::tunnelThroughAHub()
     hub.setRemote(1, flight.groundPort);
     fly(flight, {loopback("udpout", hub.port(0)), loopback("udpin", flight.groundPort), QStringLiteral("tunnel")}, "tunnel");
     QVERIFY(hub.passed[385] > 300);
-    QVERIFY(hub.passed[0] > kSeconds - 4); // the agent's heartbeats
+    QVERIFY(hub.passed[0] > kSeconds / 2); // the agent's heartbeats, one a second
     QCOMPARE(hub.passed.size(), std::size_t(2));
     QCOMPARE(hub.unrouted.size(), std::size_t(0));
     QCOMPARE(hub.notMavlink, 0);
