@@ -120,6 +120,7 @@ void MqttBrokerTest::framesArePublishedWhereAskedFor()
             QVERIFY(frames > 100);
             continue;
         }
+        QVERIFY(!reader.waitFor("north/gateway/state", isState("offline")).topic.isEmpty()); // the last of the first gateway
         reader.messages.clear();
         for (int i = 0; i < 4; ++i)
             QVERIFY(!reader.waitFor("north/vehicle/1/state").topic.isEmpty());
