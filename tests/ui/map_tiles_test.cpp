@@ -6,6 +6,7 @@
 #include "ui/map/map_view.h"
 #include "window_rig.h"
 
+#include <QtCore/QTimer>
 #include <QtGui/QAction>
 #include <QtGui/QWheelEvent>
 #include <QtTest/QTest>
@@ -85,16 +86,17 @@ private Q_SLOTS:
         const QPointF under = map()->viewport().toMetres(pointer);
         const double before = map()->viewport().zoomLevel();
         int steps = 0;
-        QWheelEvent notch(pointer, map()->mapToGlobal(pointer), {}, {0, 240}, {}, {}, Qt::NoScrollPhase, false);
         double last = before;
+        QTimer look; // between any two other timers
+        connect(&look, &QTimer::timeout, this, [&] {
+            steps += map()->viewport().zoomLevel() != last;
+            last = map()->viewport().zoomLevel();
+        });
+        look.start(0);
+        QWheelEvent notch(pointer, map()->mapToGlobal(pointer), {}, {0, 240}, {}, {}, Qt::NoScrollPhase, false);
         QCoreApplication::sendEvent(map(), &notch);
-        EVENTUALLY([&] {
-            const double now = map()->viewport().zoomLevel();
-            steps += now != last;
-            last = now;
-            return qAbs(now - before - 1) < 1e-6;
-        }());
-        QVERIFY2(steps >= 3, qPrintable(QString::number(steps)));
+        EVENTUALLY(qAbs(last - before - 1) < 1e-6);
+        QVERIFY2(steps >= 2, qPrintable(QString::number(steps))); // many, unless the machine is busy; but not in one
         QVERIFY((map()->viewport().toPixels(under) - pointer).manhattanLength() < 1e-3);
     }
 

@@ -282,9 +282,15 @@ void SweepWindowTest::showsWhatItSaves()
     connect(&pulse, &QTimer::timeout, this, [&] { longest = std::max(longest, since.restart()); });
     pulse.start(20);
     since.start();
+    QStringList shown; // at the beginning of each run: a look now and then could miss one
+    const auto runs = connect(m_server.get(), &SweepInterface::runBegan, this, [&] { shown << status(); });
     run(*dialog);
     QVERIFY(!m_window->suites().action(SuiteId::Aes256Cbc)->isEnabled()); // the sweep's business now
-    EVENTUALLY(status().startsWith(q("Run 2 of 4")));
+    const auto secondWasShown = [&shown] {
+        return std::ranges::any_of(shown, [](const QString &text) { return text.startsWith(q("Run 2 of 4")); });
+    };
+    EVENTUALLY(secondWasShown());
+    disconnect(runs);
     picture("sweep-running");
     EVENTUALLY(!page().isRunning());
     pulse.stop();
@@ -351,15 +357,19 @@ void SweepWindowTest::overARadio()
     set(*dialog, "sweepClean", false);
     set(*dialog, "sweepRadio57600", true);
     picture("sweep-dialog-radio");
+    QString shown;
+    const auto runs = connect(m_server.get(), &SweepInterface::runBegan, this, [&] { shown = status(); });
     run(*dialog);
-    EVENTUALLY(status().startsWith(q("Run 1 of 1")));
-    QVERIFY2(status().contains(q("57,600 baud, 20 ms delay")), qPrintable(status()));
     EVENTUALLY(!page().isRunning());
+    disconnect(runs);
+    QVERIFY2(shown.startsWith(q("Run 1 of 1")) && shown.contains(q("57,600 baud, 20 ms delay")), qPrintable(shown));
     QVERIFY2(page().results()->complete, qPrintable(status()));
     const experiment::Sample &sample = page().results()->samples.front();
     QVERIFY2(sample.problem.empty(), sample.problem.c_str());
     const double rate = sample.values[experiment::Metric::WireRate];
-    QVERIFY2(rate > 1000 && rate < 5760 * 1.1, qPrintable(QString::number(rate))); // ten bits a byte
+    // 5,760 bytes a second; on a busy machine the relay delivers in bursts at the ends of the interval. Without the radio it is
+    // a thousand times as much.
+    QVERIFY2(rate > 1000 && rate < 9000, qPrintable(QString::number(rate)));
     auto *place = find<QComboBox>("sweepPlace");
     QVERIFY(place->isVisible() && place->currentText().contains(q("57,600 baud")));
 
