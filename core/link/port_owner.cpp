@@ -1,6 +1,7 @@
 #include "core/link/port_owner.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -34,11 +35,11 @@ static std::vector<std::string> socketsOf(PortKind kind, std::uint16_t port)
     return out;
 }
 
-std::string portOwner(PortKind kind, std::uint16_t port)
+std::optional<PortOwner> portOwner(PortKind kind, std::uint16_t port)
 {
     const std::vector<std::string> sockets = socketsOf(kind, port);
     if (sockets.empty())
-        return {};
+        return std::nullopt;
     // Processes may end meanwhile, and those of other users are not readable: skip failures.
     std::error_code error;
     for (fs::directory_iterator process("/proc", error), end; !error && process != end; process.increment(error)) {
@@ -54,10 +55,16 @@ std::string portOwner(PortKind kind, std::uint16_t port)
             std::string name;
             std::ifstream comm(process->path() / "comm");
             std::getline(comm, name);
-            return name.empty() ? name : name.append(" (process ").append(pid).append(")");
+            return name.empty() ? std::nullopt : std::optional(PortOwner{name, std::strtoll(pid.c_str(), nullptr, 10)});
         }
     }
-    return {};
+    return std::nullopt;
+}
+
+std::string portOwnerText(PortKind kind, std::uint16_t port)
+{
+    const auto owner = portOwner(kind, port);
+    return owner ? owner->name + " (process " + std::to_string(owner->process) + ")" : std::string();
 }
 
 } // namespace skyseal::link

@@ -1,14 +1,24 @@
-// Finds the program that holds a port, for the error "in use". Best effort: Linux shows only programs of the same user.
+// Finds the program that holds a port of this machine, for the error "in use" and for measurements beside it. Best effort:
+// Linux shows only programs of the same user.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace skyseal::link {
 
 enum class PortKind : std::uint8_t { Udp, Tcp };
 
-/// Returns "skyseal (process 1234)", or an empty text when it cannot be found. Slow, since it reads /proc.
-std::string portOwner(PortKind kind, std::uint16_t port);
+struct PortOwner
+{
+    std::string name; ///< "skyseal"
+    std::int64_t process = 0;
+};
+
+/// A TCP port has to be listened on. nullopt when the owner cannot be found. Slow, since it reads /proc.
+std::optional<PortOwner> portOwner(PortKind kind, std::uint16_t port);
+/// "skyseal (process 1234)", or an empty text.
+std::string portOwnerText(PortKind kind, std::uint16_t port);
 
 } // namespace skyseal::link

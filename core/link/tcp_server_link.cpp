@@ -57,7 +57,7 @@ void TcpServerLink::listen(std::optional<Address> address)
     if (!m_server.listen(dualStack ? QHostAddress(QHostAddress::Any) : toQt(*address), address->port)) {
         LinkError error = socketError(m_server.serverError(), m_server.errorString(), toText(*address));
         if (error.code == LinkErrorCode::PortInUse)
-            error.detail = portOwner(PortKind::Tcp, address->port);
+            error.detail = portOwnerText(PortKind::Tcp, address->port);
         setState(LinkState::Failed, std::move(error));
         return;
     }

@@ -66,7 +66,7 @@ void UdpLink::use(const Address &address)
         const Address any = isIpv4(address) ? ipv4(0, 0) : Address{};
         if (auto failed = socket->bind(listening ? address : any, options().receiveBufferBytes)) {
             if (failed->code == LinkErrorCode::PortInUse)
-                failed->detail = portOwner(PortKind::Udp, address.port);
+                failed->detail = portOwnerText(PortKind::Udp, address.port);
             setState(LinkState::Failed, std::move(*failed));
             return;
         }
