@@ -125,6 +125,7 @@ void LaunchedSweep::takeLine(const QByteArray &line)
         m_launch.problem = object[QLatin1String("problem")].toString().toStdString();
         m_opened = m_opened || object[QLatin1String("opened")].toBool();
         m_results.placement = object[QLatin1String("placement")].toString().toStdString();
+        m_results.source = object[QLatin1String("source")].toString().toStdString();
         return;
     }
     if (event != QLatin1String("run"))

@@ -98,12 +98,33 @@ int conclude(const experiment::Results &results, const SweepOptions &options)
     return hold && isPrecise && failed.empty() && invalid.empty() && ended.empty() ? kDone : kNotReached;
 }
 
+/// Of two sweeps that are compared, it must be the same.
+std::string messageMix(const SweepOptions &options)
+{
+    if (options.link)
+        return "that of the vehicle on " + options.link->toText();
+    if (!options.vehicle)
+        return "that of the simulated vehicle of this version";
+    return "the streams that a station requests of an autopilot, "
+        + (options.flight.exists() ? "in the flight '" + options.flight.script + "'"
+                                   : std::string("in the state in which it is"));
+}
+
 /// `Sweep`: a SweepRunner, or a LaunchedSweep. Returns the exit status.
 template<typename Sweep>
 int carryOut(Sweep &sweep, const SweepOptions &options, const experiment::Setting &setting, experiment::HeapFigures &heap)
 {
     StopSignals signals;
     QObject::connect(&signals, &StopSignals::stopRequested, &sweep, &Sweep::cancel);
+    if (options.flight.exists()) {
+        signals.takeReload(); // a terminal that is closed
+        QObject::connect(&signals, &StopSignals::reloadRequested, &sweep, &Sweep::cancel);
+        for (const auto stop : {&StopSignals::stopRequested, &StopSignals::reloadRequested})
+            QObject::connect(&signals, stop, qApp, [] {
+                remark("the vehicle is brought down first; a second signal ends the sweep at once and leaves the vehicle "
+                       "in the air");
+            });
+    }
     QObject::connect(&sweep, &Sweep::sampleTaken, qApp, [&](const experiment::Sample &sample) {
         if (options.json)
             printLine(experiment::runEvent(options.plan, sample, sweep.runs(), sweep.remaining()));
@@ -150,7 +171,7 @@ int runSweep(const QStringList &arguments)
         auto made = experiment::Lab::create({programPath(QStringLiteral("skyseal-sim")),
                                              programPath(QStringLiteral("skyseal-air")),
                                              QCoreApplication::applicationFilePath()},
-                                            random);
+                                            random, options.vehicle);
         if (!made) {
             complain(kName, made.error().text());
             return kCannotOpen;
@@ -164,9 +185,7 @@ int runSweep(const QStringList &arguments)
     if (!options.seedGiven)
         command += QStringLiteral(" --seed %1").arg(options.plan.seed); // the command line that repeats this sweep
     experiment::Setting setting = describeSetting(SKYSEAL_CLI_VERSION, command);
-    setting.emplace_back("message_mix",
-                         options.link ? "that of the vehicle on " + options.link->toText()
-                                      : "that of the simulated vehicle of this version");
+    setting.emplace_back("message_mix", messageMix(options));
     for (const std::string &warning : experiment::warningsOf(setting))
         remark(warning);
     if (options.plan.launches > 1) {
@@ -180,7 +199,7 @@ int runSweep(const QStringList &arguments)
         LaunchedSweep sweep(options.plan, QCoreApplication::applicationFilePath(), arguments, std::move(enough));
         return carryOut(sweep, options, setting, heap);
     }
-    experiment::SweepRunner sweep({options.plan, *link, station, lab.get(), &heap});
+    experiment::SweepRunner sweep({options.plan, *link, station, lab.get(), &heap, options.flight});
     return carryOut(sweep, options, setting, heap);
 }
 

@@ -21,6 +21,14 @@ void declare(Options &options)
 {
     options.addLink("link", "Link to the vehicle's agent. Without it a simulator and an agent are started for the sweep.",
                     isLive);
+    options.addLink("vehicle",
+                    "Link to an autopilot that runs already, such as tcp:127.0.0.1:5760, a serial port or udpin:14560, beside "
+                    "which the sweep starts its own agent and impairments.",
+                    isLive);
+    options.addValue("fly", "SCRIPT",
+                     "With --vehicle: a flight script, as of monitor --do, that each repeat flies. All suites are measured "
+                     "before its landing (land, rtl, disarm), or in each phase that a '|' between two steps marks. However "
+                     "the sweep ends, the vehicle lands and is disarmed first.");
     options.addValue("identity", "FILE", "With --link: private key of this station.");
     options.addValue("peers", "FILE", "With --link: file of known peers, the agents of the vehicles.");
     options.addResearchFlag("allow-research", "With --link: also measure insecure research suites.");
@@ -46,7 +54,8 @@ void declare(Options &options)
         "Seed of the order of runs and of the impairment, to repeat a sweep. Default: drawn at random and recorded.");
     options.addValue(
         "load", "LIST",
-        "natural: the streams that a station requests; saturated: as fast as possible. Default: both, with --link natural.");
+        "natural: the streams that a station requests; saturated: as fast as possible. Default: both; with --link or --vehicle "
+        "natural.");
     options.addValue("impair", "SPEC",
                      "Link condition: clean, or loss=, duplicate=, reorder=, corrupt=, delay=, jitter=, rate=, separated by "
                      "commas. May be given several times.");
@@ -126,9 +135,9 @@ std::vector<crypto::SuiteId> readSuites(Options &options, bool ownAgent)
     return suites;
 }
 
-void readLoads(Options &options, bool ownAgent, experiment::Plan &plan)
+void readLoads(Options &options, bool ownVehicle, experiment::Plan &plan)
 {
-    const std::string text = options.has("load") ? options.text("load") : ownAgent ? "natural,saturated" : "natural";
+    const std::string text = options.has("load") ? options.text("load") : ownVehicle ? "natural,saturated" : "natural";
     if (text == "natural")
         plan.loads = {Load::Natural};
     else if (text == "saturated")
@@ -137,8 +146,8 @@ void readLoads(Options &options, bool ownAgent, experiment::Plan &plan)
         plan.loads = {Load::Natural, Load::Saturated};
     else
         options.fail("--load '" + text + "': natural, saturated or natural,saturated is expected");
-    if (!ownAgent && plan.loads != std::vector{Load::Natural})
-        options.fail("--load saturated: not with --link, since that vehicle sets its own rates");
+    if (!ownVehicle && plan.loads != std::vector{Load::Natural})
+        options.fail("--load saturated: not with --link or --vehicle, since that vehicle sets its own rates");
 }
 
 void readConditions(Options &options, bool ownAgent, experiment::Plan &plan)
@@ -169,7 +178,7 @@ std::vector<channel::Framing> readFramings(Options &options)
 void readPlan(Options &options, bool ownAgent, experiment::Plan &plan)
 {
     const std::vector<crypto::SuiteId> suites = readSuites(options, ownAgent);
-    readLoads(options, ownAgent, plan);
+    readLoads(options, ownAgent && !options.has("vehicle"), plan);
     readConditions(options, ownAgent, plan);
     plan.measure = inSeconds(options.number("seconds", 0.2, 3600));
     plan.warmUp = inSeconds(options.number("warm-up", 0, 600));
@@ -181,6 +190,26 @@ void readPlan(Options &options, bool ownAgent, experiment::Plan &plan)
     plan.arms = experiment::armsOf(suites, readFramings(options), noise && !options.has("no-noise"));
     if (std::none_of(plan.arms.begin(), plan.arms.end(), experiment::exists))
         options.fail("--suites: none of them supports this framing");
+}
+
+void readVehicle(Options &options, SweepOptions &out)
+{
+    if (options.has("vehicle")) {
+        if (options.has("link"))
+            options.fail("--vehicle: not with --link, whose agent has its vehicle");
+        out.vehicle = options.url("vehicle", link::LinkUrl::kLoopback);
+    }
+    if (!options.has("fly"))
+        return;
+    if (!options.has("vehicle"))
+        options.fail("--fly requires --vehicle");
+    auto flight = experiment::parseFlightPlan(options.text("fly"));
+    if (!flight)
+        return options.fail("--fly: " + flight.error().message);
+    out.flight = std::move(*flight);
+    out.plan.flight = out.flight.script;
+    out.plan.phases = out.flight.phases();
+    out.plan.repeats *= out.plan.phases; // of flights
 }
 
 /// The required precision, and the greatest number of launches for it.
@@ -231,6 +260,7 @@ std::optional<int> readSweepOptions(const QString &name, const QStringList &argu
     out.station.policy.allowResearch = ownAgent || options.has("allow-research");
     out.station.policy.allowPlain = ownAgent || options.has("allow-plain");
     readPlan(options, ownAgent, out.plan);
+    readVehicle(options, out);
     readExpectations(options, out);
     readGoal(options, out);
     out.seedGiven = options.has("seed");

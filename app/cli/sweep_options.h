@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/engine/station/station_config.h"
+#include "core/experiment/flight_plan.h"
 #include "core/experiment/plan.h"
 #include "core/experiment/verdicts.h"
 #include "core/link/link_url.h"
@@ -16,7 +17,10 @@ namespace skyseal::app {
 struct SweepOptions
 {
     experiment::Plan plan;
-    std::optional<link::LinkUrl> link; ///< empty: the sweep's own simulator and agent
+    std::optional<link::LinkUrl> link; ///< empty: the sweep's own agent
+    std::optional<link::LinkUrl>
+        vehicle;                   ///< of that agent, to an autopilot that runs already; empty: the sweep's own simulator
+    experiment::FlightPlan flight; ///< only with `vehicle`
     engine::StationConfig station;
     std::vector<experiment::Expectation> expectations;
     QString folder;              ///< empty: no files

@@ -316,6 +316,10 @@ std::string settingTable(const Results &results)
              + readable(seconds(plan.warmUp)) + " s of warm-up each; the sweep took " + readable(results.seconds) + " s");
     if (!results.placement.empty())
         line("placement", results.placement);
+    if (!results.source.empty())
+        line("vehicle", results.source);
+    if (!plan.flight.empty())
+        line("flight", plan.flight + ", repeated; each of its phases (" + std::to_string(plan.phases) + ") is a block of runs");
     line("framing", framingText(plan));
     for (const Condition &condition : plan.conditions)
         line("link",
@@ -325,6 +329,16 @@ std::string settingTable(const Results &results)
     for (const auto &[key, value] : results.setting)
         line(key, value);
     return out + "</table>\n";
+}
+
+/// "2"; "2 (flight 1, phase 2)".
+std::string repeatText(const Plan &plan, const Run &run)
+{
+    std::string out = std::to_string(run.repeat + 1);
+    if (!plan.flight.empty())
+        out += " (flight " + std::to_string(run.repeat / plan.phases + 1) + ", phase " + std::to_string(phaseOf(plan, run) + 1)
+            + ")";
+    return out;
 }
 
 std::string rawTable(const Results &results)
@@ -338,7 +352,7 @@ std::string rawTable(const Results &results)
         std::vector<std::string> cells{
             std::to_string(sample.order + 1),           placeText(results.plan, sample.run.condition, sample.run.load),
             armText(results.plan.arms[sample.run.arm]), std::string(framingName(results.plan.arms[sample.run.arm])),
-            std::to_string(sample.run.launch + 1),      std::to_string(sample.run.repeat + 1)};
+            std::to_string(sample.run.launch + 1),      repeatText(results.plan, sample.run)};
         for (const Metric metric : shown)
             cells.push_back(readable(sample.values[metric]));
         out += row(cells);

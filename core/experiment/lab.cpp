@@ -4,6 +4,8 @@
 #include "core/crypto/x25519.h"
 #include "core/keys/peers_file.h"
 #include "core/keys/secret_file.h"
+#include "core/link/steady_now.h"
+#include "core/metrics/process_usage.h"
 
 #include <QtCore/QFileInfo>
 #include <QtNetwork/QUdpSocket>
@@ -12,6 +14,7 @@
 #ifdef Q_OS_LINUX
 #include <csignal>
 #include <sys/prctl.h>
+#include <unistd.h>
 #endif
 
 namespace skyseal::experiment {
@@ -61,10 +64,22 @@ QStringList relayArguments(const impair::ImpairmentSettings &settings)
             QStringLiteral("--rate"),     QString::number(settings.baud)};
 }
 
+/// The program at the other end of the link; nullopt for one that calls us, is behind a serial line, or runs elsewhere.
+std::optional<link::PortOwner> programBehind(const link::LinkUrl &vehicle)
+{
+    const bool isHere = vehicle.host() == "localhost" || QHostAddress(QString::fromStdString(vehicle.host())).isLoopback();
+    if (vehicle.isListening() || !isHere)
+        return std::nullopt;
+    return link::portOwner(vehicle.traits().isStream ? link::PortKind::Tcp : link::PortKind::Udp, vehicle.port());
+}
+
 } // namespace
 
-Lab::Lab(LabPrograms programs) : m_programs(std::move(programs))
+Lab::Lab(LabPrograms programs, std::optional<link::LinkUrl> vehicle)
+    : m_programs(std::move(programs)), m_vehicle(std::move(vehicle)), m_placement(placementHere())
 {
+    if (m_vehicle)
+        m_placement.simulator.reset(); // the autopilot is not ours to place
     const std::array<quint16, 3> ports = freePorts();
     m_vehiclePort = ports[0];
     m_relayPort = ports[1];
@@ -82,6 +97,7 @@ Lab::Lab(LabPrograms programs) : m_programs(std::move(programs))
                                                                 : m_placement.relay;
         process->setChildProcessModifier([core] {
             ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+            ::setpgid(0, 0); // Ctrl+C is for this process, which needs its agent to end in good order
             if (core)
                 runOnCore(*core);
         });
@@ -89,14 +105,16 @@ Lab::Lab(LabPrograms programs) : m_programs(std::move(programs))
     }
 }
 
-Result<std::unique_ptr<Lab>, InputError> Lab::create(LabPrograms programs, RandomSource &random)
+Result<std::unique_ptr<Lab>, InputError> Lab::create(LabPrograms programs, RandomSource &random,
+                                                     std::optional<link::LinkUrl> vehicle)
 {
     for (const auto &[path, name] : {std::pair(programs.simulator, "skyseal-sim"), std::pair(programs.agent, "skyseal-air"),
                                      std::pair(programs.relay, "skyseal-cli")}) {
-        if (!QFileInfo(path).isExecutable())
+        const bool isNeeded = !vehicle || path != programs.simulator;
+        if (isNeeded && !QFileInfo(path).isExecutable())
             return tl::unexpected(InputError{"is neither in the folder of this program nor on the PATH", name});
     }
-    std::unique_ptr<Lab> lab(new Lab(std::move(programs)));
+    std::unique_ptr<Lab> lab(new Lab(std::move(programs), std::move(vehicle)));
     if (!lab->m_folder.isValid())
         return tl::unexpected(InputError{lab->m_folder.errorString().toStdString(), lab->m_folder.path().toStdString()});
     const auto station = keys::writeNewIdentity(lab->file("station.key").toStdString(), random);
@@ -132,7 +150,8 @@ void Lab::start(Load load, const Condition &condition, std::uint64_t seed)
                            QString::number(seed)}
                    + relayArguments(condition.settings));
     }
-    QStringList agent{QStringLiteral("--vehicle"),  loopback("udpin", m_vehiclePort),
+    const QString vehicle = m_vehicle ? QString::fromStdString(m_vehicle->toText()) : loopback("udpin", m_vehiclePort);
+    QStringList agent{QStringLiteral("--vehicle"),  vehicle,
                       QStringLiteral("--ground"),   loopback("udpout", condition.clean() ? m_groundPort : m_relayPort),
                       QStringLiteral("--identity"), file("air.key"),
                       QStringLiteral("--peers"),    file("air.peers"),
@@ -140,12 +159,39 @@ void Lab::start(Load load, const Condition &condition, std::uint64_t seed)
     if (kResearch)
         agent << QStringLiteral("--allow-research") << QStringLiteral("--allow-plain") << QStringLiteral("--allow-inline");
     launch(m_agent, m_programs.agent, agent);
+    if (m_vehicle) {
+        m_autopilot = programBehind(*m_vehicle);
+        return;
+    }
     QStringList simulator{QStringLiteral("--link"),    loopback("udpout", m_vehiclePort), QStringLiteral("--seed"),
                           QString::number(seed),       QStringLiteral("--json"),          QStringLiteral("--rate"),
                           QString::number(kFlightRate)};
     if (load == Load::Saturated)
         simulator << QStringLiteral("--saturate");
     launch(m_simulator, m_programs.simulator, simulator);
+}
+
+ProgramUsage Lab::usage() const
+{
+    ProgramUsage out;
+    out.at = steadyNow();
+    out.agentCpu = metrics::processCpuTime(m_agent.processId());
+    out.simulatorCpu = metrics::processCpuTime(m_simulator.processId());
+    out.relayCpu = metrics::processCpuTime(m_relay.processId());
+    if (m_autopilot)
+        out.autopilotCpu = metrics::processCpuTime(m_autopilot->process);
+    out.agentMemory = metrics::residentBytes(m_agent.processId());
+    out.agentSwitches = metrics::contextSwitches(m_agent.processId());
+    return out;
+}
+
+std::string Lab::sourceText() const
+{
+    if (!m_vehicle)
+        return "the sweep's own simulator (skyseal-sim)";
+    return "the autopilot on " + m_vehicle->toText()
+        + (m_autopilot ? ", " + m_autopilot->name + ", whose CPU load is autopilot_cpu"
+                       : ", whose process was not found on this machine: autopilot_cpu is empty");
 }
 
 void Lab::launch(QProcess &process, const QString &program, const QStringList &arguments)
@@ -169,7 +215,7 @@ void Lab::stop()
     m_stopping = false;
 }
 
-void Lab::reportEnd(const QProcess &process)
+void Lab::reportEnd(QProcess &process)
 {
     if (m_stopping)
         return;
@@ -177,7 +223,9 @@ void Lab::reportEnd(const QProcess &process)
     const QString how = process.error() == QProcess::FailedToStart ? process.errorString()
         : process.exitStatus() == QProcess::CrashExit              ? QStringLiteral("it was killed or crashed")
                                                                    : QStringLiteral("exit status %1").arg(process.exitCode());
-    Q_EMIT ended(QStringLiteral("%1 ended by itself: %2").arg(name, how));
+    const QByteArray said = process.readAllStandardError().trimmed().split('\n').last();
+    Q_EMIT ended(QStringLiteral("%1 ended by itself: %2%3")
+                     .arg(name, how, said.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(QString::fromUtf8(said))));
 }
 
 } // namespace skyseal::experiment

@@ -1,13 +1,16 @@
-// The far end of a sweep without a given link: a simulated vehicle, the real agent and, for an impaired link, a relay. Each is
-// a separate process, with fresh keys in a temporary folder, so that the measured process contains none of them. Lives on the
-// thread of its owner.
+// The far end of a sweep without a given link: a simulated vehicle or an autopilot that runs already, the real agent and, for
+// an impaired link, a relay. Each is a separate process, with fresh keys in a temporary folder, so that the measured process
+// contains none of them. Lives on the thread of its owner.
 #pragma once
 
 #include "core/base/random_source.h"
 #include "core/base/result.h"
 #include "core/engine/station/station_config.h"
+#include "core/experiment/measurement.h"
 #include "core/experiment/placement.h"
 #include "core/experiment/plan.h"
+#include "core/link/link_url.h"
+#include "core/link/port_owner.h"
 
 #include <QtCore/QObject>
 #include <QtCore/QProcess>
@@ -30,7 +33,9 @@ class Lab : public QObject
     Q_OBJECT
 
 public:
-    static Result<std::unique_ptr<Lab>, InputError> create(LabPrograms programs, RandomSource &random);
+    /// `vehicle`: the agent's link to an autopilot that runs already; nullopt: the lab starts the simulator.
+    static Result<std::unique_ptr<Lab>, InputError> create(LabPrograms programs, RandomSource &random,
+                                                           std::optional<link::LinkUrl> vehicle = std::nullopt);
     ~Lab() override;
 
     engine::KeyPaths stationKeys() const;
@@ -40,10 +45,12 @@ public:
     /// since it is reachable on loopback only.
     void start(Load load, const Condition &condition, std::uint64_t seed);
     void stop();
-    /// Process ids; 0 for a program that does not run.
-    qint64 agentProcess() const { return m_agent.processId(); }
-    qint64 simulatorProcess() const { return m_simulator.processId(); }
-    qint64 relayProcess() const { return m_relay.processId(); }
+    /// What the kernel says of the programs now.
+    ProgramUsage usage() const;
+    /// The autopilot that runs already; nullopt where the lab starts the simulator.
+    const std::optional<link::LinkUrl> &vehicle() const { return m_vehicle; }
+    /// What the vehicle is, for a report: "the sweep's own simulator", or the link and whether its process was found.
+    std::string sourceText() const;
     /// Which core each program runs on. The owner of the station places that.
     const Placement &placement() const { return m_placement; }
 
@@ -52,14 +59,16 @@ Q_SIGNALS:
     void ended(const QString &problem);
 
 private:
-    explicit Lab(LabPrograms programs);
+    Lab(LabPrograms programs, std::optional<link::LinkUrl> vehicle);
 
     void launch(QProcess &process, const QString &program, const QStringList &arguments);
-    void reportEnd(const QProcess &process);
+    void reportEnd(QProcess &process);
     QString file(const char *name) const { return m_folder.filePath(QLatin1String(name)); }
 
     LabPrograms m_programs;
-    const Placement m_placement = placementHere();
+    const std::optional<link::LinkUrl> m_vehicle;
+    Placement m_placement;
+    std::optional<link::PortOwner> m_autopilot; ///< where its process was found on this machine
     QTemporaryDir m_folder;
     QProcess m_simulator, m_agent, m_relay;
     quint16 m_vehiclePort, m_relayPort, m_groundPort;

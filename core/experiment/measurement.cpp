@@ -155,8 +155,10 @@ void addCircumstances(Values &out, const Reading &begin, const Reading &end, dou
     }
     out[Metric::SimulatorCpu] = load(from.simulatorCpu, to.simulatorCpu, time);
     out[Metric::RelayCpu] = load(from.relayCpu, to.relayCpu, time);
+    out[Metric::AutopilotCpu] = load(from.autopilotCpu, to.autopilotCpu, time);
     double other = load(begin.machine.busy, end.machine.busy, time) - out[Metric::CpuProcess];
-    for (const double own : {load(from.agentCpu, to.agentCpu, time), out[Metric::SimulatorCpu], out[Metric::RelayCpu]})
+    for (const double own :
+         {load(from.agentCpu, to.agentCpu, time), out[Metric::SimulatorCpu], out[Metric::RelayCpu], out[Metric::AutopilotCpu]})
         other -= std::isnan(own) ? 0 : own;
     out[Metric::OtherCpu] = std::isnan(other) ? other : std::max(0.0, other);
     out[Metric::Steal] = load(begin.machine.stolen, end.machine.stolen, time);

@@ -30,7 +30,7 @@ std::optional<AgentCostReport> agentCostReport(const engine::SessionSnapshot &se
 struct ProgramUsage
 {
     TimePoint at{};
-    std::optional<Duration> agentCpu, simulatorCpu, relayCpu;
+    std::optional<Duration> agentCpu, simulatorCpu, relayCpu, autopilotCpu;
     std::optional<std::uint64_t> agentMemory;
     std::optional<metrics::ContextSwitches> agentSwitches;
 };

@@ -267,12 +267,21 @@ constexpr std::array<MetricInfo, kMetrics> kTable{{
      .unit = "%",
      .description = "CPU time of the relay of an impaired link, percent of one core",
      .explains = true},
+    {.metric = Metric::AutopilotCpu,
+     .key = "autopilot_cpu",
+     .title = "CPU load, autopilot",
+     .unit = "%",
+     .description =
+         "CPU time of the autopilot beside which the sweep ran, percent of one core; empty if its process was not found "
+         "on this machine",
+     .explains = true},
     {.metric = Metric::OtherCpu,
      .key = "other_cpu",
      .title = "CPU load, other programs",
      .unit = "%",
      .description =
-         "CPU time of this machine that was used neither by the measuring program nor by programs that the sweep started, "
+         "CPU time of this machine that was used neither by the measuring program, nor by programs that the sweep started or "
+         "the autopilot, "
          "percent of one core; exact to the ticks of the kernel's clock on each core",
      .explains = true},
     {.metric = Metric::Steal,

@@ -55,6 +55,7 @@ enum class Metric : std::uint8_t {
     AgentPreemptions,
     SimulatorCpu,
     RelayCpu,
+    AutopilotCpu,
     OtherCpu,
     Steal,
     Frequency,

@@ -67,7 +67,7 @@ std::string Placement::text() const
     if (!station)
         return "left to the system: " + std::to_string(usable) + " usable cores are too few for one each";
     return "station's I/O thread on core " + std::to_string(*station) + "; agent on core " + std::to_string(*agent)
-        + "; simulator on core " + std::to_string(*simulator) + "; relay on core " + std::to_string(*relay);
+        + (simulator ? "; simulator on core " + std::to_string(*simulator) : "") + "; relay on core " + std::to_string(*relay);
 }
 
 Placement placementOn(const std::vector<int> &cores)

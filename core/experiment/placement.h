@@ -10,8 +10,9 @@ namespace skyseal::experiment {
 
 struct Placement
 {
-    std::optional<int> station, agent, simulator, relay; ///< numbers of cores; all empty: left to the system
-    int usable = 0;                                      ///< cores that this process may use
+    std::optional<int> station, agent, simulator,
+        relay;      ///< numbers of cores; all empty: left to the system; the simulator's alone: there is none
+    int usable = 0; ///< cores that this process may use
 
     /// "station's I/O thread on core 0; agent on core 1; …", or why there is none. Without a comma.
     std::string text() const;

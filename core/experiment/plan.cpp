@@ -210,6 +210,11 @@ std::vector<Run> schedule(const Plan &plan)
     return out;
 }
 
+unsigned phaseOf(const Plan &plan, const Run &run)
+{
+    return run.repeat % plan.phases;
+}
+
 std::uint64_t seedOf(const Plan &plan, unsigned launch)
 {
     if (launch == 0)

@@ -67,7 +67,9 @@ struct Plan
     Duration measure = std::chrono::seconds(5); ///< of each run
     Duration warmUp = std::chrono::seconds(2);  ///< before each, not measured; four times as long before the first of a block
     unsigned launches = 1;                      ///< how often all programs start anew
-    unsigned repeats = 3;                       ///< of each arm within each launch, condition and load
+    unsigned repeats = 3;                       ///< of each arm within each launch, condition and load: with flights, phases
+    std::string flight = {};                    ///< script of the flight that is repeated; empty: none
+    unsigned phases = 1;                        ///< of each flight, one block of runs each
     std::uint64_t seed = 1;
     double margin = 0.03; ///< a smaller relative difference has no practical effect; claims are judged by it
 };
@@ -87,6 +89,9 @@ struct Run
 /// changing these restarts programs as well. There each repeat is a block that contains every existing arm once, in a random
 /// order of its own, so that slow drift affects all arms alike. The same seed gives the same order on every machine.
 std::vector<Run> schedule(const Plan &plan);
+
+/// The phase of the flight in which the run is measured, from 0.
+unsigned phaseOf(const Plan &plan, const Run &run);
 
 /// With this seed, a plan of one launch is that launch of `plan`.
 std::uint64_t seedOf(const Plan &plan, unsigned launch);

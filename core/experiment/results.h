@@ -50,6 +50,7 @@ struct Results
     Plan plan;
     Setting setting;
     std::string placement; ///< which core each program ran on; empty if the sweep started none
+    std::string source;    ///< what the vehicle is: the sweep's own simulator, or which one on which link; empty if not known
     std::vector<Sample> samples;
     std::map<crypto::SuiteId, double> contextBytes; ///< heap of one keyed cipher, for each suite where it was measured
     bool complete = false;                          ///< false: cancelled or given up

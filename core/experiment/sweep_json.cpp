@@ -60,6 +60,8 @@ void writePlan(JsonWriter &json, const Plan &plan)
     json.field("seconds", seconds(plan.measure)).field("warm_up_seconds", seconds(plan.warmUp));
     json.field("launches", std::uint64_t(plan.launches)).field("margin", plan.margin);
     json.field("repeats", std::uint64_t(plan.repeats)).field("seed", std::to_string(plan.seed));
+    if (!plan.flight.empty())
+        json.field("flight", plan.flight).field("phases", std::uint64_t(plan.phases));
     json.key("arms").beginArray();
     for (const SweepArm &one : plan.arms) {
         json.beginObject();
@@ -101,7 +103,10 @@ void writeSample(JsonWriter &json, const Plan &plan, const Sample &sample)
     place(json, plan, sample.run.condition, sample.run.load);
     arm(json, plan.arms[sample.run.arm]);
     json.field("launch", std::uint64_t(sample.run.launch));
-    json.field("repeat", std::uint64_t(sample.run.repeat)).field("start", sample.start).field("seconds", sample.seconds);
+    json.field("repeat", std::uint64_t(sample.run.repeat));
+    if (!plan.flight.empty())
+        json.field("phase", std::uint64_t(phaseOf(plan, sample.run)));
+    json.field("start", sample.start).field("seconds", sample.seconds);
     if (!sample.problem.empty())
         json.field("problem", sample.problem);
     json.field("valid", sample.isValid()).field("attempts", std::uint64_t(sample.attempts));
@@ -205,6 +210,8 @@ std::string sweepJson(const Results &results, const std::vector<Verdict> &verdic
     json.endArray();
     if (!results.placement.empty())
         json.field("placement", results.placement);
+    if (!results.source.empty())
+        json.field("source", results.source);
     writePlan(json, plan);
     json.key("context_bytes").beginObject();
     for (const auto &[suite, bytes] : results.contextBytes)
@@ -285,10 +292,10 @@ std::string ratiosCsv(const Results &results)
 
 std::string sweepCsv(const Results &results)
 {
-    std::string out = "order,condition,load,suite,framing,again,launch,repeat,start,seconds";
+    std::string out = "order,condition,load,suite,framing,again,launch,repeat,phase,start,seconds";
     for (const MetricInfo &metric : metrics())
         out.append(",").append(metric.key);
-    out += ",valid,attempts,invalid,disturbances,problem\n";
+    out += ",valid,attempts,invalid,disturbances,problem,source\n";
     for (const Sample &sample : results.samples) {
         const Plan &plan = results.plan;
         const SweepArm &one = plan.arms[sample.run.arm];
@@ -296,14 +303,16 @@ std::string sweepCsv(const Results &results)
         out.append(name(plan.loads[sample.run.load])).append(",").append(crypto::suiteInfo(one.suite).name);
         out.append(",").append(framingName(one));
         out += std::string(one.again ? ",1," : ",0,") + std::to_string(sample.run.launch) + ","
-            + std::to_string(sample.run.repeat) + "," + csvNumber(sample.start) + "," + csvNumber(sample.seconds);
+            + std::to_string(sample.run.repeat) + ","
+            + (plan.flight.empty() ? std::string() : std::to_string(phaseOf(plan, sample.run))) + "," + csvNumber(sample.start)
+            + "," + csvNumber(sample.seconds);
         for (const MetricInfo &metric : metrics())
             out += "," + csvNumber(sample.values[metric.metric]);
         out += std::string(sample.isValid() ? ",1," : ",0,") + std::to_string(sample.attempts);
         std::string disturbed;
         for (const std::string &text : disturbances(sample))
             disturbed += (disturbed.empty() ? "" : "; ") + text;
-        for (const std::string &text : {sample.invalid, disturbed, sample.problem})
+        for (const std::string &text : {sample.invalid, disturbed, sample.problem, results.source})
             out += "," + (text.empty() ? std::string() : csvText(text));
         out += "\n";
     }
@@ -325,6 +334,8 @@ std::string endEvent(const Results &results, bool opened, const std::string &pro
     json.field("duration", results.seconds);
     if (!results.placement.empty())
         json.field("placement", results.placement);
+    if (!results.source.empty())
+        json.field("source", results.source);
     if (!problem.empty())
         json.field("problem", problem);
     return json.endObject().text();

@@ -105,6 +105,8 @@ Result<Plan, InputError> planOf(const QJsonObject &object)
     out.warmUp = durationOf(object[q("warm_up_seconds")]);
     out.repeats = static_cast<unsigned>(std::clamp<qint64>(object[q("repeats")].toInteger(), 1, kMostRepeats));
     out.launches = static_cast<unsigned>(std::clamp<qint64>(object[q("launches")].toInteger(1), 1, kMostRepeats));
+    out.flight = textOf(object[q("flight")]);
+    out.phases = static_cast<unsigned>(std::clamp<qint64>(object[q("phases")].toInteger(1), 1, kMostRepeats));
     if (out.measure <= Duration::zero() || qint64(out.repeats) * out.launches > kMostSamples)
         return tl::unexpected(wrong("its plan has no duration, or too many runs"));
     if (const double margin = object[q("margin")].toDouble(out.margin); margin > 0 && margin < 1)
@@ -207,6 +209,7 @@ Result<ReadSweep, InputError> readSweep(const QByteArray &json)
     results.plan = std::move(*plan);
     results.setting = settingOf(report);
     results.placement = textOf(report[q("placement")]);
+    results.source = textOf(report[q("source")]);
     results.complete = report[q("complete")].toBool();
     results.seconds = report[q("duration")].toDouble();
     const QJsonObject contexts = report[q("context_bytes")].toObject();

@@ -3,7 +3,6 @@
 #include "core/engine/station/snapshot.h"
 #include "core/experiment/statistics.h"
 #include "core/link/steady_now.h"
-#include "core/metrics/process_usage.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,14 +32,7 @@ std::function<ProgramUsage()> programsOf(const Lab *lab)
     return [lab] {
         ProgramUsage out;
         out.at = steadyNow();
-        if (!lab)
-            return out;
-        out.agentCpu = metrics::processCpuTime(lab->agentProcess());
-        out.simulatorCpu = metrics::processCpuTime(lab->simulatorProcess());
-        out.relayCpu = metrics::processCpuTime(lab->relayProcess());
-        out.agentMemory = metrics::residentBytes(lab->agentProcess());
-        out.agentSwitches = metrics::contextSwitches(lab->agentProcess());
-        return out;
+        return lab ? lab->usage() : out;
     };
 }
 
@@ -50,7 +42,7 @@ SweepRunner::SweepRunner(SweepConfig config)
     : m_config(std::move(config)), m_queue(m_config.plan),
       m_station(m_config.station, m_config.link, m_config.borrowed,
                 m_config.lab ? m_config.lab->placement().station : std::nullopt),
-      m_measurement(programsOf(m_config.lab))
+      m_measurement(programsOf(m_config.lab)), m_flight(m_config.flight)
 {
     m_results.plan = m_config.plan;
     if (m_config.lab)
@@ -58,7 +50,14 @@ SweepRunner::SweepRunner(SweepConfig config)
     connect(&m_station, &SweepStation::snapshotReady, this, &SweepRunner::handleSnapshot);
     connect(&m_station, &SweepStation::probeTaken, this, &SweepRunner::handleProbe);
     connect(&m_station, &SweepStation::eventOccurred, this, &SweepRunner::handleEvent);
-    connect(&m_station, &SweepStation::closed, this, [this] { isEnding() ? end() : beginNextRun(); });
+    connect(&m_station, &SweepStation::closed, this, [this] {
+        if (m_reopens)
+            openForLanding();
+        else if (isEnding())
+            end();
+        else
+            beginNextRun();
+    });
     connect(&m_station, &SweepStation::lost, this, [this] {
         if (m_problem.empty())
             m_problem = "the station ended";
@@ -70,7 +69,8 @@ SweepRunner::SweepRunner(SweepConfig config)
     connect(&m_measured, &QTimer::timeout, this, &SweepRunner::requestEnd);
     if (m_config.lab) {
         connect(m_config.lab, &Lab::ended, this, [this](const QString &problem) {
-            m_opened = true; // a program failed, not a link
+            m_opened = true;    // a program failed, not a link
+            m_snapshot.reset(); // what it shows is over
             giveUp(problem.toStdString());
         });
     }
@@ -115,6 +115,8 @@ int SweepRunner::snapshotsPerSecond() const
 
 void SweepRunner::beginNextRun()
 {
+    if (m_flight.isUp() && (m_queue.atEnd() || m_queue.atBlockStart() || m_flight.endsBefore(m_queue.current().repeat)))
+        return beginLanding();
     if (isEnding())
         return restoreLink();
     const Run &run = m_queue.current();
@@ -161,6 +163,10 @@ void SweepRunner::handleEvent(const engine::Event &event)
             endRun(RunMeasurement::kSessionEnded);
     } else if (const auto *done = std::get_if<channel::SwitchDone>(&event)) {
         handleSwitch(*done);
+    } else if (const auto *result = std::get_if<vehicle::CommandResult>(&event)) {
+        m_flight.handleResult(*result);
+    } else if (const auto *written = std::get_if<vehicle::ParameterResult>(&event)) {
+        m_flight.handleResult(*written);
     }
 }
 
@@ -172,8 +178,8 @@ void SweepRunner::handleSnapshot(const RunMeasurement::Snapshot &snapshot)
     const double inStage = m_stage.age(snapshot->time);
     switch (m_stage.stage()) {
     case SweepStage::Connecting:
-        // The position matters only for the vehicle of a lab, which has just started.
-        if (m_config.lab ? m_link.hasSettledVehicle(*snapshot) : m_link.hasVehicle(*snapshot))
+        // The position matters only for a simulator that has just started.
+        if (m_config.lab && !m_config.lab->vehicle() ? m_link.hasSettledVehicle(*snapshot) : m_link.hasVehicle(*snapshot))
             enter(SweepStage::Settling, kConnectPatience);
         break;
     case SweepStage::Settling:
@@ -188,6 +194,8 @@ void SweepRunner::handleSnapshot(const RunMeasurement::Snapshot &snapshot)
             requestBegin();
         break;
     case SweepStage::Measuring: watchRun(*snapshot); break;
+    case SweepStage::Flying:
+    case SweepStage::Landing: fly(); break;
     case SweepStage::Restoring: continueRestoring(); break;
     case SweepStage::Idle:
     case SweepStage::Closing:
@@ -242,6 +250,10 @@ bool SweepRunner::isWarm(double inStage)
 /// On a link that works: changes how it carries MAVLink if the run needs another mode, and its suite otherwise.
 void SweepRunner::prepareLink()
 {
+    if (m_reopened)
+        return bringDown();
+    if (m_flight.needsLeg(m_queue.current().repeat))
+        return beginLeg();
     m_link.learnConsent(*m_snapshot);
     const engine::Protection wanted = protectionOf(arm());
     if (const std::string refusal = m_link.refusal(wanted); !refusal.empty())
@@ -313,6 +325,7 @@ void SweepRunner::beginMeasuring()
     if (!m_link.isUnder(arm().suite, *m_snapshot))
         return beginSwitch(); // the link was lost at the last moment
     m_measurement.begin(m_link, m_snapshot);
+    nameSource();
     enter(SweepStage::Measuring, m_config.plan.measure + kConnectPatience);
     m_measured.start(std::chrono::duration_cast<milliseconds>(m_config.plan.measure));
 }
@@ -340,6 +353,8 @@ void SweepRunner::endRun(std::string problem)
     sample.problem = std::move(problem);
     if (sample.problem.empty())
         m_measurement.end(m_link, m_snapshot, m_config.plan, sample);
+    if (const std::string over = m_snapshot ? m_flight.endOfPhase(*m_snapshot) : std::string(); !over.empty())
+        return failFlight(over);
     if (!sample.invalid.empty() && m_attempts.mayRepeat()) {
         m_attempts.repeat();
         return beginWarmUp();
@@ -405,6 +420,8 @@ void SweepRunner::handleTimeout()
 {
     if (!m_stage.isOverdue(now()))
         return;
+    if (m_reopened)
+        return m_stage.is(SweepStage::Restoring) ? closeStation() : abandonFlight();
     switch (m_stage.stage()) {
     case SweepStage::Connecting:
     case SweepStage::Settling:
@@ -424,7 +441,9 @@ void SweepRunner::giveUp(const std::string &problem)
     if (!m_problem.empty())
         return;
     m_problem = problem;
-    if (!m_stage.is(SweepStage::Closing))
+    if (m_flight.isUp())
+        bringDown();
+    else if (!m_stage.is(SweepStage::Closing))
         restoreLink();
 }
 

@@ -5,6 +5,7 @@
 //
 //   Connecting → Settling → Switching → WarmingUp → Beginning → Measuring → Ending → (next run: Connecting or Switching)
 //   at the end of a block or of the sweep: Restoring → Closing
+//   with a flight: Flying before the first run of each phase; Landing after the last one, and before the sweep ends in any way
 #pragma once
 
 #include "core/experiment/heap_figures.h"
@@ -16,6 +17,7 @@
 #include "core/experiment/run_measurement.h"
 #include "core/experiment/run_queue.h"
 #include "core/experiment/suite_switch.h"
+#include "core/experiment/sweep_flight.h"
 #include "core/experiment/sweep_stage.h"
 #include "core/experiment/sweep_station.h"
 
@@ -31,6 +33,7 @@ struct SweepConfig
     engine::StationConfig station; ///< keys and policy; the runner sets the rest
     Lab *lab = nullptr;            ///< null if the far end is not started by this program
     HeapFigures *heap = nullptr;   ///< null: Metric::SessionMemory is not measured
+    FlightPlan flight = {};        ///< carried out around the runs; with a lab only, and Plan::phases is that of it
     /// In place of a station of its own, whose link and config are not used then: one with a single sealed session. The plan
     /// has one load and one condition. The sweep ends when this station is destroyed.
     engine::Station *borrowed = nullptr;
@@ -83,6 +86,17 @@ private:
     void refuseRun(const std::string &problem);
     Sample sampleOfRun() const;
     void record(const Sample &sample);
+    void beginLeg();
+    void beginLanding();
+    void bringDown();
+    void fly();
+    void sendFlightRequests();
+    void endLanding();
+    void openForLanding();
+    void reopen();
+    void abandonFlight();
+    void failFlight(const std::string &problem);
+    void nameSource();
     void restoreLink();
     void continueRestoring();
     void closeStation();
@@ -107,15 +121,17 @@ private:
     SuiteSwitch m_switch;
     LoadSettling m_settling;
     RunMeasurement m_measurement;
+    SweepFlight m_flight;
     RunMeasurement::Snapshot m_snapshot; ///< the newest one
     bool m_isCurrent = false;            ///< while restoring: it was taken after the last run's orders
     StageTimer m_stage;
     RunAttempts m_attempts;
     QElapsedTimer m_clock;
-    double m_runStart = 0; ///< seconds since the sweep began
-    bool m_fresh = false;  ///< the station was opened for this run
-    bool m_opened = false; ///< a link worked at least once
-    std::string m_problem; ///< reason why the sweep ends early
+    double m_runStart = 0;                      ///< seconds since the sweep began
+    bool m_fresh = false;                       ///< the station was opened for this run
+    bool m_opened = false;                      ///< a link worked at least once
+    bool m_reopens = false, m_reopened = false; ///< a fresh link to bring the vehicle down is to be opened, was opened
+    std::string m_problem;                      ///< reason why the sweep ends early
     QTimer m_tick{this};
     QTimer m_measured{this}; ///< fires at the end of a run
 };

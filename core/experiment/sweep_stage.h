@@ -13,11 +13,13 @@ enum class SweepStage : std::uint8_t {
     Closing,
     Connecting,
     Settling,
+    Flying, ///< to the phase of the next runs
     Switching,
     WarmingUp,
     Beginning, ///< the first probe of the run is requested
     Measuring,
     Ending, ///< the last probe of the run is requested
+    Landing,
     Restoring
 };
 

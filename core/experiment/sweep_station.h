@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace skyseal::experiment {
 
@@ -29,9 +30,13 @@ public:
     /// Gives a borrowed station back at once, without closed().
     void giveBack(std::optional<crypto::SuiteId> resume);
 
-    /// These five need an open station.
+    /// These six need an open station.
     /// Requests a reading of all counters, which comes as probeTaken().
     void requestProbe() { m_station->requestProbe(); }
+    vehicle::RequestId perform(std::uint8_t systemId, vehicle::Request request)
+    {
+        return m_station->perform(systemId, std::move(request));
+    }
     /// Of the sweep's own station; a borrowed one keeps its pace.
     void setSnapshotsPerSecond(int perSecond);
     /// Ends holdSuite(): the switch to the suite of a run is measured as well.

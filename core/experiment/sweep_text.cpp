@@ -231,6 +231,9 @@ std::string runText(const Plan &plan, const Sample &sample, std::size_t runs, do
         out += plan.conditions[sample.run.condition].name + ", ";
     if (plan.launches > 1)
         out += "launch " + std::to_string(sample.run.launch + 1) + ", ";
+    if (!plan.flight.empty())
+        out += "flight " + std::to_string(sample.run.repeat / plan.phases + 1) + ", phase "
+            + std::to_string(phaseOf(plan, sample.run) + 1) + ", ";
     out += std::string(name(plan.loads[sample.run.load])) + ", " + fullName(plan.arms[sample.run.arm]) + ": ";
     if (sample.problem.empty())
         out += readable(sample.values[Metric::Packets]) + " packets, " + lossText(sample.values) + ", CPU "

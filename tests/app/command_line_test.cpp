@@ -102,6 +102,12 @@ void CommandLineTest::usageErrors_data()
     row("skyseal-cli", "sweep --seconds 0", "--seconds");
     row("skyseal-cli", "sweep --repeats 0", "--repeats");
     row("skyseal-cli", "sweep --load heavy", "heavy");
+    row("skyseal-cli", "sweep --fly arm", "--fly requires --vehicle");
+    row("skyseal-cli", "sweep --vehicle tcp:127.0.0.1:5760 --fly arm;takeof", "takeof");
+    row("skyseal-cli", "sweep --vehicle tcp:127.0.0.1:5760 --fly land", "no step leads to phase 1");
+    row("skyseal-cli", "sweep --vehicle tcp:127.0.0.1:5760 --load saturated", "saturated");
+    row("skyseal-cli", "sweep --vehicle tlog:flight.tlog", "tlog");
+    row("skyseal-cli", "sweep --vehicle tcp:127.0.0.1:5760 --link udpin:1 --identity k --peers p", "not with --link");
     row("skyseal-cli", "sweep --load saturated,natural --framing rot13", "sealed, inline or both"); // in any order
     row("skyseal-cli", "sweep --impair loss=2", "loss=2");
     row("skyseal-cli", "sweep --framing rot13", "sealed, inline or both");

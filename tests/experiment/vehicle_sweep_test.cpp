@@ -1,0 +1,238 @@
+// A sweep beside an autopilot that runs already, by the real programs: the flights that it repeats, and that the vehicle is on
+// the ground and disarmed after every end. A second link of the simulator shows a monitor what the vehicle does.
+#include "tests/support/program.h"
+#include "tests/support/run_program.h"
+#include "tests/support/test_runner.h"
+
+#include <QtCore/QFile>
+#include <QtCore/QJsonArray>
+#include <QtCore/QJsonDocument>
+#include <QtCore/QTemporaryDir>
+
+#include <csignal>
+
+using namespace skyseal::test;
+
+namespace {
+
+constexpr const char *kToFiveMetres = "wait ekf_ok==1 90; mode GUIDED; arm; takeoff 5; wait alt_rel>=4.5 60";
+
+/// The autopilot, and a witness of its flight.
+struct FlownVehicle
+{
+    quint16 port = freeTcpPort(), witnessPort = freeUdpPort();
+    Program sim{QStringLiteral("skyseal-sim"),
+                QStringLiteral("--link tcpin:127.0.0.1:%1 --link udpout:127.0.0.1:%2 --rate 4 --json")
+                    .arg(port)
+                    .arg(witnessPort)
+                    .split(QLatin1Char(' '))};
+    Program witness{QStringLiteral("skyseal-cli"),
+                    QStringLiteral("monitor --secure off --no-record --json --link udpin:127.0.0.1:%1")
+                        .arg(witnessPort)
+                        .split(QLatin1Char(' '))};
+
+    QJsonValue now() { return witness.last(QStringLiteral("stats"))[QLatin1String("vehicles")][0]; }
+    bool isFlying() { return now()[QLatin1String("armed")].toBool() && now()[QLatin1String("alt_rel")].toDouble() > 3.5; }
+    bool isDown() { return !now()[QLatin1String("armed")].toBool(true) && now()[QLatin1String("alt_rel")].toDouble(100) < 1; }
+    /// Of the events so far.
+    int landings()
+    {
+        int out = 0;
+        bool armed = false;
+        for (const QJsonObject &event : witness.events(QStringLiteral("stats"))) {
+            const bool isArmed = event[QLatin1String("vehicles")][0][QLatin1String("armed")].toBool(armed);
+            out += armed && !isArmed;
+            armed = isArmed;
+        }
+        return out;
+    }
+    QStringList sweep(const QString &script, const char *more) const
+    {
+        return QStringList{QStringLiteral("sweep"),
+                           QStringLiteral("--vehicle"),
+                           QStringLiteral("tcp:127.0.0.1:%1").arg(port),
+                           QStringLiteral("--fly"),
+                           script,
+                           QStringLiteral("--json")}
+        + words(more);
+    }
+};
+
+QByteArray fileIn(const QTemporaryDir &folder, const char *name)
+{
+    QFile file(folder.filePath(QLatin1String(name)));
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// Process id of the agent that the sweep started; 0 without one.
+qint64 agentOf(qint64 sweep)
+{
+    QFile children(QStringLiteral("/proc/%1/task/%1/children").arg(sweep));
+    if (!children.open(QIODevice::ReadOnly))
+        return 0;
+    for (const QByteArray &child : children.readAll().split(' ')) {
+        QFile name(QStringLiteral("/proc/%1/comm").arg(QLatin1String(child)));
+        if (name.open(QIODevice::ReadOnly) && name.readAll().trimmed() == "skyseal-air")
+            return child.toLongLong();
+    }
+    return 0;
+}
+
+} // namespace
+
+class VehicleSweepTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void flightsAreRepeated();
+    void launchesFlyAnew();
+    void failedFlightEndsTheSweep();
+    void interruptedSweepLands_data();
+    void interruptedSweepLands();
+    void landsOverANewLink();
+    void staysOnTheGround();
+};
+
+/// Two flights of two phases, in each of which both arms are measured once.
+void VehicleSweepTest::flightsAreRepeated()
+{
+    FlownVehicle vehicle;
+    QVERIFY(vehicle.sim.waitUntilListening(QStringLiteral("tcpin")));
+    QTemporaryDir folder;
+    const QString script = QLatin1String(kToFiveMetres)
+        + QStringLiteral("; sleep 2 | wait alt_rel>=4.5 5 | land; wait armed==0 90");
+    Program sweep(QStringLiteral("skyseal-cli"),
+                  vehicle.sweep(script,
+                                "--suites none,aes-256-gcm --launches 1 --repeats 2 --seconds 1 --warm-up 0.3 --no-noise "
+                                "--impair delay=5")
+                      + QStringList{QStringLiteral("--out"), folder.path()});
+    EVENTUALLY2(vehicle.isFlying(), sweep.errors().constData());
+    QVERIFY2(sweep.waitForExit(4 * kDeadlineMs) == 0, sweep.errors().constData());
+    EVENTUALLY(vehicle.isDown());
+    QCOMPARE(vehicle.landings(), 2);
+
+    const QJsonObject report = QJsonDocument::fromJson(fileIn(folder, "sweep.json")).object();
+    QCOMPARE(report[QLatin1String("plan")][QLatin1String("flight")].toString(), script);
+    QCOMPARE(report[QLatin1String("plan")][QLatin1String("phases")].toInt(), 2);
+    QList<int> phases;
+    QStringList arms;
+    for (const QJsonValue sample : report[QLatin1String("samples")].toArray()) {
+        phases << sample[QLatin1String("phase")].toInt(-1);
+        arms << sample[QLatin1String("suite")].toString();
+        QVERIFY2(sample[QLatin1String("problem")].isUndefined(), qPrintable(sample[QLatin1String("problem")].toString()));
+        QVERIFY(sample[QLatin1String("values")][QLatin1String("packets")].toDouble() > 0);
+        QVERIFY(sample[QLatin1String("values")][QLatin1String("autopilot_cpu")].isDouble());
+        QVERIFY(sample[QLatin1String("values")][QLatin1String("agent_cpu")].toDouble() > 0);
+        QVERIFY(sample[QLatin1String("values")][QLatin1String("simulator_cpu")].isNull()); // it is not ours
+    }
+    QCOMPARE(phases, QList<int>({0, 0, 1, 1, 0, 0, 1, 1}));
+    for (qsizetype i = 0; i < arms.size(); i += 2)
+        QVERIFY(arms[i] != arms[i + 1]);
+    const QString source = report[QLatin1String("source")].toString();
+    QVERIFY2(source.startsWith(QStringLiteral("the autopilot on tcp:127.0.0.1:%1, skyseal-sim").arg(vehicle.port)),
+             qPrintable(source));
+    QVERIFY2(source.contains(QLatin1String("system 1 is ArduCopter")), qPrintable(source));
+    QVERIFY(!report[QLatin1String("placement")].toString().contains(QLatin1String("simulator")));
+    QVERIFY(!report[QLatin1String("setting")][QLatin1String("message_mix")].toString().contains(QLatin1String("simulated")));
+    QCOMPARE(fileIn(folder, "sweep.csv").count(source.toUtf8()), 8);
+    QVERIFY(fileIn(folder, "report.html").contains(source.toUtf8()));
+    QVERIFY(vehicle.sim.running());
+}
+
+void VehicleSweepTest::launchesFlyAnew()
+{
+    FlownVehicle vehicle;
+    QVERIFY(vehicle.sim.waitUntilListening(QStringLiteral("tcpin")));
+    QTemporaryDir folder;
+    Program sweep(
+        QStringLiteral("skyseal-cli"),
+        vehicle.sweep(QLatin1String(kToFiveMetres), "--suites aes-256-gcm --launches 2 --seconds 1 --warm-up 0.3 --no-noise")
+            + QStringList{QStringLiteral("--out"), folder.path()});
+    QVERIFY2(sweep.waitForExit(4 * kDeadlineMs) == 0, sweep.errors().constData());
+    EVENTUALLY_EQUAL(vehicle.landings(), 2);
+    const QJsonObject report = QJsonDocument::fromJson(fileIn(folder, "sweep.json")).object();
+    QCOMPARE(report[QLatin1String("samples")].toArray().size(), 2);
+    QVERIFY(report[QLatin1String("source")].toString().startsWith(QLatin1String("the autopilot on tcp:")));
+}
+
+void VehicleSweepTest::failedFlightEndsTheSweep()
+{
+    FlownVehicle vehicle;
+    QVERIFY(vehicle.sim.waitUntilListening(QStringLiteral("tcpin")));
+    Program sweep(QStringLiteral("skyseal-cli"),
+                  vehicle.sweep(QLatin1String(kToFiveMetres) + QStringLiteral("; wait alt_rel>=500 3; land"),
+                                "--suites aes-256-gcm,chacha20 --launches 1 --repeats 3 --seconds 1 --no-noise"));
+    EVENTUALLY2(vehicle.isFlying(), sweep.errors().constData());
+    QCOMPARE(sweep.waitForExit(2 * kDeadlineMs), 1);
+    const QString reason = QStringLiteral("flight 1 failed at 'wait alt_rel>=500 3': timeout, alt_rel is ");
+    QCOMPARE(int(sweep.events(QStringLiteral("run")).size()), 1);
+    QVERIFY(sweep.last(QStringLiteral("run"))[QLatin1String("problem")].toString().startsWith(reason));
+    const QString problem = sweep.last(QStringLiteral("end"))[QLatin1String("problem")].toString();
+    QVERIFY2(problem.startsWith(reason), qPrintable(problem));
+    EVENTUALLY(vehicle.isDown());
+}
+
+void VehicleSweepTest::interruptedSweepLands_data()
+{
+    QTest::addColumn<int>("signal");
+    QTest::addColumn<int>("launches");
+    QTest::newRow("Ctrl+C") << SIGINT << 1;
+    QTest::newRow("Ctrl+C, of a launch") << SIGINT << 2;
+    QTest::newRow("the terminal is closed") << SIGHUP << 1;
+}
+
+/// In the middle of a run.
+void VehicleSweepTest::interruptedSweepLands()
+{
+    QFETCH(int, signal);
+    QFETCH(int, launches);
+    FlownVehicle vehicle;
+    QVERIFY(vehicle.sim.waitUntilListening(QStringLiteral("tcpin")));
+    Program sweep(QStringLiteral("skyseal-cli"),
+                  vehicle.sweep(QLatin1String(kToFiveMetres), "--suites none,aes-256-gcm --seconds 600 --no-noise --launches")
+                      + QStringList{QString::number(launches)});
+    EVENTUALLY2(vehicle.isFlying(), sweep.errors().constData());
+    QCOMPARE(::kill(static_cast<pid_t>(sweep.pid()), signal), 0);
+    QCOMPARE(sweep.waitForExit(2 * kDeadlineMs), 1);
+    EVENTUALLY(vehicle.isDown());
+    QVERIFY(sweep.errors().contains("the vehicle is brought down first"));
+    QCOMPARE(sweep.last(QStringLiteral("end"))[QLatin1String("problem")].toString(), QStringLiteral("cancelled"));
+}
+
+/// The agent is killed in flight: the sweep starts another one to land.
+void VehicleSweepTest::landsOverANewLink()
+{
+    FlownVehicle vehicle;
+    QVERIFY(vehicle.sim.waitUntilListening(QStringLiteral("tcpin")));
+    Program sweep(QStringLiteral("skyseal-cli"),
+                  vehicle.sweep(QLatin1String(kToFiveMetres), "--suites aes-256-gcm --seconds 600 --no-noise --launches 1"));
+    EVENTUALLY2(vehicle.isFlying(), sweep.errors().constData());
+    const qint64 agent = agentOf(sweep.pid());
+    QVERIFY(agent > 0);
+    QCOMPARE(::kill(static_cast<pid_t>(agent), SIGKILL), 0);
+    QCOMPARE(sweep.waitForExit(2 * kDeadlineMs), 1);
+    EVENTUALLY(vehicle.isDown());
+    const QString problem = sweep.last(QStringLiteral("end"))[QLatin1String("problem")].toString();
+    QVERIFY2(problem.startsWith(QLatin1String("skyseal-air ended by itself"))
+                 && !problem.contains(QLatin1String("MAY STILL FLY")),
+             qPrintable(problem));
+}
+
+/// Without a script nothing is commanded.
+void VehicleSweepTest::staysOnTheGround()
+{
+    FlownVehicle vehicle;
+    QVERIFY(vehicle.sim.waitUntilListening(QStringLiteral("tcpin")));
+    Program sweep(QStringLiteral("skyseal-cli"),
+                  QStringList{QStringLiteral("sweep"), QStringLiteral("--vehicle"),
+                              QStringLiteral("tcp:127.0.0.1:%1").arg(vehicle.port), QStringLiteral("--json")}
+                      + words("--suites none,chacha20-poly1305 --launches 1 --seconds 1 --warm-up 0.3 --no-noise"));
+    QVERIFY2(sweep.waitForExit(2 * kDeadlineMs) == 0, sweep.errors().constData());
+    QCOMPARE(int(sweep.events(QStringLiteral("run")).size()), 2);
+    QVERIFY(vehicle.isDown());
+    QCOMPARE(vehicle.landings(), 0);
+}
+
+SKYSEAL_TEST(VehicleSweepTest)
+#include "vehicle_sweep_test.moc"
