@@ -102,6 +102,12 @@ void CommandLineTest::usageErrors_data()
     row("skyseal-cli", "sweep --seconds 0", "--seconds");
     row("skyseal-cli", "sweep --repeats 0", "--repeats");
     row("skyseal-cli", "sweep --load heavy", "heavy");
+    for (const char *limit : {"max-overtaken 0.1", "max-overtaken 11", "max-overtaken off", "max-age 0.4", "max-age 61"}) {
+        const QString arguments = QStringLiteral("--vehicle udpin:127.0.0.1:0 --ground udpout:127.0.0.1:9 --identity k "
+                                                 "--peers p --%1")
+                                      .arg(QLatin1String(limit));
+        row("skyseal-air", qPrintable(arguments), std::string(limit).substr(0, std::string(limit).find(' ')).c_str());
+    }
     row("skyseal-cli", "sweep --fly arm", "--fly requires --vehicle");
     row("skyseal-cli", "sweep --vehicle tcp:127.0.0.1:5760 --fly arm;takeof", "takeof");
     row("skyseal-cli", "sweep --vehicle tcp:127.0.0.1:5760 --fly land", "no step leads to phase 1");

@@ -1,4 +1,5 @@
 // The sentences for events: each alternative of the variants has one, and the station and the agent share those of the channel.
+#include "core/base/printable.h"
 #include "core/engine/text/agent_event_text.h"
 #include "core/engine/text/event_text.h"
 #include "core/engine/text/pairing_text.h"
@@ -48,6 +49,8 @@ private Q_SLOTS:
     void eachStationEventHasASentence();
     void eachAgentEventHasASentence();
     void channelEventsReadTheSameAtBothEnds();
+    void hostileTextsSteerNoLabel_data();
+    void hostileTextsSteerNoLabel();
     void unknownAgeOfCommandsIsNamed();
     void eachReasonHasItsOwnText();
     void eachMissionTransferHasItsOwnTexts();
@@ -91,6 +94,37 @@ void EventTextTest::channelEventsReadTheSameAtBothEnds()
              QStringLiteral("Under attack: refused 3 forged and 4 replayed records that claim to come from air-1"));
     QCOMPARE(int(text.severity), 2);
     QCOMPARE(agentEventText(channel::Event(alarm), names).sentence, text.sentence);
+}
+
+void EventTextTest::hostileTextsSteerNoLabel_data()
+{
+    QTest::addColumn<QByteArray>("text");
+    QTest::newRow("escape sequence") << QByteArray("\x1b]0;owned\x07\x1b[2J");
+    QTest::newRow("new lines") << QByteArray("one\r\ntwo");
+    QTest::newRow("reversed direction") << QByteArray("\xe2\x80\xaeoff");
+    QTest::newRow("no UTF-8") << QByteArray("\xc3\x28\xff");
+}
+
+/// Of a vehicle's texts, names of its parameters, and names of peers: as lines of the log, and on labels.
+void EventTextTest::hostileTextsSteerNoLabel()
+{
+    QFETCH(QByteArray, text);
+    const std::string hostile = text.toStdString();
+    QVERIFY(!isPrintable(hostile));
+    PeerNames names;
+    names.note(channel::Event(channel::SessionUp{kSession, {}, hostile, crypto::SuiteId::Aes256Gcm, {}}));
+    vehicle::TextReceived received;
+    received.text.text = hostile;
+    vehicle::ParameterResult parameter;
+    parameter.parameter.name = parameter.reason = hostile;
+    vehicle::CommandResult command;
+    command.reason = hostile;
+    for (const Event &event : {Event(received), Event(parameter), Event(command), Event(channel::ForgeryAlarm{kSession, 1, 1}),
+                               Event(channel::SessionUp{kSession, {}, hostile, crypto::SuiteId::Aes256Gcm, {}})}) {
+        const EventText shown = eventText(event, names);
+        QVERIFY2(isPrintable(shown.sentence.toStdString()), qPrintable(shown.sentence));
+        QVERIFY2(isPrintable(shown.line().toStdString()), qPrintable(shown.line()));
+    }
 }
 
 void EventTextTest::unknownAgeOfCommandsIsNamed()
