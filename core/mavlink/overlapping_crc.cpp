@@ -38,7 +38,7 @@ std::uint16_t advance(std::uint16_t state, std::size_t bytes)
 /// Enough for a damaged frame that claims the greatest length, and the longest frame after it, in a datagram of the two.
 constexpr std::size_t kReserve = 2 * OverlappingCrc::kLongestRange;
 
-/// Of random bytes about 32 % go through the CRC: twice as much is allowed from the longest datagram of Ethernet on. Beyond that,
+/// Of random bytes about 32 % go through the CRC: twice as much is allowed from the longest datagram of Ethernet on. Beyond it,
 /// the share is above that of random bytes, so that they cost no frame.
 std::size_t ofDatagram(std::size_t received)
 {

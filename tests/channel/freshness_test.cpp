@@ -89,10 +89,12 @@ void FreshnessTest::slowLinkStaysFresh_data()
     QTest::addColumn<Way>("way");
     QTest::addColumn<int>("loss");
     QTest::addColumn<double>("rate");
+    QTest::addColumn<double>("least"); // share of fresh frames
+    // Frames sealed in place count as old as the report before them, so that lost reports make them older.
     for (const Way &way : kWays) {
-        QTest::addRow("%s, no loss", way.name) << way << 0 << 1.;
-        QTest::addRow("%s, a tenth lost, a clock 200 ppm fast", way.name) << way << 10 << 1.0002;
-        QTest::addRow("%s, half lost, a clock 200 ppm slow", way.name) << way << 50 << .9998;
+        QTest::addRow("%s, no loss", way.name) << way << 0 << 1. << 1.;
+        QTest::addRow("%s, a tenth lost, a clock 200 ppm fast", way.name) << way << 10 << 1.0002 << (way.inPlace ? 0.99 : 1.);
+        QTest::addRow("%s, half lost, a clock 200 ppm slow", way.name) << way << 50 << .9998 << (way.inPlace ? 0.8 : 1.);
     }
 }
 
@@ -101,6 +103,7 @@ void FreshnessTest::slowLinkStaysFresh()
     QFETCH(Way, way);
     QFETCH(int, loss);
     QFETCH(double, rate);
+    QFETCH(double, least);
     PairOptions options = optionsWith(way, kAge);
     options.link.delay = 900ms;
     options.link.jitter = 300ms; // 0.9 to 1.5 s each way
@@ -113,7 +116,8 @@ void FreshnessTest::slowLinkStaysFresh()
     const TimePoint begin = pair.now;
     pair.run(900s); // with a change of keys
     QVERIFY(pair.air().freshness.size() > 300);
-    QCOMPARE(shareOfFresh(pair, begin), 1.);
+    const double share = shareOfFresh(pair, begin);
+    QVERIFY2(share >= least, qPrintable(QString::number(share)));
 }
 
 void FreshnessTest::suspendedMachineRecovers_data()
