@@ -1,7 +1,9 @@
-// Heading in automatic modes: towards the next place, or as the operator requested.
+// Heading in automatic modes: towards the next place, towards a region of interest, or as the operator requested.
 #pragma once
 
 #include "core/sim/situation.h"
+
+#include <optional>
 
 namespace skyseal::sim {
 
@@ -12,6 +14,7 @@ public:
     void reset(const Situation &s)
     {
         m_fixed = false;
+        m_interest.reset();
         m_heading = {s.estimate.attitude.euler().yaw, 0};
     }
 
@@ -19,23 +22,44 @@ public:
     void fix(double heading, double rate = 0)
     {
         m_fixed = true;
+        m_interest.reset();
         m_heading = {wrapPi(heading), rate};
+    }
+
+    /// Faces a place, NED, until the next reset or request.
+    void face(const Vector3 &place)
+    {
+        m_fixed = false;
+        m_interest = place;
     }
 
     Yaw towards(const Situation &s, const HoldPosition &place)
     {
-        const double north = place.north - s.estimate.position.x;
-        const double east = place.east - s.estimate.position.y;
-        if (!m_fixed && std::hypot(north, east) > kNear)
-            m_heading = {std::atan2(east, north), 0};
+        if (!m_interest && !m_fixed)
+            turnTo(s, place.north, place.east);
+        return hold(s);
+    }
+
+    /// The heading without a place to fly to.
+    Yaw hold(const Situation &s)
+    {
+        if (m_interest)
+            turnTo(s, m_interest->x, m_interest->y);
         return m_heading;
     }
 
-    Yaw hold() const { return m_heading; }
-
 private:
+    void turnTo(const Situation &s, double placeNorth, double placeEast)
+    {
+        const double north = placeNorth - s.estimate.position.x;
+        const double east = placeEast - s.estimate.position.y;
+        if (std::hypot(north, east) > kNear)
+            m_heading = {std::atan2(east, north), 0};
+    }
+
     static constexpr double kNear = 3; // m: nearer than this a direction means nothing
     bool m_fixed = false;
+    std::optional<Vector3> m_interest;
     Heading m_heading;
 };
 

@@ -62,6 +62,9 @@ std::uint8_t CommandServer::fly(const Command &command)
     case MAV_CMD_NAV_LOITER_UNLIM: return enter(m_autopilot.flight().type.isPx4() ? FlightMode::Guided : FlightMode::Loiter);
     case MAV_CMD_DO_REPOSITION: return reposition(command);
     case MAV_CMD_CONDITION_YAW: return yaw(command);
+    case MAV_CMD_DO_SET_ROI:
+    case MAV_CMD_DO_SET_ROI_LOCATION: return pointAt(command);
+    case MAV_CMD_DO_SET_ROI_NONE: return pointAt({command.id, MAV_FRAME_GLOBAL, {}, 0, 0, 0});
     case MAV_CMD_DO_CHANGE_SPEED: return changeSpeed(command);
     default: return MAV_RESULT_UNSUPPORTED;
     }
@@ -142,9 +145,25 @@ std::optional<Vector3> CommandServer::place(const Autopilot &autopilot, std::uin
     }
 }
 
+std::optional<Vector3> CommandServer::repositionTarget(const Command &command) const
+{
+    const auto altitude = static_cast<double>(command.z);
+    if (!m_autopilot.flight().type.isPx4())
+        return place(m_autopilot, command.frame, command.x, command.y, altitude);
+    // PX4 takes every altitude as one above mean sea level, and keeps its target without a place (navigator_main.cpp).
+    const bool keepsPlace = std::isnan(command.x) && std::isnan(command.y);
+    auto target = place(m_autopilot, MAV_FRAME_GLOBAL, keepsPlace ? 0 : command.x, keepsPlace ? 0 : command.y, altitude);
+    const auto present = m_autopilot.modes().place(m_autopilot.flight().situation());
+    if (target && present && keepsPlace) {
+        target->x = present->x;
+        target->y = present->y;
+    }
+    return target;
+}
+
 std::uint8_t CommandServer::reposition(const Command &command)
 {
-    const auto target = place(m_autopilot, command.frame, command.x, command.y, static_cast<double>(command.z));
+    const auto target = repositionTarget(command);
     if (!target)
         return MAV_RESULT_DENIED;
     if (!m_autopilot.modes().isGuided()) {
@@ -170,6 +189,26 @@ std::uint8_t CommandServer::yaw(const Command &command)
     return answer(m_autopilot.requests().face(heading, radians(static_cast<double>(rate))));
 }
 
+/// There is no camera that could pan: a copter of ArduPilot turns its nose, PX4 accepts and turns nothing, and ArduPilot's
+/// other vehicles refuse (GCS_Common.cpp, without a mount).
+std::uint8_t CommandServer::pointAt(const Command &command)
+{
+    const VehicleType &type = m_autopilot.flight().type;
+    if (type.isPx4())
+        return MAV_RESULT_ACCEPTED;
+    if (!type.hovers())
+        return MAV_RESULT_UNSUPPORTED;
+    if (command.x == 0 && command.y == 0 && command.z == 0) {
+        m_autopilot.requests().pointAt(std::nullopt);
+        return MAV_RESULT_ACCEPTED;
+    }
+    const auto target = place(m_autopilot, command.frame, command.x, command.y, static_cast<double>(command.z));
+    if (!target)
+        return MAV_RESULT_DENIED;
+    m_autopilot.requests().pointAt(*target);
+    return MAV_RESULT_ACCEPTED;
+}
+
 std::uint8_t CommandServer::changeSpeed(const Command &command)
 {
     using Kind = FlightRequests::SpeedKind;
@@ -186,9 +225,7 @@ std::uint8_t CommandServer::setHome(const Command &command)
 {
     std::optional<Vector3> home = m_autopilot.estimate().position;
     if (command.parameters[0] != 1)
-        home = place(m_autopilot,
-                     command.frame == MAV_FRAME_GLOBAL_RELATIVE_ALT ? std::uint8_t(MAV_FRAME_GLOBAL) : command.frame, command.x,
-                     command.y, static_cast<double>(command.z));
+        home = place(m_autopilot, command.frame, command.x, command.y, static_cast<double>(command.z));
     if (!home || !m_autopilot.requests().setHome(*home))
         return MAV_RESULT_FAILED;
     m_telemetry.send(HomePosition::kId);

@@ -14,7 +14,7 @@ namespace skyseal::sim {
 struct Command
 {
     std::uint16_t id = 0;
-    std::uint8_t frame = 0; ///< MAV_FRAME; COMMAND_LONG means heights above home
+    std::uint8_t frame = 0; ///< MAV_FRAME; of COMMAND_LONG the one that ArduPilot assumes for this command
     std::array<float, 4> parameters{};
     double x = 0; ///< latitude in degrees, or parameter 5
     double y = 0; ///< longitude in degrees, or parameter 6
@@ -33,7 +33,7 @@ public:
     /// Returns true if a reboot was requested and accepted since the last call.
     bool takeReboot() { return std::exchange(m_reboot, false); }
 
-    /// Place of a command or message, NED; nullopt if the coordinate frame or the place is unusable. Zero or NaN means the
+    /// Place of a command or message, NED; nullopt if the coordinate frame or the place is unusable. Zero means the
     /// current place.
     static std::optional<Vector3> place(const Autopilot &autopilot, std::uint8_t frame, double latitude, double longitude,
                                         double altitude);
@@ -47,7 +47,9 @@ private:
     std::uint8_t arm(const Command &command);
     std::uint8_t setMode(const Command &command);
     std::uint8_t reposition(const Command &command);
+    std::optional<Vector3> repositionTarget(const Command &command) const;
     std::uint8_t yaw(const Command &command);
+    std::uint8_t pointAt(const Command &command);
     std::uint8_t changeSpeed(const Command &command);
     std::uint8_t setHome(const Command &command);
     std::uint8_t setCurrent(const Command &command);

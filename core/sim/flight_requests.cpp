@@ -70,6 +70,15 @@ Refusal FlightRequests::face(double heading, double rate)
     return std::nullopt;
 }
 
+void FlightRequests::pointAt(const std::optional<Vector3> &place)
+{
+    const auto set = [&](AutoYaw &yaw) { place ? yaw.face(*place) : yaw.reset(m_flight.situation()); };
+    if (m_flight.modes.isGuided())
+        set(m_flight.modes.guided().yaw());
+    else if (m_flight.modes.current() == FlightMode::Auto)
+        set(m_flight.modes.mission().yaw());
+}
+
 Refusal FlightRequests::changeSpeed(SpeedKind kind, double speed)
 {
     if (!(speed > 0) || speed > 30)

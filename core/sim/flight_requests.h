@@ -20,6 +20,9 @@ public:
     Refusal move(const Vector3 &velocity);
     /// Turns the nose (rad) in GUIDED and AUTO; `rate` in rad/s, 0 = as the parameter says.
     Refusal face(double heading, double rate);
+    /// Turns the nose of a copter to a place, NED, and keeps it there while GUIDED or AUTO lasts; nullopt: no longer. In other
+    /// modes it changes nothing, as in ArduCopter.
+    void pointAt(const std::optional<Vector3> &place);
     enum class SpeedKind { Ground, Climb, Descent };
     Refusal changeSpeed(SpeedKind kind, double speed);
     Refusal startMission();

@@ -34,9 +34,10 @@ bool FrameRouter::routeCommand(TimePoint now, const FrameSender &peer, const mav
 {
     if (frame.messageId() == mavlink::CommandLong::kId) {
         const auto in = mavlink::CommandLong::decode(frame.payload());
+        const bool above = in.command != mavlink::MAV_CMD_DO_SET_HOME; // heights above home, as GCS_Common.cpp assumes
         commands.handle(now, peer,
                         {in.command,
-                         mavlink::MAV_FRAME_GLOBAL_RELATIVE_ALT,
+                         std::uint8_t(above ? mavlink::MAV_FRAME_GLOBAL_RELATIVE_ALT : mavlink::MAV_FRAME_GLOBAL),
                          {in.param1, in.param2, in.param3, in.param4},
                          static_cast<double>(in.param5),
                          static_cast<double>(in.param6),

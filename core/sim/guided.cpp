@@ -59,7 +59,7 @@ FlightDemand Guided::update(double dt, const Situation &s)
         demand.horizontal = Velocity{limited.x, limited.y};
         demand.vertical = Climb{
             std::clamp(-m_velocity.z, -m_descent.value_or(s.settings.descent), m_climb.value_or(s.settings.climb))};
-        demand.yaw = m_yaw.hold();
+        demand.yaw = m_yaw.hold(s);
         return demand;
     }
     m_place.speed = m_speed.value_or(s.settings.speed);

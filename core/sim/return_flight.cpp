@@ -58,7 +58,7 @@ FlightDemand ReturnFlight::update(double dt, const Situation &s)
     demand.horizontal = m_place;
     const double height = m_phase == Phase::Descend ? s.settings.rtlFinalAltitude : m_height;
     demand.vertical = HoldAltitude{height - s.home.z, s.settings.climb, s.settings.descent};
-    demand.yaw = m_phase == Phase::Return ? m_yaw.towards(s, m_place) : m_yaw.hold();
+    demand.yaw = m_phase == Phase::Return ? m_yaw.towards(s, m_place) : m_yaw.hold(s);
     demand.idle = s.landed;
     return demand;
 }

@@ -22,6 +22,7 @@ private Q_SLOTS:
     void listBeginsWithTheHash();
     void streamsAtItsOwnRates();
     void takesOffAboveSeaLevel();
+    void climbsOnItsWay();
     void landsAndDisarms();
     void refusesByItsOwnResults();
     void missionIsTransferredInOrder();
@@ -200,6 +201,37 @@ void SimPx4Test::takesOffAboveSeaLevel()
     QVERIFY(std::abs(station.vehicle.autopilot().heightAboveHome() - 12) < 0.6);
     QCOMPARE(station.last<mavlink::Heartbeat>().custom_mode, 4u << 16 | 3u << 24); // it holds after the take-off
     QCOMPARE(int(station.last<mavlink::ExtendedSysState>().landed_state), int(MAV_LANDED_STATE_IN_AIR));
+}
+
+/// DO_REPOSITION without a place changes the altitude alone.
+void SimPx4Test::climbsOnItsWay()
+{
+    TestStation station(px4());
+    QVERIFY(airborne(station, 12));
+    station.run(8);
+    const auto here = station.last<GlobalPositionInt>();
+    CommandInt go;
+    go.target_system = 1;
+    go.command = MAV_CMD_DO_REPOSITION;
+    go.frame = MAV_FRAME_GLOBAL;
+    go.param1 = -1;
+    go.param2 = 1;
+    go.param4 = std::nanf("");
+    go.x = here.lat + 4500; // 50 m
+    go.y = here.lon;
+    go.z = 596;
+    station.send(go);
+    QCOMPARE(int(station.last<CommandAck>().result), int(MAV_RESULT_ACCEPTED));
+    station.run(2);
+    const float nan = std::nanf("");
+    QCOMPARE(station.command(MAV_CMD_DO_REPOSITION, {-1, 1, 0, nan, nan, nan, 604}), int(MAV_RESULT_ACCEPTED));
+    QVERIFY(station.until(
+        [&] {
+            const auto p = station.last<GlobalPositionInt>();
+            return std::abs(p.lat - go.x) < 15 && std::abs(p.relative_alt - 20'000) < 500;
+        },
+        40));
+    QCOMPARE(station.command(MAV_CMD_DO_SET_ROI_NONE), int(MAV_RESULT_ACCEPTED));
 }
 
 void SimPx4Test::landsAndDisarms()

@@ -22,6 +22,8 @@ private Q_SLOTS:
     void refusalsHaveTheRightResults();
     void ignoresWhatIsForOthers();
     void commandIntAndReposition();
+    void noseTurnsToARegionOfInterest();
+    void homeIsSetInTheFrameOfTheCommand();
     void stationLossReturns();
     void sticksFly();
 };
@@ -185,6 +187,74 @@ void SimVehicleTest::commandIntAndReposition()
     station.send(guided);
     QCOMPARE(int(station.last<MissionAck>().type), int(MAV_MISSION_ACCEPTED));
     QVERIFY(station.until([&] { return std::abs(station.last<GlobalPositionInt>().lat - guided.x) < 15; }, 30));
+}
+
+/// Until another request, or the mode changes; in LOITER the pilot turns the vehicle.
+void SimVehicleTest::noseTurnsToARegionOfInterest()
+{
+    TestStation station;
+    QVERIFY(station.takeOff(8));
+    const auto here = station.last<GlobalPositionInt>();
+    const auto faces = [&](int degrees) { return std::abs(int(station.last<mavlink::VfrHud>().heading) - degrees) < 5; };
+    CommandInt point;
+    point.target_system = 1;
+    point.command = MAV_CMD_DO_SET_ROI_LOCATION;
+    point.frame = MAV_FRAME_GLOBAL_RELATIVE_ALT;
+    point.x = here.lat;
+    point.y = here.lon + 10000; // 90 m to the east
+    station.send(point);
+    QCOMPARE(int(station.last<CommandAck>().result), int(MAV_RESULT_ACCEPTED));
+    station.run(8);
+    QVERIFY(faces(90));
+    CommandInt go = point; // to the north-east of it
+    go.command = MAV_CMD_DO_REPOSITION;
+    go.x = here.lat + 8085; // 90 m
+    go.y = point.y;
+    go.z = 8;
+    station.send(go);
+    QCOMPARE(int(station.last<CommandAck>().result), int(MAV_RESULT_ACCEPTED));
+    QVERIFY(station.until([&] { return std::abs(station.last<GlobalPositionInt>().lat - go.x) < 15; }, 60));
+    QVERIFY(faces(180));
+    QCOMPARE(station.command(MAV_CMD_DO_SET_ROI_NONE), int(MAV_RESULT_ACCEPTED));
+    go.y -= 8000;
+    station.send(go);
+    station.run(6);
+    QVERIFY(faces(270));
+    point.frame = MAV_FRAME_LOCAL_NED;
+    station.send(point);
+    QCOMPARE(int(station.last<CommandAck>().result), int(MAV_RESULT_DENIED));
+    QCOMPARE(station.command(MAV_CMD_DO_SET_MODE, {1, 5}), int(MAV_RESULT_ACCEPTED));
+    const int before = station.last<mavlink::VfrHud>().heading;
+    point.frame = MAV_FRAME_GLOBAL_RELATIVE_ALT;
+    station.send(point);
+    QCOMPARE(int(station.last<CommandAck>().result), int(MAV_RESULT_ACCEPTED));
+    station.run(5);
+    QVERIFY(faces(before));
+}
+
+void SimVehicleTest::homeIsSetInTheFrameOfTheCommand()
+{
+    TestStation station;
+    station.run(6);
+    const auto before = station.last<HomePosition>();
+    CommandInt home;
+    home.target_system = 1;
+    home.command = MAV_CMD_DO_SET_HOME;
+    home.frame = MAV_FRAME_GLOBAL;
+    home.x = before.latitude + 1000;
+    home.y = before.longitude;
+    home.z = 590;
+    station.send(home);
+    QCOMPARE(int(station.last<CommandAck>().result), int(MAV_RESULT_ACCEPTED));
+    QVERIFY(std::abs(station.last<HomePosition>().latitude - home.x) < 10);
+    QVERIFY(std::abs(station.last<HomePosition>().altitude - 590'000) < 20);
+    home.frame = MAV_FRAME_GLOBAL_RELATIVE_ALT;
+    home.z = -4;
+    station.send(home);
+    QVERIFY(std::abs(station.last<HomePosition>().altitude - 586'000) < 20);
+    home.frame = MAV_FRAME_LOCAL_NED;
+    station.send(home);
+    QCOMPARE(int(station.last<CommandAck>().result), int(MAV_RESULT_FAILED));
 }
 
 void SimVehicleTest::stationLossReturns()
