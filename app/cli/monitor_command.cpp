@@ -35,7 +35,8 @@ void declare(Options &options)
     options.addValue("stream-rate", "HZ", "Request all streams at this rate instead of the default rates.");
     options.addValue("duration", "S", "Exit after this many seconds.");
     options.addValue("do", "SCRIPT",
-                     "Flight script: 'mode GUIDED; arm; takeoff 10; wait alt_rel>=9.5 60; land; wait armed==0 90'.");
+                     "Flight script, see FLIGHT SCRIPTS in the manual page: "
+                     "'mode GUIDED; arm; takeoff 10; wait alt_rel>=9.5 60; land; wait armed==0 90'.");
     declareRecording(options);
     options.addFlag("json", "One JSON object per line on stdout.");
 }

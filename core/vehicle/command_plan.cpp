@@ -120,31 +120,89 @@ public:
 
     Plan operator()(const GoTo &place) const
     {
-        if (!(std::abs(place.latitude) <= 90 && std::abs(place.longitude) <= 180 && std::isfinite(place.altitudeRelative)))
+        if (!isPlace(place.latitude, place.longitude, place.altitudeRelative))
             return refuse("the place is not on the globe");
-        if (m_kind.isArduPilot() && m_state.mode != "GUIDED")
+        const bool guided = m_state.mode == "GUIDED";
+        if (m_kind.isArduPilot() && !guided && !place.changeMode)
             return refuse("going to a place needs the mode GUIDED, the vehicle is in " + m_state.mode);
-        CommandOrder reposition = order(mavlink::MAV_CMD_DO_REPOSITION, -1);
-        reposition.asInt = true;
-        reposition.frame = mavlink::MAV_FRAME_GLOBAL_RELATIVE_ALT;
-        reposition.x = degreesE7(place.latitude);
-        reposition.y = degreesE7(place.longitude);
-        reposition.parameters[3] = std::nanf(""); // the vehicle chooses the heading
-        reposition.parameters[6] = static_cast<float>(place.altitudeRelative);
-        if (m_kind.isPx4()) {
-            if (std::isnan(m_state.home.altitude))
-                return refuse("going to a place needs a known home altitude");
-            reposition.frame = mavlink::MAV_FRAME_GLOBAL;
-            reposition.parameters[1] = mavlink::MAV_DO_REPOSITION_FLAGS_CHANGE_MODE;
-            reposition.parameters[6] = static_cast<float>(place.altitudeRelative + m_state.home.altitude);
-            return plan(reposition);
-        }
-        CommandPlan out{{reposition}, {}};
-        if (m_kind.isArduPilot()) {
+        auto reposition = orderAt(mavlink::MAV_CMD_DO_REPOSITION, place.latitude, place.longitude, place.altitudeRelative);
+        if (!reposition)
+            return refuse("going to a place needs a known home altitude");
+        reposition->parameters[0] = -1; // the present speed
+        if (m_kind.isPx4() || (m_kind.isArduPilot() && !guided))
+            reposition->parameters[1] = mavlink::MAV_DO_REPOSITION_FLAGS_CHANGE_MODE;
+        reposition->parameters[3] = std::nanf(""); // the vehicle chooses the heading
+        CommandPlan out{{*reposition}, {}};
+        if (m_kind.isArduPilot() && guided) { // in other modes, targets are ignored
             out.alternatives.push_back(RepeatedMessage{positionTarget(place), false});
-            out.effect = TargetIs{reposition.x, reposition.y};
+            out.effect = TargetIs{reposition->x, reposition->y};
         }
         return out;
+    }
+
+    Plan operator()(const ChangeAltitude &change) const
+    {
+        if (!std::isfinite(change.altitudeRelative))
+            return refuse("the altitude is not a number");
+        if (m_kind.isRover() || m_kind.isSubmarine())
+            return refuse("this kind of vehicle does not fly");
+        if (!m_kind.isPx4()) {
+            if (!m_state.position.known())
+                return refuse("changing the altitude needs a known position");
+            return (*this)(
+                GoTo{m_state.position.latitude, m_state.position.longitude, change.altitudeRelative, change.changeMode});
+        }
+        if (std::isnan(homeAltitude()))
+            return refuse("changing the altitude needs a known home altitude");
+        CommandOrder out = order(mavlink::MAV_CMD_DO_REPOSITION, -1, mavlink::MAV_DO_REPOSITION_FLAGS_CHANGE_MODE);
+        out.parameters[3] = out.parameters[4] = out.parameters[5] = std::nanf(
+            ""); // keeps heading and place (navigator_main.cpp)
+        out.parameters[6] = static_cast<float>(change.altitudeRelative + homeAltitude());
+        return plan(out);
+    }
+
+    Plan operator()(const Loiter &) const
+    {
+        if (m_kind.isArduPilot() || m_kind.isPx4())
+            return firstMode({"LOITER", "POSHOLD"}, "this kind of vehicle has no mode to loiter in");
+        return plan(order(mavlink::MAV_CMD_NAV_LOITER_UNLIM));
+    }
+
+    Plan operator()(const PointAt &place) const
+    {
+        if (!isPlace(place.latitude, place.longitude, place.altitudeRelative))
+            return refuse("the place is not on the globe");
+        auto point = orderAt(mavlink::MAV_CMD_DO_SET_ROI_LOCATION, place.latitude, place.longitude, place.altitudeRelative);
+        if (!point)
+            return refuse("pointing at a place needs a known home altitude");
+        CommandPlan out{{*point}, {}};
+        point->command = mavlink::MAV_CMD_DO_SET_ROI; // of older ArduPilot
+        point->parameters[0] = mavlink::MAV_ROI_LOCATION;
+        out.alternatives.push_back(*point);
+        return out;
+    }
+
+    Plan operator()(const StopPointing &) const
+    {
+        // Older ArduPilot ends it by a place of zeros.
+        return CommandPlan{{order(mavlink::MAV_CMD_DO_SET_ROI_NONE), order(mavlink::MAV_CMD_DO_SET_ROI)}, {}};
+    }
+
+    Plan operator()(const SetHome &home) const
+    {
+        if (!isPlace(home.latitude, home.longitude, 0))
+            return refuse("the place is not on the globe");
+        if (std::isnan(homeAltitude()))
+            return refuse("moving home needs a known home altitude");
+        CommandOrder out = order(mavlink::MAV_CMD_DO_SET_HOME);
+        out.asInt = true;
+        out.frame = mavlink::MAV_FRAME_GLOBAL; // relative altitudes would refer to the home that moves
+        out.x = degreesE7(home.latitude);
+        out.y = degreesE7(home.longitude);
+        if (m_kind.isPx4())
+            out.parameters[3] = std::nanf(""); // no yaw
+        out.parameters[6] = static_cast<float>(homeAltitude());
+        return plan(out);
     }
 
     Plan operator()(const ChangeSpeed &speed) const
@@ -177,6 +235,32 @@ public:
     }
 
 private:
+    static bool isPlace(double latitude, double longitude, double altitude)
+    {
+        return std::abs(latitude) <= 90 && std::abs(longitude) <= 180 && std::isfinite(altitude);
+    }
+
+    /// Metres above mean sea level; NaN if unknown. From both altitudes of the vehicle, since without HOME_POSITION home is only
+    /// the place where the vehicle was armed, or first seen armed in flight.
+    double homeAltitude() const
+    {
+        const double own = m_state.position.altitude - m_state.altitudeRelative;
+        return std::isnan(own) ? m_state.home.altitude : own;
+    }
+
+    /// A COMMAND_INT for a place, whose altitude is above home; nullopt if the vehicle needs another altitude that is not
+    /// known. PX4 takes every altitude as one above mean sea level.
+    std::optional<CommandOrder> orderAt(std::uint16_t command, double latitude, double longitude, double altitude) const
+    {
+        CommandOrder out = order(command);
+        out.asInt = true;
+        out.frame = m_kind.isPx4() ? mavlink::MAV_FRAME_GLOBAL : mavlink::MAV_FRAME_GLOBAL_RELATIVE_ALT;
+        out.x = degreesE7(latitude);
+        out.y = degreesE7(longitude);
+        out.parameters[6] = static_cast<float>(m_kind.isPx4() ? altitude + homeAltitude() : altitude);
+        return std::isnan(out.parameters[6]) ? std::nullopt : std::optional(out);
+    }
+
     Plan firstMode(std::initializer_list<std::string_view> names, std::string otherwise) const
     {
         for (const std::string_view name : names) {

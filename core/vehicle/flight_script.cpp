@@ -52,7 +52,8 @@ StepResult parseTakeOff(ScriptTokens &tokens)
     return Action(VehicleCommand(TakeOff{*altitude}));
 }
 
-StepResult parseGoTo(ScriptTokens &tokens)
+/// Two numbers: latitude and longitude, in degrees.
+template<typename T> Result<T, InputError> parsePlace(ScriptTokens &tokens)
 {
     const auto latitude = tokens.number("a latitude in degrees, -90 to 90", -90, 90);
     if (!latitude)
@@ -60,10 +61,61 @@ StepResult parseGoTo(ScriptTokens &tokens)
     const auto longitude = tokens.number("a longitude in degrees, -180 to 180", -180, 180);
     if (!longitude)
         return tl::make_unexpected(longitude.error());
-    const auto altitude = tokens.number("an altitude in metres above home, -500 to 10000", -500, 10000);
+    T out;
+    out.latitude = *latitude;
+    out.longitude = *longitude;
+    return out;
+}
+
+Result<double, InputError> parseAltitude(ScriptTokens &tokens)
+{
+    return tokens.number("an altitude in metres above home, -500 to 10000", -500, 10000);
+}
+
+StepResult parseGoTo(ScriptTokens &tokens)
+{
+    auto place = parsePlace<GoTo>(tokens);
+    if (!place)
+        return tl::make_unexpected(place.error());
+    const auto altitude = parseAltitude(tokens);
     if (!altitude)
         return tl::make_unexpected(altitude.error());
-    return Action(VehicleCommand(GoTo{*latitude, *longitude, *altitude}));
+    place->altitudeRelative = *altitude;
+    return Action(VehicleCommand(*place));
+}
+
+StepResult parseChangeAltitude(ScriptTokens &tokens)
+{
+    const auto altitude = parseAltitude(tokens);
+    if (!altitude)
+        return tl::make_unexpected(altitude.error());
+    return Action(VehicleCommand(ChangeAltitude{*altitude}));
+}
+
+StepResult parsePointing(ScriptTokens &tokens)
+{
+    if (equalIgnoringCase(tokens.peek(), "none")) {
+        tokens.take();
+        return Action(VehicleCommand(StopPointing{}));
+    }
+    auto place = parsePlace<PointAt>(tokens);
+    if (!place)
+        return tl::make_unexpected(place.error());
+    if (!tokens.atEnd()) {
+        const auto altitude = parseAltitude(tokens);
+        if (!altitude)
+            return tl::make_unexpected(altitude.error());
+        place->altitudeRelative = *altitude;
+    }
+    return Action(VehicleCommand(*place));
+}
+
+StepResult parseSetHome(ScriptTokens &tokens)
+{
+    const auto home = parsePlace<SetHome>(tokens);
+    if (!home)
+        return tl::make_unexpected(home.error());
+    return Action(VehicleCommand(*home));
 }
 
 StepResult parseSpeed(ScriptTokens &tokens)
@@ -176,6 +228,10 @@ constexpr std::pair<std::string_view, StepResult (*)(ScriptTokens &)> kVerbs[] =
                                                                                   {"land", parsePlain<Land>},
                                                                                   {"rtl", parsePlain<ReturnToLaunch>},
                                                                                   {"goto", parseGoTo},
+                                                                                  {"altitude", parseChangeAltitude},
+                                                                                  {"loiter", parsePlain<Loiter>},
+                                                                                  {"roi", parsePointing},
+                                                                                  {"sethome", parseSetHome},
                                                                                   {"speed", parseSpeed},
                                                                                   {"wait", parseWait},
                                                                                   {"sleep", parseSleep},

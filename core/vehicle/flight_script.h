@@ -2,8 +2,9 @@
 // alt_rel>=9.5 60; land; wait armed==0 90". A number and a colon before a step pick the vehicle ("2: arm").
 //
 // Grammar: steps separated by ';', empty ones ignored. mode NAME | arm [force] | disarm [force] | takeoff ALT | land | rtl |
-// goto LAT LON ALT | speed V | wait FIELD OP VALUE [TIMEOUT] | sleep S | param NAME VALUE | item INDEX | start | reboot |
-// command NUMBER [P1 … P7]. Keywords are case-insensitive; OP is one of >= <= > < == !=; times are seconds.
+// goto LAT LON ALT | altitude ALT | loiter | roi LAT LON [ALT] | roi none | sethome LAT LON | speed V |
+// wait FIELD OP VALUE [TIMEOUT] | sleep S | param NAME VALUE | item INDEX | start | reboot | command NUMBER [P1 … P7].
+// Altitudes are in metres above home. Keywords are case-insensitive; OP is one of >= <= > < == !=; times are seconds.
 #pragma once
 
 #include "core/base/result.h"

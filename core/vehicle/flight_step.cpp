@@ -29,6 +29,17 @@ struct CommandText
     {
         return "goto " + exact(place.latitude) + " " + exact(place.longitude) + " " + exact(place.altitudeRelative);
     }
+    std::string operator()(const ChangeAltitude &change) const { return "altitude " + exact(change.altitudeRelative); }
+    std::string operator()(const Loiter &) const { return "loiter"; }
+    std::string operator()(const PointAt &place) const
+    {
+        return "roi " + exact(place.latitude) + " " + exact(place.longitude) + " " + exact(place.altitudeRelative);
+    }
+    std::string operator()(const StopPointing &) const { return "roi none"; }
+    std::string operator()(const SetHome &home) const
+    {
+        return "sethome " + exact(home.latitude) + " " + exact(home.longitude);
+    }
     std::string operator()(const ChangeSpeed &speed) const { return "speed " + exact(speed.metresPerSecond); }
     std::string operator()(const SetCurrentMissionItem &item) const { return "item " + std::to_string(item.index); }
     std::string operator()(const StartMission &) const { return "start"; }

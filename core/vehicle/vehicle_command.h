@@ -29,9 +29,34 @@ struct SetMode
 {
     std::string mode;
 };
+/// Flies to a place and holds there; an aeroplane circles it.
 struct GoTo
 {
-    double latitude = 0, longitude = 0, altitudeRelative = 0;
+    double latitude = 0, longitude = 0; ///< degrees
+    double altitudeRelative = 0;        ///< metres above home
+    bool changeMode = false;            ///< of ArduPilot: enters GUIDED if the vehicle is in another mode
+};
+/// Climbs or descends and holds there. ArduPilot stops where it is, PX4 keeps the place that it flies to.
+struct ChangeAltitude
+{
+    double altitudeRelative = 0; ///< metres above home
+    bool changeMode = false;     ///< as in GoTo
+};
+/// Stops and holds the present place; an aeroplane circles it.
+struct Loiter
+{};
+/// Points the camera at a place until StopPointing; a copter whose camera cannot pan turns its nose.
+struct PointAt
+{
+    double latitude = 0, longitude = 0; ///< degrees
+    double altitudeRelative = 0;        ///< metres above home
+};
+struct StopPointing
+{};
+/// Moves home. Its altitude stays, since a station without terrain data knows no other.
+struct SetHome
+{
+    double latitude = 0, longitude = 0; ///< degrees
 };
 struct ChangeSpeed
 {
@@ -52,8 +77,9 @@ struct RawCommand
     float parameters[7]{};
 };
 
-using VehicleCommand = std::variant<Arm, Disarm, TakeOff, Land, ReturnToLaunch, SetMode, GoTo, ChangeSpeed,
-                                    SetCurrentMissionItem, StartMission, Reboot, RawCommand>;
+using VehicleCommand =
+    std::variant<Arm, Disarm, TakeOff, Land, ReturnToLaunch, SetMode, GoTo, ChangeAltitude, Loiter, PointAt, StopPointing,
+                 SetHome, ChangeSpeed, SetCurrentMissionItem, StartMission, Reboot, RawCommand>;
 
 enum class CommandOutcome : std::uint8_t { Accepted, Refused, TimedOut };
 

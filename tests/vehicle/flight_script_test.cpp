@@ -72,6 +72,12 @@ void FlightScriptTest::readsEveryVerb()
     (void)command<Reboot>(only("reboot"));
     const auto &place = command<GoTo>(only("goto -35.36 149.16 20"));
     QCOMPARE(place.longitude, 149.16);
+    QCOMPARE(command<ChangeAltitude>(only("altitude 25")).altitudeRelative, 25.);
+    (void)command<Loiter>(only("loiter"));
+    QCOMPARE(command<PointAt>(only("roi -35.36 149.16")).altitudeRelative, 0.);
+    QCOMPARE(command<PointAt>(only("roi -35.36 149.16 -3")).altitudeRelative, -3.);
+    (void)command<StopPointing>(only("roi NONE"));
+    QCOMPARE(command<SetHome>(only("sethome -35.36 149.16")).latitude, -35.36);
     QCOMPARE(command<ChangeSpeed>(only("speed 4.5")).metresPerSecond, 4.5);
     QCOMPARE(command<SetCurrentMissionItem>(only("item 3")).index, std::uint16_t(3));
     const auto raw = only("command 183 1 1500");
@@ -234,7 +240,7 @@ void FlightScriptTest::stepsRoundTrip()
     QVERIFY(rc::check("toText and back", [] {
         const auto milli = rc::gen::map(rc::gen::inRange(-80000, 80001), [](int n) { return n / 1000.0; });
         const auto positive = rc::gen::map(rc::gen::inRange(1, 1000000), [](int n) { return n / 1000.0; });
-        const auto actions = *rc::gen::inRange(0, 12);
+        const auto actions = *rc::gen::inRange(0, 16);
         FlightStep step;
         if (*rc::gen::arbitrary<bool>())
             step.systemId = *rc::gen::inRange<std::uint8_t>(1, 255);
@@ -255,6 +261,10 @@ void FlightScriptTest::stepsRoundTrip()
                 RawCommand{*rc::gen::arbitrary<std::uint16_t>(), {1, 2.5f, static_cast<float>(*milli)}});
             break;
         case 9: step.action = VehicleCommand(ChangeSpeed{*positive}); break;
+        case 10: step.action = VehicleCommand(ChangeAltitude{*positive}); break;
+        case 11: step.action = VehicleCommand(PointAt{*milli, *milli, *milli}); break;
+        case 12: step.action = VehicleCommand(StopPointing{}); break;
+        case 13: step.action = VehicleCommand(SetHome{*milli, *milli}); break;
         default: {
             const auto &field = stateFields()[*rc::gen::inRange<std::size_t>(0, stateFields().size())];
             WaitUntil wait;

@@ -23,6 +23,7 @@ class ScriptedFlightTest : public QObject
 private Q_SLOTS:
     void wholeFlight_data();
     void wholeFlight();
+    void placesAndAltitudes();
     void refusedTakeOffEndsTheScript();
     void missionIsUploadedAndFlown();
     void parametersAreReadAndWritten();
@@ -191,6 +192,19 @@ void ScriptedFlightTest::wholeFlight()
     QVERIFY(state.latency >= 0.05 && state.latency < 0.2);
     QVERIFY(state.batteryPercent < 100 && state.batteryVoltage > 5);
     QVERIFY(!state.texts.empty());
+}
+
+/// North of the field, the nose points back at it, and home moves under the vehicle.
+void ScriptedFlightTest::placesAndAltitudes()
+{
+    World world(0.05, 7);
+    const auto reports = world.fly(
+        "wait ekf_ok==1 60; wait gps_fix>=3 60; mode GUIDED; arm; takeoff 10; wait alt_rel>=9.5 60;"
+        "roi -35.363261 149.165230; goto -35.3628 149.165230 10; wait distance_home>=45 60; wait ground_speed<0.5 60;"
+        "wait heading>=170 20; wait heading<=190 20; altitude 20; wait alt_rel>=19.5 60; wait distance_home>=45 5; roi none;"
+        "loiter; wait mode==LOITER 5; sethome -35.3628 149.165230; wait distance_home<5 20; wait alt_rel>=19 5; land",
+        600);
+    QVERIFY2(reports.size() == 22 && reports.back().result == StepResult::Accepted, story(reports).c_str());
 }
 
 void ScriptedFlightTest::refusedTakeOffEndsTheScript()

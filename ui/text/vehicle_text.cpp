@@ -57,7 +57,14 @@ QString commandText(const vehicle::VehicleCommand &command)
                    [](const vehicle::Land &) { return Text::tr("Land"); },
                    [](const vehicle::ReturnToLaunch &) { return Text::tr("Return to launch"); },
                    [](const vehicle::SetMode &c) { return Text::tr("Mode %1").arg(fromStd(c.mode)); },
-                   [](const vehicle::GoTo &) { return Text::tr("Fly to the point"); },
+                   [](const vehicle::GoTo &) { return Text::tr("Go here"); },
+                   [](const vehicle::ChangeAltitude &c) {
+                       return Text::tr("Change altitude to %1 m").arg(number(c.altitudeRelative, 0));
+                   },
+                   [](const vehicle::Loiter &) { return Text::tr("Loiter"); },
+                   [](const vehicle::PointAt &) { return Text::tr("Point at here"); },
+                   [](const vehicle::StopPointing &) { return Text::tr("Stop pointing"); },
+                   [](const vehicle::SetHome &) { return Text::tr("Set home here"); },
                    [](const vehicle::ChangeSpeed &c) { return Text::tr("Speed %1 m/s").arg(number(c.metresPerSecond, 1)); },
                    [](const vehicle::SetCurrentMissionItem &c) { return Text::tr("Mission item %1").arg(c.index); },
                    [](const vehicle::StartMission &) { return Text::tr("Start the mission"); },
