@@ -240,8 +240,8 @@ private:
         return std::abs(latitude) <= 90 && std::abs(longitude) <= 180 && std::isfinite(altitude);
     }
 
-    /// Metres above mean sea level; NaN if unknown. From both altitudes of the vehicle, since without HOME_POSITION home is only
-    /// the place where the vehicle was armed, or first seen armed in flight.
+    /// Metres above mean sea level; NaN if unknown. From both altitudes of the vehicle, since without HOME_POSITION home is
+    /// only the place where the vehicle was armed, or first seen armed in flight.
     double homeAltitude() const
     {
         const double own = m_state.position.altitude - m_state.altitudeRelative;
