@@ -41,7 +41,7 @@ private:
     const ModeTable &m_table;
     FlightMode m_current;
     Guided m_guided;
-    Loiter m_loiter;
+    LoiterMode m_loiter;
     HoldHere m_hold;
     Brake m_brake;
     Landing m_landing;

@@ -48,7 +48,7 @@ FlightDemand holdAltitude(const Situation &s)
     return demand;
 }
 
-FlightDemand Loiter::update(const Situation &s)
+FlightDemand LoiterMode::update(const Situation &s)
 {
     FlightDemand demand = holdAltitude(s);
     if (s.landed)

@@ -11,7 +11,7 @@ FlightDemand stabilize(const Situation &s);
 FlightDemand holdAltitude(const Situation &s);
 
 /// Sticks command a velocity; centred, the place is held.
-class Loiter
+class LoiterMode
 {
 public:
     void begin(const Situation &s) { m_place = stoppingPoint(s); }
