@@ -46,6 +46,9 @@ app::SimSettings settingsFrom(app::Options &options)
     settings.type = typeFrom(options);
     settings.trustedLink = options.wholeNumber("trusted-link", 0, settings.links.size());
     settings.saturate = options.has("saturate");
+    settings.perSecond = static_cast<std::uint32_t>(options.wholeNumber("pps", 0, 1'000'000));
+    if (settings.saturate && settings.perSecond > 0)
+        options.fail("--pps: not with --saturate");
     settings.json = options.has("json");
     options.arguments(0, 0);
     return settings;
@@ -72,6 +75,10 @@ int main(int argc, char **argv)
         "0 = on no link.",
         "0");
     options.addFlag("saturate", "Let the first vehicle send telemetry as fast as the station answers, to load the link.");
+    options.addValue("pps", "N",
+                     "Let the first vehicle send N telemetry messages a second besides the streams, on a schedule fixed in "
+                     "advance; --json reports those that were missed.",
+                     "0");
     options.addFlag("json", "One JSON object per line on stdout.");
     if (const auto status = options.parse(application.arguments().mid(1)))
         return *status;

@@ -10,7 +10,9 @@ namespace {
 
 // Every wake-up costs about 15 µs, so telemetry that falls due in between waits for the next one.
 constexpr Duration kShortestSleep = std::chrono::milliseconds(4);
-constexpr double kSpacing = 12; // m between vehicles on the ground
+constexpr Duration kPaceEvery = std::chrono::milliseconds(100); ///< between two reports of the paced load
+constexpr std::uint64_t kAtOnce = 100;                          ///< messages that fit a vehicle's outbox
+constexpr double kSpacing = 12;                                 // m between vehicles on the ground
 
 const char *verb(const link::Link &link)
 {
@@ -66,6 +68,8 @@ void SimHost::received(TimePoint time, const mavlink::Frame &frame, sim::LinkTru
         vehicle.handleFrame(time, frame, trust);
     if (m_settings.saturate)
         m_saturator.handleFrame(time, frame);
+    if (m_settings.perSecond > 0 && !m_pacer)
+        m_pacer.emplace(m_settings.perSecond, time);
     if (m_timer.remainingTime() > 0) // responses do not wait for telemetry
         m_timer.start(0);
 }
@@ -80,9 +84,46 @@ void SimHost::live()
     }
     while (m_settings.saturate && m_saturator.advance(now, m_vehicles.front()))
         send(now);
+    if (m_pacer) {
+        pace(now);
+        next = std::min(next, m_pacer->nextDue());
+    }
     send(now);
     const Duration sleep = std::max(next - now, kShortestSleep);
     m_timer.start(std::chrono::ceil<std::chrono::milliseconds>(sleep));
+}
+
+void SimHost::pace(TimePoint now)
+{
+    std::uint64_t first = m_pacer->due();
+    for (std::uint64_t left = m_pacer->take(now); left > 0;) {
+        send(now); // the outbox is empty
+        const std::uint64_t before = dropped(), count = std::min(left, kAtOnce);
+        m_vehicles.front().sendTelemetry(now, first, count);
+        send(now);
+        m_pacer->fail(std::min(count, dropped() - before));
+        first += count;
+        left -= count;
+    }
+    if (m_settings.json && now - m_paceReported >= kPaceEvery)
+        reportPace(now);
+}
+
+/// Frames that did not leave this program.
+std::uint64_t SimHost::dropped() const
+{
+    std::uint64_t out = m_vehicles.front().dropped();
+    for (const auto &link : m_links)
+        out += link->link().counters().txDropped;
+    return out;
+}
+
+void SimHost::reportPace(TimePoint now)
+{
+    m_paceReported = now;
+    JsonWriter json;
+    json.beginObject().field("event", "pace").field("due", m_pacer->due()).field("missed", m_pacer->missed());
+    printLine(json.endObject().text());
 }
 
 void SimHost::send(TimePoint now)

@@ -157,11 +157,20 @@ void SimulatedVehicle::Parts::notifyStatus()
         telemetry.sendText(*text);
 }
 
+/// Of each station, every second or more often.
+static constexpr std::array<std::uint32_t, 8> kUsual{
+    mavlink::Attitude::kId,   mavlink::RawImu::kId,    mavlink::VfrHud::kId,         mavlink::GlobalPositionInt::kId,
+    mavlink::RcChannels::kId, mavlink::GpsRawInt::kId, mavlink::ServoOutputRaw::kId, mavlink::SysStatus::kId};
+
+void SimulatedVehicle::sendTelemetry(TimePoint now, std::uint64_t first, std::size_t messages)
+{
+    advance(now);
+    for (std::size_t i = 0; i < messages; ++i)
+        m_parts->telemetry.send(kUsual[(first + i) % kUsual.size()]);
+}
+
 void SimulatedVehicle::sendBurst(TimePoint now, std::size_t messages, std::int64_t ticket)
 {
-    constexpr std::array<std::uint32_t, 8> kUsual{
-        mavlink::Attitude::kId,   mavlink::RawImu::kId,    mavlink::VfrHud::kId,         mavlink::GlobalPositionInt::kId,
-        mavlink::RcChannels::kId, mavlink::GpsRawInt::kId, mavlink::ServoOutputRaw::kId, mavlink::SysStatus::kId};
     // Two kinds a burst and all in four, each together: a link may send those of one size as one piece.
     constexpr std::size_t kKinds = 2;
     advance(now);

@@ -45,6 +45,9 @@ public:
     /// `ticket`. The answer of a station shows that all of them arrived.
     void sendBurst(TimePoint now, std::size_t messages, std::int64_t ticket);
 
+    /// The same without a request: so many of the common messages, one after the other from the `first` on.
+    void sendTelemetry(TimePoint now, std::uint64_t first, std::size_t messages);
+
     /// The next frame to send, valid until the next call to this object; empty when there is none.
     ByteView pollFrame();
     /// Frames dropped because the outbox was full.
