@@ -1,0 +1,164 @@
+#include "core/experiment/cost_model.h"
+
+#include "core/experiment/bar_chart.h"
+#include "core/experiment/html_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace skyseal::experiment {
+
+namespace {
+
+constexpr double kNanosecondsOfPercent = 1e7; ///< of one core, in a second
+
+struct EndMetrics
+{
+    LinkEnd end;
+    Metric cpu, wakeUps;
+};
+constexpr EndMetrics kEnds[] = {{LinkEnd::Station, Metric::Cpu, Metric::WakeUps},
+                                {LinkEnd::Agent, Metric::AgentCpu, Metric::AgentWakeUps}};
+
+std::optional<CostModel> modelOf(const Results &results, std::size_t condition, std::size_t arm, const EndMetrics &end)
+{
+    CostModel out{condition, arm, end.end, {}, {}, {}};
+    std::vector<double> design;
+    std::set<std::size_t> loads;
+    for (const Sample &sample : results.samples) {
+        const bool isOne = sample.run.condition == condition && sample.run.arm == arm && sample.isValid()
+            && results.plan.loads[sample.run.load].isPaced();
+        const double frames = sample.values[Metric::FrameRate], wakeUps = sample.values[end.wakeUps],
+                     cost = sample.values[end.cpu] * kNanosecondsOfPercent;
+        if (!isOne || !std::isfinite(frames) || !std::isfinite(wakeUps) || !std::isfinite(cost))
+            continue;
+        loads.insert(sample.run.load);
+        out.runs.push_back(&sample);
+        out.values.push_back(cost);
+        design.insert(design.end(), {1, frames, wakeUps});
+    }
+    if (loads.size() < 2)
+        return std::nullopt;
+    auto fit = leastSquares(design, CostModel::kTerms, out.values);
+    if (!fit)
+        return std::nullopt;
+    out.fit = std::move(*fit);
+    return out;
+}
+
+/// "612.3 ± 20.4"
+std::string termText(const LinearFit &fit, std::size_t term)
+{
+    return readable(fit.coefficients[term], fit.coefficients[term] - fit.halfWidth(term),
+                    fit.coefficients[term] + fit.halfWidth(term));
+}
+
+/// The mean residual of the runs of this load and the greatest one, per cent of the CPU time of the run.
+std::string residualText(const CostModel &model, std::size_t load)
+{
+    double sum = 0, greatest = 0;
+    int count = 0;
+    for (std::size_t i = 0; i < model.runs.size(); ++i) {
+        if (model.runs[i]->run.load != load)
+            continue;
+        const double share = 100 * model.fit.residuals[i] / model.values[i];
+        sum += share;
+        greatest = std::max(greatest, std::abs(share));
+        ++count;
+    }
+    return count == 0 ? "–" : readable(sum / count) + " (≤ " + readable(greatest) + ")";
+}
+
+std::string missedText(const Results &results)
+{
+    double missed = 0;
+    for (const Sample &sample : results.samples) {
+        if (const double one = sample.values[Metric::MissedSends]; sample.isValid() && one > 0)
+            missed += one;
+    }
+    return "The generator missed " + readable(missed) + " of its sends in the valid runs.";
+}
+
+} // namespace
+
+std::string_view name(LinkEnd end)
+{
+    return end == LinkEnd::Station ? "station" : "agent";
+}
+
+std::vector<CostModel> costModels(const Results &results)
+{
+    std::vector<CostModel> out;
+    for (std::size_t condition = 0; condition < results.plan.conditions.size(); ++condition) {
+        for (std::size_t arm = 0; arm < results.plan.arms.size(); ++arm) {
+            for (const EndMetrics &end : kEnds) {
+                if (results.plan.arms[arm].again)
+                    continue;
+                if (auto model = modelOf(results, condition, arm, end))
+                    out.push_back(std::move(*model));
+            }
+        }
+    }
+    return out;
+}
+
+std::string costModelHtml(const Results &results)
+{
+    const Plan &plan = results.plan;
+    std::vector<std::string> head{"suite",
+                                  "framing",
+                                  "end",
+                                  "link",
+                                  "runs",
+                                  "a (µs per second)",
+                                  "b (ns per frame)",
+                                  "c (ns per wake-up)",
+                                  "standard deviation of the residuals (µs per second)"};
+    std::vector<std::size_t> paced;
+    for (std::size_t load = 0; load < plan.loads.size(); ++load) {
+        if (!plan.loads[load].isPaced())
+            continue;
+        paced.push_back(load);
+        head.push_back("residuals at " + std::to_string(plan.loads[load].perSecond) + " frames/s (%)");
+    }
+    if (paced.empty())
+        return {};
+    const std::string title = "<h2>Cost against rate</h2>\n";
+    const std::vector<CostModel> models = costModels(results);
+    if (models.empty())
+        return title
+            + "<p>Not fitted: a + b × frames + c × wake-ups needs four valid runs of a suite, at two rates or more "
+              "(--pps).</p>\n";
+    std::string rows;
+    for (const CostModel &model : models) {
+        LinearFit micro = model.fit;
+        micro.coefficients[CostModel::kConstant] /= 1000;
+        micro.errors[CostModel::kConstant] /= 1000;
+        std::vector<std::string> cells{armText(plan.arms[model.arm]),
+                                       std::string(framingName(plan.arms[model.arm])),
+                                       std::string(name(model.end)),
+                                       escaped(plan.conditions[model.condition].name),
+                                       std::to_string(model.runs.size()),
+                                       termText(micro, CostModel::kConstant),
+                                       termText(model.fit, CostModel::kPerFrame),
+                                       termText(model.fit, CostModel::kPerWakeUp),
+                                       readable(model.fit.deviation / 1000)};
+        for (const std::size_t load : paced)
+            cells.push_back(residualText(model, load));
+        rows += row(cells);
+    }
+    return title
+        + "<p>CPU time = a + b × frames + c × wake-ups, for each second, fitted to the runs of the paced loads by least "
+          "squares, ± half of the 95 % interval (Student's t). Runs of one launch count as independent here, so that few "
+          "launches make the intervals too narrow. If frames and wake-ups grow together, b and c cannot be told apart well, "
+          "and both intervals are wide. Residuals: their mean over the runs of a load and, in brackets, the greatest one, per "
+          "cent of the measured CPU time; means of one sign at the lowest and highest rates and of the other in between show "
+          "that the cost is not linear. "
+        + missedText(results)
+        + "</p>\n"
+          "<div class=\"wide\"><table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
+        + row(head, "th") + rows + "</table></div>\n";
+}
+
+} // namespace skyseal::experiment

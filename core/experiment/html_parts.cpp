@@ -1,0 +1,20 @@
+#include "core/experiment/html_parts.h"
+
+#include "core/experiment/bar_chart.h"
+
+namespace skyseal::experiment {
+
+std::string row(const std::vector<std::string> &cells, const char *tag)
+{
+    std::string out = "<tr>";
+    for (const std::string &cell : cells)
+        out += std::string("<") + tag + ">" + cell + "</" + tag + ">";
+    return out + "</tr>\n";
+}
+
+std::string armText(const SweepArm &arm)
+{
+    return isInsecure(arm) ? "<span class=\"insecure\">" + escaped(name(arm)) + " (insecure)</span>" : escaped(name(arm));
+}
+
+} // namespace skyseal::experiment

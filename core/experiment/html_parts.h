@@ -1,0 +1,17 @@
+// Parts that the tables of a report share. Pure functions.
+#pragma once
+
+#include "core/experiment/plan.h"
+
+#include <string>
+#include <vector>
+
+namespace skyseal::experiment {
+
+/// A row of a table. `cells` are HTML; `tag` is td, or th for titles.
+std::string row(const std::vector<std::string> &cells, const char *tag = "td");
+
+/// The name of an arm, marked if it is insecure.
+std::string armText(const SweepArm &arm);
+
+} // namespace skyseal::experiment

@@ -1,0 +1,121 @@
+// The cost of a suite as a function of its load, against a solution of the normal equations in fractions (Python), and which
+// runs it is fitted to.
+#include "core/experiment/cost_model.h"
+#include "tests/support/test_runner.h"
+
+#include <QtTest/QTest>
+
+#include <array>
+#include <cmath>
+
+using namespace skyseal;
+using namespace skyseal::experiment;
+
+namespace {
+
+struct Observed
+{
+    unsigned load, launch;
+    double frames, wakeUps, cost; ///< per second; ns
+};
+constexpr std::array<Observed, 8> kObserved{{{0, 0, 60, 60, 2013000},
+                                             {0, 1, 60, 64, 2090000},
+                                             {1, 0, 560, 250, 6890000},
+                                             {1, 1, 560, 262, 7010000},
+                                             {2, 0, 2060, 260, 11050000},
+                                             {2, 1, 2060, 255, 10880000},
+                                             {3, 0, 5060, 262, 18870000},
+                                             {3, 1, 5060, 251, 18790000}}};
+constexpr double kCoefficients[] = {749228.0173306685, 2637.135872056824, 18495.38014538162};
+constexpr double kErrors[] = {55671.46022213793, 12.737910439447882, 294.0536170182829};
+constexpr double kResiduals[] = {-4178.97837697504, -1160.498958501512,  40130.85797210543,  -61813.703772473986,
+                                 59473.24843305284, -18049.850840039075, -68925.12802818323, 54524.05357101457};
+constexpr double kStudent = 2.570581835636314; ///< 0.975 quantile of 5 degrees, by tables
+
+/// One arm, whose station costs that and whose agent costs twice as much.
+Results observedSweep()
+{
+    Results out;
+    out.plan.arms = {{crypto::SuiteId::Aes256Gcm}};
+    out.plan.loads = {Load::paced(10), Load::paced(500), Load::paced(2000), Load::paced(5000)};
+    out.plan.launches = 2;
+    out.plan.repeats = 1;
+    for (const Observed &one : kObserved) {
+        Sample sample;
+        sample.run = {0, one.load, 0, 0, one.launch};
+        sample.values[Metric::FrameRate] = one.frames;
+        sample.values[Metric::WakeUps] = sample.values[Metric::AgentWakeUps] = one.wakeUps;
+        sample.values[Metric::Cpu] = one.cost / 1e7;
+        sample.values[Metric::AgentCpu] = 2 * one.cost / 1e7;
+        out.samples.push_back(sample);
+    }
+    return out;
+}
+
+bool isWithin(double value, double expected, double relative)
+{
+    return std::abs(value - expected) <= relative * std::abs(expected);
+}
+
+} // namespace
+
+class CostModelTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void agreesWithFractions()
+    {
+        const Results results = observedSweep();
+        const std::vector<CostModel> models = costModels(results);
+        QCOMPARE(int(models.size()), 2);
+        for (const CostModel &model : models) {
+            const double scale = model.end == LinkEnd::Station ? 1 : 2;
+            QCOMPARE(model.fit.degrees, 5.0);
+            for (std::size_t term = 0; term < CostModel::kTerms; ++term) {
+                QVERIFY(isWithin(model.fit.coefficients[term], scale * kCoefficients[term], 1e-10));
+                QVERIFY(isWithin(model.fit.halfWidth(term), scale * kStudent * kErrors[term], 1e-9));
+            }
+            for (std::size_t i = 0; i < kObserved.size(); ++i) {
+                QVERIFY(std::abs(model.fit.residuals[i] - scale * kResiduals[i]) < 1e-3);
+                QCOMPARE(model.runs[i], &results.samples[i]);
+            }
+        }
+    }
+
+    void runsThatDoNotCount()
+    {
+        Results results = observedSweep();
+        Sample extra = results.samples.front();
+        extra.values[Metric::Cpu] = 99;
+        extra.invalid = "the generator missed 5 % of its sends";
+        results.samples.push_back(extra);
+        extra.invalid.clear();
+        results.plan.loads.push_back(Load::Saturated);
+        extra.run.load = 4;
+        results.samples.push_back(extra);
+        QCOMPARE(costModels(results).front().runs.size(), kObserved.size());
+    }
+
+    void oneRateIsNoModel()
+    {
+        Results results = observedSweep();
+        for (Sample &sample : results.samples)
+            sample.run.load = 0;
+        QVERIFY(costModels(results).empty());
+        QVERIFY(costModelHtml(results).find("Not fitted") != std::string::npos);
+        results.plan.loads = {Load::Natural};
+        QVERIFY(costModelHtml(results).empty());
+    }
+
+    void reportShowsIntervalsAndResiduals()
+    {
+        const std::string html = costModelHtml(observedSweep());
+        for (const char *text :
+             {"2,637 ± 33", "18,495 ± 756", "749 ± 143", "residuals at 5000 frames/s (%)", "-0.0375 (≤ 0.365)"})
+            QVERIFY2(html.find(text) != std::string::npos, (std::string(text) + " in " + html).c_str());
+    }
+};
+
+SKYSEAL_TEST_APPLESS(CostModelTest)
+#include "cost_model_test.moc"
