@@ -56,6 +56,11 @@ void declare(Options &options)
         "load", "LIST",
         "natural: the streams that a station requests; saturated: as fast as possible. Default: both; with --link or --vehicle "
         "natural.");
+    options.addValue(
+        "pps", "LIST",
+        "Loads of so many frames a second besides the natural one, separated by commas, on a schedule that does not "
+        "depend on the station: 100,500,2000. With two or more, the CPU time is fitted as a + b frames + c wake-ups. "
+        "Alone unless --load is given.");
     options.addValue("impair", "SPEC",
                      "Link condition: clean, or loss=, duplicate=, reorder=, corrupt=, delay=, jitter=, rate=, separated by "
                      "commas. May be given several times.");
@@ -135,6 +140,23 @@ std::vector<crypto::SuiteId> readSuites(Options &options, bool ownAgent)
     return suites;
 }
 
+void readPaces(Options &options, experiment::Plan &plan)
+{
+    constexpr std::size_t kMost = 20;
+    if (!options.has("pps"))
+        return;
+    if (!options.has("load"))
+        plan.loads.clear();
+    const QString text = QString::fromStdString(options.text("pps"));
+    for (const QString &one : text.split(QLatin1Char(','))) {
+        const auto load = experiment::loadFromName("pps" + one.trimmed().toStdString());
+        if (!load || plan.loads.size() > kMost || std::ranges::find(plan.loads, *load) != plan.loads.end())
+            return options.fail("--pps '" + options.text("pps") + "': up to " + std::to_string(kMost)
+                                + " different rates of 1 to 1000000 are expected");
+        plan.loads.push_back(*load);
+    }
+}
+
 void readLoads(Options &options, bool ownVehicle, experiment::Plan &plan)
 {
     const std::string text = options.has("load") ? options.text("load") : ownVehicle ? "natural,saturated" : "natural";
@@ -146,8 +168,9 @@ void readLoads(Options &options, bool ownVehicle, experiment::Plan &plan)
         plan.loads = {Load::Natural, Load::Saturated};
     else
         options.fail("--load '" + text + "': natural, saturated or natural,saturated is expected");
+    readPaces(options, plan);
     if (!ownVehicle && plan.loads != std::vector{Load::Natural})
-        options.fail("--load saturated: not with --link or --vehicle, since that vehicle sets its own rates");
+        options.fail("--load saturated, --pps: not with --link or --vehicle, since that vehicle sets its own rates");
 }
 
 void readConditions(Options &options, bool ownAgent, experiment::Plan &plan)

@@ -65,10 +65,8 @@ bool isFigureName(const QString &name)
     QStringList parts = name.split(QLatin1Char('-'));
     if (parts.size() > 2 && parts.first() == QLatin1String("ratio"))
         parts.removeFirst();
-    const auto isLoad = [&](experiment::Load load) { return parts[1].toStdString() == experiment::name(load); };
     return (parts.size() == 2 || (parts.size() == 3 && parts[2].toUInt() > 0))
-        && experiment::metricFromKey(parts[0].toStdString())
-        && (isLoad(experiment::Load::Natural) || isLoad(experiment::Load::Saturated));
+        && experiment::metricFromKey(parts[0].toStdString()) && experiment::loadFromName(parts[1].toStdString());
 }
 
 /// Removes the pictures of an older sweep, which would be taken for those of this one. Other files stay.

@@ -25,7 +25,7 @@ QString commandOf(const experiment::Plan &plan, bool connected)
     for (const channel::Framing framing : experiment::framingsOf(plan))
         framings << QString::fromUtf8(experiment::name(framing).data());
     for (const experiment::Load load : plan.loads)
-        loads << QString::fromUtf8(experiment::name(load).data());
+        loads << QString::fromStdString(experiment::name(load));
     QString links;
     for (const experiment::Condition &condition : plan.conditions) {
         if (plan.conditions.size() > 1 || !condition.clean())

@@ -201,7 +201,7 @@ bool isCompared(Metric metric, Load load)
 {
     const MetricInfo &described = info(metric);
     return described.independent && !described.explains && !described.oncePerSuite
-        && !(described.setByVehicle && load == Load::Natural);
+        && !(described.setByVehicle && load != Load::Saturated);
 }
 
 std::vector<Contrast> plannedContrasts(const Results &results, std::size_t condition, std::size_t load, Metric metric)

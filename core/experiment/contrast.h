@@ -47,8 +47,8 @@ struct Contrast
 /// The arm that all others are compared with: plain MAVLink, or the first arm that was run if it is not in the plan.
 std::optional<std::size_t> referenceArm(const Plan &plan);
 
-/// Whether arms are compared by this metric under this load. Under the natural load the vehicle decides how many packets there
-/// are.
+/// Whether arms are compared by this metric under this load. Under all loads but the saturated one the vehicle decides how many
+/// packets there are.
 bool isCompared(Metric metric, Load load);
 
 /// Those of one metric, condition and load, which are one family of Holm's correction: first each arm against the reference, in

@@ -158,11 +158,9 @@ private:
         skipSpace();
         const std::size_t begin = m_at;
         const std::string_view text = word(false);
-        for (const Load known : {Load::Natural, Load::Saturated}) {
-            if (text == name(known) && !out.load) {
-                out.load = known;
-                return;
-            }
+        if (const auto known = loadFromName(text); known && !out.load) {
+            out.load = known;
+            return;
         }
         for (const channel::Framing known : {channel::Framing::Sealed, channel::Framing::Inline}) {
             if (text == name(known) && !out.framing) {
@@ -171,7 +169,7 @@ private:
             }
         }
         m_at = begin;
-        fail("natural or saturated, sealed or inline is expected");
+        fail("natural, saturated or pps500, sealed or inline is expected");
     }
 
     std::string_view m_text;

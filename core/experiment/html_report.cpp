@@ -3,7 +3,9 @@
 #include "core/experiment/analysis.h"
 #include "core/experiment/bar_chart.h"
 #include "core/experiment/contrast.h"
+#include "core/experiment/cost_model.h"
 #include "core/experiment/disturbances.h"
+#include "core/experiment/html_parts.h"
 #include "core/experiment/setting.h"
 #include "core/experiment/sweep_text.h"
 
@@ -21,19 +23,6 @@ constexpr const char *kStyle =
     "text-align:right;white-space:nowrap}th:first-child,td:first-child{text-align:left}"
     "td.text{text-align:left;white-space:normal}th{background:#f0f3f7}.insecure{color:#a33c10}"
     ".bad{color:#c00000;font-weight:bold}.wide{overflow-x:auto}figure{margin:1em 0}svg{max-width:100%;height:auto}";
-
-std::string row(const std::vector<std::string> &cells, const char *tag = "td")
-{
-    std::string out = "<tr>";
-    for (const std::string &cell : cells)
-        out += std::string("<") + tag + ">" + cell + "</" + tag + ">";
-    return out + "</tr>\n";
-}
-
-std::string armText(const SweepArm &arm)
-{
-    return isInsecure(arm) ? "<span class=\"insecure\">" + escaped(name(arm)) + " (insecure)</span>" : escaped(name(arm));
-}
 
 std::string placeText(const Plan &plan, std::size_t condition, std::size_t load)
 {
@@ -432,6 +421,7 @@ std::string body(const ReportParts &parts, bool inlineFigures)
             + "</div>\n" + plainText(results.plan) + pairTable(results, condition, load)
             + "<h3>Means</h3>\n<div class=\"wide\">" + summaryTable(results, condition, load) + "</div>\n";
     });
+    out += costModelHtml(results);
     out += section + "The machine's noise (A/A)</h2>\n<div class=\"wide\">" + noiseTable(results) + "</div>\n";
     out += "<h2>Trend with the order of the runs</h2>\n<div class=\"wide\">" + trendTable(results) + "</div>\n";
     out += "<h2>The paper's claims</h2>\n" + claimsTable(results, parts.claims) + orderingTable(results);

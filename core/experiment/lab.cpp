@@ -8,6 +8,8 @@
 #include "core/metrics/process_usage.h"
 
 #include <QtCore/QFileInfo>
+#include <QtCore/QJsonDocument>
+#include <QtCore/QJsonObject>
 #include <QtNetwork/QUdpSocket>
 
 #include <array>
@@ -103,6 +105,7 @@ Lab::Lab(LabPrograms programs, std::optional<link::LinkUrl> vehicle)
         });
 #endif
     }
+    connect(&m_simulator, &QProcess::readyReadStandardOutput, this, &Lab::readPace);
 }
 
 Result<std::unique_ptr<Lab>, InputError> Lab::create(LabPrograms programs, RandomSource &random,
@@ -168,7 +171,21 @@ void Lab::start(Load load, const Condition &condition, std::uint64_t seed)
                           QString::number(kFlightRate)};
     if (load == Load::Saturated)
         simulator << QStringLiteral("--saturate");
+    if (load.isPaced())
+        simulator << QStringLiteral("--pps") << QString::number(load.perSecond);
+    m_missedSends.reset();
+    m_simulator.setStandardOutputFile(load.isPaced() ? QString() : QProcess::nullDevice());
     launch(m_simulator, m_programs.simulator, simulator);
+}
+
+/// Lines that are no counts of the paced load name its link.
+void Lab::readPace()
+{
+    while (m_simulator.canReadLine()) {
+        const QJsonObject line = QJsonDocument::fromJson(m_simulator.readLine()).object();
+        if (line[QLatin1String("event")] == QLatin1String("pace"))
+            m_missedSends = static_cast<std::uint64_t>(line[QLatin1String("missed")].toInteger());
+    }
 }
 
 ProgramUsage Lab::usage() const
@@ -182,6 +199,7 @@ ProgramUsage Lab::usage() const
         out.autopilotCpu = metrics::processCpuTime(m_autopilot->process);
     out.agentMemory = metrics::residentBytes(m_agent.processId());
     out.agentSwitches = metrics::contextSwitches(m_agent.processId());
+    out.missedSends = m_missedSends;
     return out;
 }
 

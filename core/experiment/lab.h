@@ -62,6 +62,7 @@ private:
     Lab(LabPrograms programs, std::optional<link::LinkUrl> vehicle);
 
     void launch(QProcess &process, const QString &program, const QStringList &arguments);
+    void readPace();
     void reportEnd(QProcess &process);
     QString file(const char *name) const { return m_folder.filePath(QLatin1String(name)); }
 
@@ -72,6 +73,7 @@ private:
     QTemporaryDir m_folder;
     QProcess m_simulator, m_agent, m_relay;
     quint16 m_vehiclePort, m_relayPort, m_groundPort;
+    std::optional<std::uint64_t> m_missedSends; ///< of the simulator's paced load so far
     bool m_stopping = false;
 };
 

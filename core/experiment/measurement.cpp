@@ -155,6 +155,8 @@ void addCircumstances(Values &out, const Reading &begin, const Reading &end, dou
     }
     out[Metric::SimulatorCpu] = load(from.simulatorCpu, to.simulatorCpu, time);
     out[Metric::RelayCpu] = load(from.relayCpu, to.relayCpu, time);
+    if (from.missedSends && to.missedSends)
+        out[Metric::MissedSends] = growth(*from.missedSends, *to.missedSends);
     out[Metric::AutopilotCpu] = load(from.autopilotCpu, to.autopilotCpu, time);
     double other = load(begin.machine.busy, end.machine.busy, time) - out[Metric::CpuProcess];
     for (const double own :
@@ -182,7 +184,9 @@ std::optional<AgentCostReport> agentCostReport(const engine::SessionSnapshot &se
 
 bool sequenceNumbersCountLoss(const impair::ImpairmentSettings &link, Load load)
 {
-    constexpr double kShortestFrame = 12, kBitsOfByte = 10;
+    constexpr double kShortestFrame = 12, kBitsOfByte = 10, kStreams = 100; // frames a second, by far not reached
+    if (load.isPaced())
+        return (load.perSecond + kStreams) * seconds(link.jitter) <= metrics::SequenceTracker::kShortWindow;
     if (link.jitter <= Duration::zero() || load == Load::Natural)
         return true;
     // A saturated load fills the line: how many frames fit into the jitter?

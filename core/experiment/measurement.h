@@ -33,6 +33,7 @@ struct ProgramUsage
     std::optional<Duration> agentCpu, simulatorCpu, relayCpu, autopilotCpu;
     std::optional<std::uint64_t> agentMemory;
     std::optional<metrics::ContextSwitches> agentSwitches;
+    std::optional<std::uint64_t> missedSends; ///< of a paced load, as its generator counts them ten times a second
 };
 
 /// State of all counters at one edge of a run.

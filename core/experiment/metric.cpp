@@ -275,6 +275,14 @@ constexpr std::array<MetricInfo, kMetrics> kTable{{
          "CPU time of the autopilot beside which the sweep ran, percent of one core; empty if its process was not found "
          "on this machine",
      .explains = true},
+    {.metric = Metric::MissedSends,
+     .key = "missed_sends",
+     .title = "Missed sends of the paced load",
+     .unit = "",
+     .description =
+         "frames that the generator of a paced load did not send, since it was 20 ms late on its schedule or its queue "
+         "was full; exact to a tenth of a second at the ends of the run; empty under other loads",
+     .explains = true},
     {.metric = Metric::OtherCpu,
      .key = "other_cpu",
      .title = "CPU load, other programs",

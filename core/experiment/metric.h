@@ -56,6 +56,7 @@ enum class Metric : std::uint8_t {
     SimulatorCpu,
     RelayCpu,
     AutopilotCpu,
+    MissedSends,
     OtherCpu,
     Steal,
     Frequency,
@@ -100,8 +101,9 @@ struct MetricInfo
     bool independent = true;
     /// True if plain MAVLink has the value 0 by definition. It is not compared then.
     bool zeroInPlain = false;
-    bool explains = false;     ///< what may have disturbed a run, and no property of a suite: suites are not compared by it
-    bool setByVehicle = false; ///< under the natural load, which leaves every suite idle: it is not compared there
+    bool explains = false; ///< what may have disturbed a run, and no property of a suite: suites are not compared by it
+    bool setByVehicle =
+        false; ///< except under the saturated load, the only one that uses a suite up: it is compared there alone
     bool oncePerSuite = false; ///< measured once for each suite instead of in each run
     unsigned shownIn = 0;      ///< flags of ShownIn
 

@@ -5,13 +5,14 @@
 
 #include <algorithm>
 #include <charconv>
-#include <optional>
 
 namespace skyseal::experiment {
 
 using channel::Framing;
 
 namespace {
+
+constexpr std::string_view kPaced = "pps";
 
 std::uint64_t splitMix(std::uint64_t &state)
 {
@@ -72,9 +73,28 @@ std::optional<InputError> setField(impair::ImpairmentSettings &settings, std::st
 
 } // namespace
 
-std::string_view name(Load load)
+std::string name(Load load)
 {
-    return load == Load::Natural ? "natural" : "saturated";
+    switch (load.kind) {
+    case Load::Kind::Natural: return "natural";
+    case Load::Kind::Saturated: return "saturated";
+    case Load::Kind::Paced: break;
+    }
+    return std::string(kPaced) + std::to_string(load.perSecond);
+}
+
+std::optional<Load> loadFromName(std::string_view text)
+{
+    for (const Load known : {Load::Natural, Load::Saturated}) {
+        if (text == name(known))
+            return known;
+    }
+    if (!text.starts_with(kPaced))
+        return std::nullopt;
+    Load out = Load::paced(0);
+    std::from_chars(text.data() + kPaced.size(), text.data() + text.size(), out.perSecond);
+    const bool isOne = out.perSecond > 0 && out.perSecond <= kMostPaced && text == name(out); // in its only spelling
+    return isOne ? std::optional(out) : std::nullopt;
 }
 
 std::string name(const SweepArm &arm)

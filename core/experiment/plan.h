@@ -8,15 +8,31 @@
 #include "core/impair/impairment.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace skyseal::experiment {
 
-/// The traffic of the vehicle: the streams that a station usually requests, or as fast as answers come back.
-enum class Load : std::uint8_t { Natural, Saturated };
-std::string_view name(Load load);
+/// The traffic of the vehicle: the streams that a station usually requests, alone; with as much more as answers come back; or
+/// with so many frames a second more, on a schedule fixed in advance.
+struct Load
+{
+    enum class Kind : std::uint8_t { Natural, Saturated, Paced };
+    static const Load Natural, Saturated;
+    static constexpr Load paced(std::uint32_t perSecond) { return {Kind::Paced, perSecond}; }
+
+    Kind kind{};
+    std::uint32_t perSecond = 0; ///< of a paced load: 1 to kMostPaced
+    bool isPaced() const { return kind == Kind::Paced; }
+    bool operator==(const Load &) const = default;
+};
+inline constexpr Load Load::Natural{Load::Kind::Natural}, Load::Saturated{Load::Kind::Saturated};
+inline constexpr std::uint32_t kMostPaced = 1'000'000;
+/// "natural", "saturated", "pps500"
+std::string name(Load load);
+std::optional<Load> loadFromName(std::string_view name);
 
 /// One alternative of the comparison: a suite in a framing. `again` marks the repetition of another arm under a second name:
 /// any difference between the two is noise (A/A). The framing has no meaning for plain MAVLink.

@@ -4,6 +4,7 @@
 #include "core/experiment/analysis.h"
 #include "core/experiment/claims.h"
 #include "core/experiment/contrast.h"
+#include "core/experiment/cost_model.h"
 #include "core/experiment/csv.h"
 #include "core/experiment/disturbances.h"
 
@@ -121,6 +122,31 @@ void writeSample(JsonWriter &json, const Plan &plan, const Sample &sample)
     writeCounted(json, "begin", sample.begin);
     writeCounted(json, "end", sample.end);
     json.endObject();
+}
+
+void writeCostModel(JsonWriter &json, const Plan &plan, const CostModel &model)
+{
+    constexpr const char *kTerms[CostModel::kTerms] = {"constant", "per_frame", "per_wake_up"};
+    json.beginObject().field("condition", plan.conditions[model.condition].name);
+    arm(json, plan.arms[model.arm]);
+    json.field("end", name(model.end)).field("df", model.fit.degrees);
+    for (std::size_t term = 0; term < CostModel::kTerms; ++term) {
+        const double value = model.fit.coefficients[term], half = model.fit.halfWidth(term);
+        json.key(kTerms[term]).beginObject();
+        number(json, "ns", value);
+        number(json, "ci95_low", value - half);
+        number(json, "ci95_high", value + half);
+        json.endObject();
+    }
+    number(json, "residual_sd", model.fit.deviation);
+    json.key("residuals").beginArray();
+    for (std::size_t i = 0; i < model.runs.size(); ++i) {
+        json.beginObject().field("order", std::uint64_t(model.runs[i]->order));
+        number(json, "measured", model.values[i]);
+        number(json, "residual", model.fit.residuals[i]);
+        json.endObject();
+    }
+    json.endArray().endObject();
 }
 
 void writeSummary(JsonWriter &json, const Results &results, const Cell &cell, Metric metric)
@@ -256,6 +282,9 @@ std::string sweepJson(const Results &results, const std::vector<Verdict> &verdic
         writeVerdict(json, plan, verdict);
         json.endObject();
     }
+    json.endArray().key("cost_models").beginArray();
+    for (const CostModel &model : costModels(results))
+        writeCostModel(json, plan, model);
     json.endArray().key("claims").beginArray();
     for (const Claim &claim : paperClaims(results)) {
         json.beginObject().field("key", claim.key).field("claim", claim.text);

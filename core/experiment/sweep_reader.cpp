@@ -15,7 +15,7 @@ namespace skyseal::experiment {
 
 namespace {
 
-constexpr qsizetype kMostBytes = 256 << 20, kMostSamples = 1'000'000, kMostArms = 64, kMostPlaces = 64,
+constexpr qsizetype kMostBytes = 256 << 20, kMostSamples = 1'000'000, kMostArms = 64, kMostPlaces = 64, kMostLoads = 64,
                     kMostExpectations = 1000;
 
 QLatin1String q(const char *key)
@@ -58,15 +58,6 @@ std::optional<SweepArm> armOf(const QJsonObject &object)
     return out;
 }
 
-std::optional<Load> loadOf(const QJsonValue &value)
-{
-    for (const Load load : {Load::Natural, Load::Saturated}) {
-        if (textOf(value) == name(load))
-            return load;
-    }
-    return std::nullopt;
-}
-
 InputError wrong(const std::string &what)
 {
     return InputError{"not the sweep.json of a sweep: " + what, {}};
@@ -84,7 +75,7 @@ Result<Plan, InputError> planOf(const QJsonObject &object)
         out.arms.push_back(*arm);
     }
     for (const QJsonValue one : object[q("loads")].toArray()) {
-        const auto load = loadOf(one);
+        const auto load = loadFromName(textOf(one));
         if (!load)
             return tl::unexpected(wrong("a load of the plan is unknown"));
         out.loads.push_back(*load);
@@ -95,7 +86,7 @@ Result<Plan, InputError> planOf(const QJsonObject &object)
             return tl::unexpected(wrong("condition " + condition.error().text()));
         out.conditions.push_back(std::move(*condition));
     }
-    for (const auto &[size, most] : {std::pair(out.arms.size(), kMostArms), std::pair(out.loads.size(), qsizetype(2)),
+    for (const auto &[size, most] : {std::pair(out.arms.size(), kMostArms), std::pair(out.loads.size(), kMostLoads),
                                      std::pair(out.conditions.size(), kMostPlaces)}) {
         if (size == 0 || size > static_cast<std::size_t>(most))
             return tl::unexpected(wrong("its plan has no arms, loads or conditions, or too many"));
@@ -162,7 +153,7 @@ std::optional<Sample> readSample(const QJsonObject &object, const Plan &plan)
 {
     Sample out;
     const auto arm = armOf(object);
-    const auto load = loadOf(object[q("load")]);
+    const auto load = loadFromName(textOf(object[q("load")]));
     if (!arm || !load)
         return std::nullopt;
     const auto foundArm = std::ranges::find(plan.arms, *arm);

@@ -114,6 +114,11 @@ void CommandLineTest::usageErrors_data()
     row("skyseal-cli", "sweep --vehicle tcp:127.0.0.1:5760 --load saturated", "saturated");
     row("skyseal-cli", "sweep --vehicle tlog:flight.tlog", "tlog");
     row("skyseal-cli", "sweep --vehicle tcp:127.0.0.1:5760 --link udpin:1 --identity k --peers p", "not with --link");
+    row("skyseal-cli", "sweep --pps 100,fast", "different rates of 1 to 1000000");
+    row("skyseal-cli", "sweep --pps 100,100", "different rates of 1 to 1000000");
+    row("skyseal-cli", "sweep --pps 0", "different rates of 1 to 1000000");
+    row("skyseal-cli", "sweep --pps 100 --vehicle tcp:127.0.0.1:5760", "--pps: not with --link or --vehicle");
+    row("skyseal-sim", "--link udpout:127.0.0.1:1 --pps 100 --saturate", "--pps: not with --saturate");
     row("skyseal-cli", "sweep --load saturated,natural --framing rot13", "sealed, inline or both"); // in any order
     row("skyseal-cli", "sweep --impair loss=2", "loss=2");
     row("skyseal-cli", "sweep --framing rot13", "sealed, inline or both");

@@ -113,7 +113,7 @@ void ExpectationTest::errors_data()
     row(QStringLiteral("los<=0"), 1, "no metric is named 'los'; there are packets, frame_rate, ");
     row(QStringLiteral("loss<=0 and more"), 9, "unexpected 'a'");
     row(QStringLiteral("cpu(des)<1"), 5, "no suite is named 'des'");
-    row(QStringLiteral("cpu(none,fast)<1"), 10, "natural or saturated");
+    row(QStringLiteral("cpu(none,fast)<1"), 10, "natural, saturated or pps500");
     row(QStringLiteral("cpu(rc4,inline,sealed)<1"), 16, "sealed or inline is expected");
     row(QStringLiteral("cpu(none<1"), 9, "')' is expected");
     row(QStringLiteral("1<2"), 4, "a metric is expected on one side");

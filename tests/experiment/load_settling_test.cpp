@@ -119,6 +119,19 @@ private Q_SLOTS:
         QCOMPARE(problem.find("nan"), std::string::npos);
         QCOMPARE(problem.find(','), std::string::npos); // a column of the CSV file
     }
+
+    /// Two seconds at 500 frames a second: ten sends are one per cent.
+    void pacedLoadMayMissLittle()
+    {
+        Values values;
+        values[Metric::FrameRate] = 560;
+        values[Metric::Packets] = 1120;
+        QVERIFY(!loadProblem(Load::paced(500), values).empty()); // nobody counted
+        values[Metric::MissedSends] = 10;
+        QVERIFY(loadProblem(Load::paced(500), values).empty());
+        values[Metric::MissedSends] = 11;
+        QCOMPARE(loadProblem(Load::paced(500), values), std::string("the generator missed 1.1 % of its sends"));
+    }
 };
 
 SKYSEAL_TEST_APPLESS(LoadSettlingTest)

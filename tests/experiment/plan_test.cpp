@@ -1,4 +1,5 @@
 // The order of runs and the link conditions: complete, balanced, repeatable.
+#include "core/experiment/expectation.h"
 #include "core/experiment/plan.h"
 #include "tests/support/test_runner.h"
 
@@ -20,6 +21,7 @@ private Q_SLOTS:
     void launchesAreSweepsOfOneLaunch();
     void theSeedDecidesTheOrder();
     void everyArmComesFirstSometimes();
+    void loadsHaveNames();
     void conditions();
     void conditionErrors_data();
     void conditionErrors();
@@ -104,6 +106,16 @@ void PlanTest::everyArmComesFirstSometimes()
     QCOMPARE(first.size(), std::size_t(7));
     for (const auto &[arm, times] : first)
         QVERIFY2(times > 60 && times < 150, qPrintable(QString::number(times))); // 100 expected
+}
+
+void PlanTest::loadsHaveNames()
+{
+    for (const Load load : {Load::Natural, Load::Saturated, Load::paced(1), Load::paced(500), Load::paced(kMostPaced)}) {
+        QVERIFY(loadFromName(name(load)) == load);
+        QVERIFY(Expectation::parse("loss(*," + name(load) + ")<=1").has_value());
+    }
+    for (const char *wrong : {"", "heavy", "pps", "pps0", "pps01", "pps-1", "pps5x", "pps1000001", "pps99999999999999999999"})
+        QVERIFY2(!loadFromName(wrong), wrong);
 }
 
 void PlanTest::conditions()
