@@ -21,8 +21,8 @@ struct LinearFit
 };
 
 /// `design`: row by row, `columns` numbers each; all numbers finite. An intercept is a column of ones. nullopt without more
-/// rows than columns, or if a column is (to ten digits) a combination of those before it. By Householder's QR decomposition of the
-/// columns scaled to one length (Golub and Van Loan, Matrix Computations, 5.3).
+/// rows than columns, or if a column is (to ten digits) a combination of those before it. By Householder's QR decomposition of
+/// the columns scaled to one length (Golub and Van Loan, Matrix Computations, 5.3).
 std::optional<LinearFit> leastSquares(std::span<const double> design, std::size_t columns, std::span<const double> values);
 
 } // namespace skyseal::experiment

@@ -1,6 +1,6 @@
 // The schedule of a load that does not depend on the answers of the other end (open loop): the n-th send is due n / rate after
-// the start, whatever became of those before it. A generator that waits for a slow receiver, or makes up for a pause later, would
-// offer less exactly while there is something to measure ("coordinated omission"). Sans-I/O.
+// the start, whatever became of those before it. A generator that waits for a slow receiver, or makes up for a pause later,
+// would offer less exactly while there is something to measure ("coordinated omission"). Sans-I/O.
 #pragma once
 
 #include "core/base/clock.h"

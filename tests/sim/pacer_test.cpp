@@ -1,5 +1,5 @@
-// The schedule of an open-loop load on a simulated clock: it does not drift, a late generator makes up for little, and each send
-// that was not made is counted.
+// The schedule of an open-loop load on a simulated clock: it does not drift, a late generator makes up for little, and each
+// send that was not made is counted.
 #include "core/sim/pacer.h"
 #include "tests/support/test_runner.h"
 
