@@ -30,7 +30,8 @@ std::string write(const QString &path, const std::string &content)
 }
 
 /// Draws PNG and PDF by skyseal-figures. Returns an error message, empty on success.
-std::string draw(const QDir &folder, const QStringList &figures, const std::string &report)
+/// `date`: of the PDF.
+std::string draw(const QDir &folder, const QStringList &figures, const std::string &report, const std::string &date)
 {
     const QString program = programPath(QStringLiteral("skyseal-figures"));
     if (program.isEmpty())
@@ -43,6 +44,7 @@ std::string draw(const QDir &folder, const QStringList &figures, const std::stri
     process.start(program,
                   QStringList{QStringLiteral("--report"), printable, QStringLiteral("--pdf"),
                               folder.filePath(QStringLiteral("report.pdf"))}
+                      + (date.empty() ? QStringList() : QStringList{QStringLiteral("--date"), QString::fromStdString(date)})
                       + figures);
     const bool drawn = process.waitForFinished(kDrawingMs) && process.exitStatus() == QProcess::NormalExit
         && process.exitCode() == 0;
@@ -110,6 +112,7 @@ SweepFiles writeSweepFiles(const QString &path, const experiment::Results &resul
     std::vector<std::pair<QString, std::string>> files{
         {QStringLiteral("sweep.json"), experiment::sweepJson(results, verdicts) + "\n"},
         {QStringLiteral("sweep.csv"), experiment::sweepCsv(results)},
+        {QStringLiteral("sweep-columns.csv"), experiment::sweepColumnsCsv()},
         {QStringLiteral("ratios.csv"), experiment::ratiosCsv(results)},
         {QStringLiteral("report.html"), experiment::htmlReport(parts)}};
     QStringList drawings;
@@ -124,7 +127,7 @@ SweepFiles writeSweepFiles(const QString &path, const experiment::Results &resul
         if (std::string problem = write(folder.filePath(name), content); !problem.empty())
             return {false, std::move(problem)};
     }
-    return {true, draw(folder, drawings, experiment::printReport(parts))};
+    return {true, draw(folder, drawings, experiment::printReport(parts), settingOf(results, "time"))};
 }
 
 SweepFiles writePooledFiles(const QString &path, const std::vector<experiment::Machine> &machines)

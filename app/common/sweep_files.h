@@ -1,5 +1,5 @@
-// The files of a sweep: sweep.json, sweep.csv, ratios.csv, report.html, figures as SVG; PNG and PDF if skyseal-figures is
-// installed.
+// The files of a sweep: sweep.json, sweep.csv and its columns, ratios.csv, report.html, figures as SVG; PNG and PDF if
+// skyseal-figures is installed.
 #pragma once
 
 #include "core/experiment/heap_figures.h"

@@ -4,9 +4,12 @@
 #include "app/common/options.h"
 #include "app/figures/figure_painter.h"
 
+#include <QtCore/QBuffer>
+#include <QtCore/QDateTime>
 #include <QtCore/QDir>
 #include <QtCore/QFile>
 #include <QtCore/QFileInfo>
+#include <QtCore/QHash>
 #include <QtCore/QTemporaryDir>
 #include <QtGui/QAbstractTextDocumentLayout>
 #include <QtGui/QGuiApplication>
@@ -84,14 +87,29 @@ private:
     double m_width;
 };
 
-bool writePages(const QString &report, const QString &pages)
+/// Qt dates a PDF with the time of its writing. With the time of the sweep, the same sweep gives the same bytes. The other text
+/// is as long, in UTC, so that the offsets within the file stay valid.
+QByteArray dated(QByteArray pdf, const QDateTime &time)
+{
+    const QByteArray begin = "/CreationDate (";
+    const qsizetype at = pdf.indexOf(begin), end = pdf.indexOf(')', at);
+    const QByteArray text = time.toUTC().toString(QStringLiteral("'D:'yyyyMMddHHmmss'Z'")).toLatin1();
+    if (at >= 0 && end - at - begin.size() == text.size())
+        pdf.replace(at + begin.size(), text.size(), text);
+    return pdf;
+}
+
+/// `time`: of the report; not valid: now.
+bool writePages(const QString &report, const QString &pages, const QDateTime &time)
 {
     QFile file(report);
     if (!file.open(QIODevice::ReadOnly)) {
         complain(kName, report.toStdString() + ": " + file.errorString().toStdString());
         return false;
     }
-    QPdfWriter writer(pages);
+    QBuffer written;
+    written.open(QIODevice::WriteOnly);
+    QPdfWriter writer(&written);
     writer.setPageSize(QPageSize(QPageSize::A4));
     writer.setPageOrientation(QPageLayout::Landscape); // tables have a column for each suite
     writer.setPageMargins(QMarginsF(12, 12, 12, 12), QPageLayout::Millimeter);
@@ -120,7 +138,13 @@ bool writePages(const QString &report, const QString &pages)
         document.drawContents(&painter, QRectF(0, i * page.height(), page.width(), page.height()));
         painter.restore();
     }
-    return painter.end();
+    QFile out(pages);
+    if (!painter.end() || !out.open(QIODevice::WriteOnly)) {
+        complain(kName, pages.toStdString() + ": cannot be written");
+        return false;
+    }
+    const QByteArray pdf = time.isValid() ? dated(written.data(), time) : written.data();
+    return out.write(pdf) == pdf.size() && out.flush();
 }
 
 } // namespace
@@ -128,28 +152,35 @@ bool writePages(const QString &report, const QString &pages)
 int main(int argc, char **argv)
 {
     qputenv("QT_QPA_PLATFORM", "offscreen");
+    qputenv("TZ", "UTC0"); // of the date in a PDF
     // Qt warns if XDG_RUNTIME_DIR is not set, as in services and containers.
     const QTemporaryDir runtime;
     if (qEnvironmentVariableIsEmpty("XDG_RUNTIME_DIR") && runtime.isValid())
         qputenv("XDG_RUNTIME_DIR", QFile::encodeName(runtime.path()));
+    QHashSeed::setDeterministicGlobalSeed(); // it decides the order of what a PDF embeds
     QGuiApplication application(argc, argv);
     Options options(kName, QStringLiteral("Renders figures (FILE.svg to FILE.png) and a report (--report to --pdf)."));
     options.addValue("report", "FILE",
                      "Printable report of a sweep (HTML); the paths of its figures are relative to its folder.");
     options.addValue("pdf", "FILE", "PDF file to write.");
+    options.addValue("date", "TIME", "With --pdf: its date, such as 2026-05-01T12:00:00Z. Default: now.");
     options.addArgument("FILE.svg", "Figures to render.");
     if (const auto status = options.parse(application.arguments().mid(1)))
         return *status;
     const QStringList figures = options.arguments(0, 10000);
     if (options.has("report") != options.has("pdf"))
         options.fail("--report and --pdf require each other");
+    const QDateTime date = QDateTime::fromString(QString::fromStdString(options.text("date")), Qt::ISODate);
+    if (options.has("date") && !date.isValid())
+        options.fail("--date '" + options.text("date") + "': a time like 2026-05-01T12:00:00Z is expected");
     if (const auto status = options.finish())
         return *status;
     bool ok = true;
     for (const QString &figure : figures)
         ok = drawPicture(figure) && ok;
     if (options.has("report"))
-        ok = writePages(QString::fromStdString(options.text("report")), QString::fromStdString(options.text("pdf"))) && ok;
+        ok = writePages(QString::fromStdString(options.text("report")), QString::fromStdString(options.text("pdf")), date)
+            && ok;
     return ok ? kDone : kCannotOpen;
 }
 

@@ -18,12 +18,6 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-std::string settingOf(const Results &results, std::string_view key)
-{
-    const auto found = std::ranges::find(results.setting, key, &Setting::value_type::first);
-    return found == results.setting.end() ? std::string() : found->second;
-}
-
 std::string framingsText(const Plan &plan)
 {
     std::string out;

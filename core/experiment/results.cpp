@@ -23,6 +23,12 @@ std::vector<const Sample *> samplesOf(const Results &results, const Cell &cell)
 
 } // namespace
 
+std::string settingOf(const Results &results, std::string_view key)
+{
+    const auto found = std::ranges::find(results.setting, key, &Setting::value_type::first);
+    return found == results.setting.end() ? std::string() : found->second;
+}
+
 std::vector<Cell> cells(const Plan &plan)
 {
     std::vector<Cell> out;

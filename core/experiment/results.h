@@ -57,6 +57,9 @@ struct Results
     double seconds = 0;                             ///< duration of the sweep
 };
 
+/// The value of a key of the setting; empty without one.
+std::string settingOf(const Results &results, std::string_view key);
+
 /// One cell of the design. Its samples are the repeats of one arm in all launches.
 struct Cell
 {
