@@ -8,7 +8,9 @@
 #include "core/experiment/csv.h"
 #include "core/experiment/disturbances.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace skyseal::experiment {
 
@@ -293,6 +295,52 @@ std::string sweepJson(const Results &results, const std::vector<Verdict> &verdic
     return json.endArray().endObject().text();
 }
 
+namespace {
+
+struct Column
+{
+    std::string_view name, unit, what;
+};
+/// Those of sweepCsv() before and after the metrics.
+constexpr Column kBefore[] = {
+    {"order", "", "position among all runs of the sweep, from 0"},
+    {"condition", "", "link condition: clean, or the impairments of both directions"},
+    {"load", "", "natural, saturated, or pps and the frames a second of a paced load"},
+    {"suite", "", "cipher suite; none: plain MAVLink"},
+    {"framing", "", "sealed: whole frames in records; inline: payloads sealed in place; plain: neither"},
+    {"again", "", "1: the repetition of another arm under a second name (A/A)"},
+    {"launch", "", "which start of all programs, from 0"},
+    {"repeat", "", "block of the launch, condition and load, from 0; every arm is in it once"},
+    {"phase", "", "of the flight in which the run was measured, from 0; empty without flights"},
+    {"start", "s", "since the sweep began"},
+    {"seconds", "s", "length of the measurement"}};
+constexpr Column kAfter[] = {{"valid", "", "1: the values count; 0: they are left out of every mean and comparison"},
+                             {"attempts", "", "how often the run was measured; the values are those of the last attempt"},
+                             {"invalid", "", "why the values are not those of the load; empty if they are"},
+                             {"disturbances", "", "what may have disturbed the run"},
+                             {"problem", "", "why nothing was measured; empty on success"},
+                             {"source", "", "what the vehicle is: the sweep's own simulator, or the autopilot on which link"}};
+
+void forEachColumn(const std::function<void(const Column &)> &each)
+{
+    std::ranges::for_each(kBefore, each);
+    for (const MetricInfo &metric : metrics())
+        each({metric.key, metric.unit, metric.description});
+    std::ranges::for_each(kAfter, each);
+}
+
+} // namespace
+
+std::string sweepColumnsCsv()
+{
+    std::string out = "column,unit,description\n";
+    forEachColumn([&out](const Column &column) {
+        out += std::string(column.name) + "," + csvText(std::string(column.unit)) + "," + csvText(std::string(column.what))
+            + "\n";
+    });
+    return out;
+}
+
 std::string ratiosCsv(const Results &results)
 {
     const Plan &plan = results.plan;
@@ -321,10 +369,9 @@ std::string ratiosCsv(const Results &results)
 
 std::string sweepCsv(const Results &results)
 {
-    std::string out = "order,condition,load,suite,framing,again,launch,repeat,phase,start,seconds";
-    for (const MetricInfo &metric : metrics())
-        out.append(",").append(metric.key);
-    out += ",valid,attempts,invalid,disturbances,problem,source\n";
+    std::string out;
+    forEachColumn([&out](const Column &column) { out.append(out.empty() ? "" : ",").append(column.name); });
+    out += "\n";
     for (const Sample &sample : results.samples) {
         const Plan &plan = results.plan;
         const SweepArm &one = plan.arms[sample.run.arm];

@@ -15,6 +15,8 @@ inline constexpr unsigned kSweepSchemaVersion = 4;
 std::string sweepJson(const Results &results, const std::vector<Verdict> &verdicts);
 /// The samples: one line per run, one column per metric; empty where a value could not be measured.
 std::string sweepCsv(const Results &results);
+/// The data dictionary of sweepCsv(): name, unit and description of each column, in their order.
+std::string sweepColumnsCsv();
 /// The comparisons, which are the result of a sweep: one line each, the A/A ones last.
 std::string ratiosCsv(const Results &results);
 
