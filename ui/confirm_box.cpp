@@ -7,7 +7,7 @@
 
 namespace skyseal::ui {
 
-void askToConfirm(const Question &question, QWidget *parent, QObject *context, std::function<void()> confirmed)
+QMessageBox *askToConfirm(const Question &question, QWidget *parent, QObject *context, std::function<void()> confirmed)
 {
     auto *box = new QMessageBox(question.icon, question.title, question.text, QMessageBox::Yes | QMessageBox::Cancel, parent);
     box->setObjectName(question.objectName);
@@ -23,6 +23,7 @@ void askToConfirm(const Question &question, QWidget *parent, QObject *context, s
             confirmed();
     });
     showModeless(*box);
+    return box;
 }
 
 } // namespace skyseal::ui

@@ -18,7 +18,8 @@ struct Question
     QMessageBox::Icon icon = QMessageBox::Question;
 };
 
-/// Opens the box over `parent` and returns. `confirmed` is called if the operator confirms while `context` exists.
-void askToConfirm(const Question &question, QWidget *parent, QObject *context, std::function<void()> confirmed);
+/// Opens the box over `parent` and returns it; it deletes itself when it closes. `confirmed` is called if the operator confirms
+/// while `context` exists.
+QMessageBox *askToConfirm(const Question &question, QWidget *parent, QObject *context, std::function<void()> confirmed);
 
 } // namespace skyseal::ui

@@ -1,7 +1,5 @@
 #include "ui/flight/altitude_box.h"
 
-#include "ui/flight/vehicle_commands.h"
-
 #include <QtCore/QSignalBlocker>
 
 #include <algorithm>
@@ -24,7 +22,7 @@ AltitudeBox::AltitudeBox(QWidget *parent) : QDoubleSpinBox(parent)
     setDecimals(0);
     show();
     connect(this, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-        m_metres = std::clamp(value * metresPerUnit(m_units), kLowestTakeOff, kHighestTakeOff);
+        m_metres = std::clamp(value * metresPerUnit(m_units), kLowestTakeOff, m_highest);
         Q_EMIT metresChanged(m_metres);
     });
 }
@@ -35,9 +33,15 @@ void AltitudeBox::setUnits(UnitSystem units)
     show();
 }
 
+void AltitudeBox::setHighest(double metres)
+{
+    m_highest = metres;
+    show();
+}
+
 void AltitudeBox::setMetres(double metres)
 {
-    m_metres = std::clamp(metres, kLowestTakeOff, kHighestTakeOff);
+    m_metres = std::clamp(metres, kLowestTakeOff, m_highest);
     show();
 }
 
@@ -46,7 +50,7 @@ void AltitudeBox::show()
     const QSignalBlocker quiet(this);
     const double unit = metresPerUnit(m_units);
     setSuffix(m_units == UnitSystem::Metric ? tr(" m") : tr(" ft"));
-    setRange(std::ceil(kLowestTakeOff / unit), std::floor(kHighestTakeOff / unit));
+    setRange(std::ceil(kLowestTakeOff / unit), std::floor(m_highest / unit));
     setSingleStep(m_units == UnitSystem::Metric ? 1 : 5);
     setValue(m_metres / unit);
     setToolTip(tr("Above home, %1 to %2%3").arg(minimum()).arg(maximum()).arg(suffix()));

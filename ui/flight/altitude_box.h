@@ -1,6 +1,7 @@
-// Input of a take-off height in the operator's unit; the value is in metres.
+// Input of an altitude above home in the operator's unit; the value is in metres.
 #pragma once
 
+#include "ui/settings.h"
 #include "ui/text/units.h"
 
 #include <QtWidgets/QDoubleSpinBox>
@@ -16,7 +17,9 @@ public:
 
     void setUnits(UnitSystem units);
     double metres() const { return m_metres; }
-    /// Limited to kLowestTakeOff … kHighestTakeOff.
+    /// Instead of kHighestTakeOff, metres.
+    void setHighest(double metres);
+    /// Limited to kLowestTakeOff … the highest.
     void setMetres(double metres);
 
 Q_SIGNALS:
@@ -27,7 +30,7 @@ private:
     void show();
 
     UnitSystem m_units = UnitSystem::Metric;
-    double m_metres = 10;
+    double m_metres = 10, m_highest = kHighestTakeOff;
 };
 
 } // namespace skyseal::ui

@@ -1,22 +1,19 @@
-// The take-off dialog of the Vehicle menu: asks for the altitude and uses a hold button, like the flight panel. It applies to
-// the vehicle that was selected when it opened.
+// The take-off dialog of the Vehicle menu.
 #pragma once
 
-#include "ui/text/units.h"
-
-#include <QtWidgets/QDialog>
+#include "ui/flight/altitude_dialog.h"
 
 namespace skyseal::ui {
 
-class AltitudeBox;
-class VehicleCommands;
-
-class TakeOffDialog : public QDialog
+class TakeOffDialog : public AltitudeDialog
 {
     Q_OBJECT
 
 public:
     TakeOffDialog(VehicleCommands &commands, UnitSystem units, QWidget *parent = nullptr);
+
+private:
+    void command(VehicleCommands &commands, std::uint8_t systemId, double metres) override;
 };
 
 } // namespace skyseal::ui

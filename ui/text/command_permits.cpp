@@ -1,10 +1,13 @@
 #include "ui/text/command_permits.h"
 
 #include "core/engine/station/snapshot.h"
+#include "core/vehicle/flight_modes.h"
 #include "ui/text/link_ended.h"
 #include "ui/text/one_way.h"
 
 #include <QtCore/QCoreApplication>
+
+#include <cmath>
 
 namespace skyseal::ui {
 
@@ -29,6 +32,26 @@ QString commandsDisabledReason(const ViewState &view)
         return oneWay->disabledReason;
     const auto ended = linkEndedOf(view);
     return ended ? ended->title : QString();
+}
+
+QString movesDisabledReason(const ViewState &view)
+{
+    const QString reason = commandsDisabledReason(view);
+    if (!reason.isEmpty())
+        return reason;
+    const vehicle::VehicleState &state = view.vehicle->state;
+    if (!state.armed)
+        return Text::tr("the vehicle is disarmed");
+    return state.position.known() && std::isfinite(state.altitudeRelative) ? QString() : Text::tr("its position is not known");
+}
+
+QString climbsDisabledReason(const ViewState &view)
+{
+    const QString reason = movesDisabledReason(view);
+    if (!reason.isEmpty())
+        return reason;
+    const vehicle::VehicleKind kind{view.vehicle->state.type, view.vehicle->state.autopilot};
+    return kind.isRover() || kind.isSubmarine() ? Text::tr("this kind of vehicle does not fly") : QString();
 }
 
 QString nothingCanBeSent(const QString &reason)

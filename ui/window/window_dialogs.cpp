@@ -1,8 +1,10 @@
 #include "ui/window/window_dialogs.h"
 
+#include "core/engine/station/vehicle_snapshot.h"
 #include "ui/charts/quantities.h"
 #include "ui/dialogs/help_dialog.h"
 #include "ui/dialogs/settings_dialog.h"
+#include "ui/flight/change_altitude_dialog.h"
 #include "ui/flight/take_off_dialog.h"
 #include "ui/keys/keys_dialog.h"
 #include "ui/keys/pairing_dialog.h"
@@ -11,6 +13,7 @@
 #include "ui/map/map_view.h"
 #include "ui/map/region_dialog.h"
 #include "ui/modeless.h"
+#include "ui/view_state.h"
 
 #include <QtWidgets/QFileDialog>
 #include <QtWidgets/QMessageBox>
@@ -76,6 +79,13 @@ void WindowDialogs::openTakeOff()
 {
     if (!raiseOpen<TakeOffDialog>(m_window))
         showModeless(*make<TakeOffDialog>(m_commands, m_settings.units, &m_window));
+}
+
+void WindowDialogs::openChangeAltitude(const ViewState &view)
+{
+    if (view.vehicle && !raiseOpen<ChangeAltitudeDialog>(m_window))
+        showModeless(
+            *make<ChangeAltitudeDialog>(m_commands, m_settings.units, view.vehicle->state.altitudeRelative, &m_window));
 }
 
 void WindowDialogs::openMapSource()

@@ -15,6 +15,7 @@ class LinkDialog;
 class MapView;
 class PairingInterface;
 class VehicleCommands;
+struct ViewState;
 
 class WindowDialogs : public QObject
 {
@@ -33,6 +34,8 @@ public:
     void openReplay();
     void openSettings();
     void openTakeOff();
+    /// Offers the present altitude of the vehicle in `view`.
+    void openChangeAltitude(const ViewState &view);
     void openKeys();
     void openMapSource();
     /// Fetches what `map` shows, for use without a network.

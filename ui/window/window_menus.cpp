@@ -1,7 +1,7 @@
 #include "ui/window/window_menus.h"
 
 #include "core/engine/station/snapshot.h"
-#include "ui/confirm_box.h"
+#include "ui/flight/confirm_command.h"
 #include "ui/flight/vehicle_commands.h"
 #include "ui/map/map_view.h"
 #include "ui/security/allow_plain.h"
@@ -26,16 +26,9 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::WindowMenus)
 };
 
-/// Asks once about the vehicle that is shown at this moment. Closing the box or Esc means no.
 void confirmAndSend(const MenuTargets &on, const QString &question, const vehicle::VehicleCommand &command)
 {
-    const std::uint8_t systemId = on.commands.systemId();
-    const QString text = on.commands.isOneOfSeveral() ? Text::tr("Vehicle %1: %2").arg(systemId).arg(question) : question;
-    askToConfirm({.objectName = QStringLiteral("confirmCommand"),
-                  .title = Text::tr("Confirm"),
-                  .text = text,
-                  .yes = commandText(command)},
-                 &on.window, &on.commands, [&commands = on.commands, systemId, command] { commands.send(systemId, command); });
+    confirmCommand(on.commands, command, question, {}, &on.window);
 }
 
 Menu fileMenu(const MenuTargets &on)
@@ -115,6 +108,9 @@ Menu vehicleMenu(const MenuTargets &on)
         const QString reason = commandDisabledReason();
         return reason.isEmpty() && vehicle->state.armed ? Text::tr("the vehicle is armed") : reason;
     };
+    MenuItem loiter = command(Text::tr("L&oiter…"), QStringLiteral("actionLoiter"),
+                              Text::tr("Stop and loiter at the present position?"), vehicle::Loiter{});
+    loiter.disabledReason = [on] { return movesDisabledReason(on.selection.view()); };
     return {QStringLiteral("menuVehicle"),
             Text::tr("&Vehicle"),
             {arm,
@@ -127,6 +123,11 @@ Menu vehicleMenu(const MenuTargets &on)
              command(Text::tr("&Land…"), QStringLiteral("actionLand"), Text::tr("Land here?"), vehicle::Land{}),
              command(Text::tr("&Return to launch (RTL)…"), QStringLiteral("actionReturn"),
                      Text::tr("Return to launch and land there?"), vehicle::ReturnToLaunch{}),
+             loiter,
+             {.id = QStringLiteral("actionChangeAltitude"),
+              .text = Text::tr("&Change altitude…"),
+              .trigger = [on] { on.dialogs.openChangeAltitude(on.selection.view()); },
+              .disabledReason = [on] { return climbsDisabledReason(on.selection.view()); }},
              command(Text::tr("&Start the mission…"), QStringLiteral("actionStartMission"), Text::tr("Fly the mission?"),
                      vehicle::StartMission{}),
              {},

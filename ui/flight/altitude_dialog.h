@@ -1,0 +1,38 @@
+// Asks for an altitude and sends a command with it by a hold button, like the flight panel. It applies to the vehicle that was
+// selected when it opened.
+#pragma once
+
+#include "ui/settings.h"
+#include "ui/text/units.h"
+
+#include <QtWidgets/QDialog>
+
+#include <cstdint>
+
+namespace skyseal::ui {
+
+class AltitudeBox;
+class VehicleCommands;
+
+class AltitudeDialog : public QDialog
+{
+    Q_OBJECT
+
+protected:
+    struct Wording
+    {
+        QString id;                       ///< object name; "Altitude" and "Go" are appended for the parts
+        QString title;                    ///< without the vehicle
+        QString hint;                     ///< what will happen
+        QString verb;                     ///< text of the hold button
+        double highest = kHighestTakeOff; ///< metres above home
+    };
+
+    /// `metres`: the altitude that is offered.
+    AltitudeDialog(VehicleCommands &commands, UnitSystem units, double metres, const Wording &wording, QWidget *parent);
+
+    /// The operator has confirmed.
+    virtual void command(VehicleCommands &commands, std::uint8_t systemId, double metres) = 0;
+};
+
+} // namespace skyseal::ui

@@ -1,0 +1,20 @@
+// The question before a command that a menu sends: names the vehicle if there are several, and the command as the verb.
+#pragma once
+
+#include "core/vehicle/vehicle_command.h"
+
+#include <QtCore/QString>
+
+class QMessageBox;
+class QWidget;
+
+namespace skyseal::ui {
+
+class VehicleCommands;
+
+/// Asks once about the vehicle that is shown at this moment, in a box over `window`. Closing the box or Esc means no. `details`
+/// may be empty. Returns the box, which deletes itself when it closes.
+QMessageBox *confirmCommand(VehicleCommands &commands, const vehicle::VehicleCommand &command, const QString &question,
+                            const QString &details, QWidget *window);
+
+} // namespace skyseal::ui
