@@ -4,6 +4,7 @@
 
 #include "core/crypto/suite.h"
 #include "core/mavlink/enums.h"
+#include "ui/text/coordinates.h"
 #include "ui/text/units.h"
 #include "ui/theme/palettes.h"
 
@@ -45,6 +46,7 @@ struct Settings
 {
     Theme theme = Theme::Desktop;
     UnitSystem units = UnitSystem::Metric;
+    CoordinateFormat coordinates = CoordinateFormat::Decimal;
     int systemId = 255;
     int componentId = mavlink::MAV_COMP_ID_MISSIONPLANNER;
     bool record = true;

@@ -26,7 +26,7 @@ private Q_SLOTS:
             ++mnemonics;
             QVERIFY2(label->buddy(), qPrintable(label->text())); // without one the label shows the ampersand
         }
-        QCOMPARE(mnemonics, 7);
+        QCOMPARE(mnemonics, 8);
     }
 
     void folderIsReachedByItsKey()

@@ -76,8 +76,13 @@ QWidget *SettingsDialog::makeView()
     m_units->addItem(tr("metric (m, m/s)"), static_cast<int>(UnitSystem::Metric));
     m_units->addItem(tr("imperial (ft, mph)"), static_cast<int>(UnitSystem::Imperial));
     m_units->setCurrentIndex(m_units->findData(static_cast<int>(m_start.units)));
+    m_coordinates = named(new QComboBox(box), "settingCoordinates", tr("Coordinates"));
+    m_coordinates->addItem(tr("decimal degrees"), static_cast<int>(CoordinateFormat::Decimal));
+    m_coordinates->addItem(tr("degrees, minutes, seconds"), static_cast<int>(CoordinateFormat::DegreesMinutesSeconds));
+    m_coordinates->setCurrentIndex(m_coordinates->findData(static_cast<int>(m_start.coordinates)));
     form->addRow(tr("&Colours"), m_theme);
     form->addRow(tr("&Units"), m_units);
+    form->addRow(tr("Coordi&nates"), m_coordinates);
     return box;
 }
 
@@ -178,6 +183,7 @@ Settings SettingsDialog::settings() const
     Settings out = m_start;
     out.theme = static_cast<Theme>(m_theme->currentData().toInt());
     out.units = static_cast<UnitSystem>(m_units->currentData().toInt());
+    out.coordinates = static_cast<CoordinateFormat>(m_coordinates->currentData().toInt());
     out.systemId = m_systemId->value();
     out.componentId = m_componentId->value();
     out.defaultLink = m_link->text();

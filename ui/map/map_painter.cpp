@@ -3,6 +3,7 @@
 #include "ui/map/mission_painter.h"
 #include "ui/map/nice_step.h"
 #include "ui/map/tile_painter.h"
+#include "ui/text/figures.h"
 #include "ui/text/units.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
@@ -52,7 +53,7 @@ void MapPainter::paintGround(const TileLayer &tiles, UnitSystem units, bool movi
         m_painter.setRenderHint(QPainter::SmoothPixmapTransform, !moving);
         TilePainter(m_painter, tiles, m_viewport).paint();
     } else {
-        paintCoordinates(graticule);
+        paintLabels(graticule);
     }
     m_painter.setRenderHint(QPainter::Antialiasing);
     paintMission();
@@ -80,7 +81,7 @@ void MapPainter::paintGraticule(const Graticule &graticule)
 }
 
 /// Along the upper and the left edge, where nothing else stands.
-void MapPainter::paintCoordinates(const Graticule &graticule)
+void MapPainter::paintLabels(const Graticule &graticule)
 {
     const QFontMetricsF metrics(m_painter.font());
     m_painter.setPen(stateColors(m_palette).dim);
@@ -192,6 +193,24 @@ void MapPainter::paintScale(UnitSystem units)
     m_painter.drawPolyline(
         QPolygonF{QPointF(right - length, y - 5), QPointF(right - length, y), QPointF(right, y), QPointF(right, y - 5)});
     m_painter.drawText(QPointF(right - length / 2 - metrics.horizontalAdvance(text) / 2, y - 8), text);
+}
+
+QRectF MapPainter::placeOfCoordinates(const MapViewport &viewport, const QFontMetricsF &metrics)
+{
+    const double width = figuresWidth(metrics, QStringLiteral("00°00'00.0\" W 000°00'00.0\" W")) + 2 * kGrid;
+    const double height = metrics.height() + kHalfGrid;
+    const double bottom = viewport.size().height() - 3.0 * kGrid - metrics.height() - 10; // of the scale bar's caption
+    return {viewport.size().width() - kGrid - width, bottom - height, width, height};
+}
+
+void MapPainter::paintCoordinates(const QString &text)
+{
+    const QFontMetricsF metrics(m_painter.font());
+    QRectF place = placeOfCoordinates(m_viewport, metrics);
+    const double width = figuresWidth(metrics, text);
+    place.setLeft(place.right() - width - 2 * kGrid);
+    paintCaption(place, {});
+    drawFigures(m_painter, {place.left() + kGrid, place.top() + kHalfGrid / 2.0 + metrics.ascent()}, text);
 }
 
 void MapPainter::paintNorth()

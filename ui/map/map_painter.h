@@ -8,6 +8,7 @@
 #include "ui/text/units.h"
 
 #include <QtCore/QCoreApplication>
+#include <QtGui/QFontMetricsF>
 #include <QtGui/QPalette>
 
 class QPainter;
@@ -29,10 +30,14 @@ public:
     void paintVehicle();
     /// A place that the operator is asked about.
     void paintMark(const QPointF &metres);
+    /// The place under the pointer, above the scale bar.
+    void paintCoordinates(const QString &text);
+    /// The most that paintCoordinates() covers, in pixels.
+    static QRectF placeOfCoordinates(const MapViewport &viewport, const QFontMetricsF &metrics);
 
 private:
     void paintGraticule(const Graticule &graticule);
-    void paintCoordinates(const Graticule &graticule);
+    void paintLabels(const Graticule &graticule);
     void paintTrack();
     void paintMission();
     void paintHome();

@@ -24,8 +24,10 @@ MapView::MapView(const TileConfig &tiles, QWidget *parent) : QWidget(parent), m_
 {
     setObjectName(QStringLiteral("map"));
     setAccessibleName(tr("Map"));
-    setAccessibleDescription(tr("Arrow keys move it, plus and minus zoom, Home follows the vehicle"));
+    setAccessibleDescription(
+        tr("Arrow keys move it, plus and minus zoom, Home follows the vehicle, Menu opens the commands for its middle"));
     setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     m_viewport.setMetresPerPixel(kWorldScale);
@@ -103,6 +105,25 @@ void MapView::setUnits(UnitSystem units)
     markGroundDirty();
 }
 
+void MapView::setCoordinateFormat(CoordinateFormat format)
+{
+    m_coordinates = format;
+    update();
+}
+
+std::optional<LatLong> MapView::pointedPlace() const
+{
+    if (!m_pointer && !hasFocus())
+        return std::nullopt;
+    return mercator::unproject(m_viewport.toMetres(m_pointer.value_or(QPointF(rect().center()))));
+}
+
+void MapView::setPointer(const std::optional<QPointF> &pixel)
+{
+    m_pointer = pixel;
+    update(MapPainter::placeOfCoordinates(m_viewport, fontMetrics()).toAlignedRect());
+}
+
 void MapView::followVehicle()
 {
     m_follow = true;
@@ -139,6 +160,8 @@ void MapView::paintEvent(QPaintEvent *)
     map.paintVehicle();
     if (m_mark)
         map.paintMark(*m_mark);
+    if (const auto place = pointedPlace())
+        map.paintCoordinates(coordinatesText(place->latitude, place->longitude, m_coordinates));
     if (hasFocus()) {
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(palette().color(QPalette::Highlight), 1));
@@ -187,6 +210,7 @@ void MapView::mousePressEvent(QMouseEvent *event)
 
 void MapView::mouseMoveEvent(QMouseEvent *event)
 {
+    setPointer(event->position());
     if (m_dragging) {
         leaveVehicle();
         m_viewport.pan(event->position() - m_dragFrom);
@@ -205,6 +229,11 @@ void MapView::mouseReleaseEvent(QMouseEvent *)
 void MapView::mouseDoubleClickEvent(QMouseEvent *event)
 {
     zoomAt(event->position(), 2);
+}
+
+void MapView::leaveEvent(QEvent *)
+{
+    setPointer(std::nullopt);
 }
 
 void MapView::wheelEvent(QWheelEvent *event)

@@ -7,6 +7,7 @@
 #include "ui/map/map_motion.h"
 #include "ui/map/map_viewport.h"
 #include "ui/map/tile_layer.h"
+#include "ui/text/coordinates.h"
 #include "ui/text/units.h"
 
 #include <QtGui/QPixmap>
@@ -26,6 +27,7 @@ public:
     /// Another source of vehicles is shown: forgets everything of the one before.
     void startOver();
     void setUnits(UnitSystem units);
+    void setCoordinateFormat(CoordinateFormat format);
     void setSource(const MapSource &source) { m_tiles.setSource(source); }
     void followVehicle();
     void zoomBy(double factor);
@@ -37,6 +39,9 @@ public:
     const MapViewport &viewport() const { return m_viewport; }
     TileLayer &tiles() { return m_tiles; }
     UnitSystem units() const { return m_units; }
+    CoordinateFormat coordinateFormat() const { return m_coordinates; }
+    /// The place under the pointer or, while the map has the focus without it, in the middle; nullopt otherwise.
+    std::optional<LatLong> pointedPlace() const;
     /// Marks a place that the operator is asked about; nullopt: none.
     void setMark(const std::optional<LatLong> &place);
     const std::optional<QPointF> &mark() const { return m_mark; }
@@ -56,6 +61,7 @@ protected:
     void mouseMoveEvent(QMouseEvent *event) override;
     void mouseReleaseEvent(QMouseEvent *event) override;
     void mouseDoubleClickEvent(QMouseEvent *event) override;
+    void leaveEvent(QEvent *event) override;
     void wheelEvent(QWheelEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
     void contextMenuEvent(QContextMenuEvent *event) override;
@@ -65,6 +71,7 @@ private:
     void leaveVehicle();
     void showFirst(const QPointF &vehicle);
     void markGroundDirty();
+    void setPointer(const std::optional<QPointF> &pixel);
     void paintGround();
 
     MapContent m_content;
@@ -72,6 +79,8 @@ private:
     MapMotion m_motion{m_viewport};
     TileLayer m_tiles;
     UnitSystem m_units = UnitSystem::Metric;
+    CoordinateFormat m_coordinates = CoordinateFormat::Decimal;
+    std::optional<QPointF> m_pointer; ///< pixels
     bool m_follow = true;
     bool m_placed = false;         ///< a vehicle was shown, or the operator has moved the map
     std::optional<QPointF> m_mark; ///< metres of the projection

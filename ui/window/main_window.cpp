@@ -308,6 +308,7 @@ void MainWindow::applySettings(const Settings &settings)
     m_settings = settings;
     applyTheme(settings.theme);
     m_map->setUnits(settings.units);
+    m_map->setCoordinateFormat(settings.coordinates);
     m_map->setSource(settings.map);
     m_docks->applySettings(settings);
     m_suites->setResearchAllowed(settings.allowResearch);
