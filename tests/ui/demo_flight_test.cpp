@@ -10,7 +10,9 @@
 #include "tests/support/eventually.h"
 #include "tests/support/free_port.h"
 #include "tests/support/test_runner.h"
+#include "core/vehicle/geodesy.h"
 #include "ui/flight/hold_button.h"
+#include "ui/map/map_view.h"
 #include "ui/window/main_window.h"
 #include "ui/security/suite_actions.h"
 #include "ui/security/suite_row.h"
@@ -22,7 +24,11 @@
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 #include <QtWidgets/QComboBox>
+#include <QtWidgets/QDoubleSpinBox>
 #include <QtWidgets/QLabel>
+#include <QtWidgets/QMenu>
+#include <QtWidgets/QMessageBox>
+#include <QtWidgets/QPushButton>
 
 using namespace skyseal;
 using namespace skyseal::ui;
@@ -97,6 +103,40 @@ private Q_SLOTS:
         picture("flight");
     }
 
+    /// By the map's menu: home moves to a place, the copter flies to another one, turns its nose to home, climbs, and loiters.
+    void fliesByTheMap()
+    {
+        auto *map = find<MapView>("map");
+        const QPoint home = map->rect().center() + QPoint(60, 0), goal = map->rect().center() + QPoint(60, -40);
+        const auto apart = [&](const QPoint &pixel, const vehicle::Position &position) {
+            const LatLong place = mercator::unproject(map->viewport().toMetres(pixel));
+            return vehicle::distanceMetres(position, {place.latitude, place.longitude, 0});
+        };
+        const auto result = [this] { return find<QLabel>("commandResult")->text(); };
+        const auto confirm = [&](const QPoint &at, const char *action, const QString &expected) {
+            chooseOnMap(*map, at, action);
+            EVENTUALLY(question());
+            QTest::mouseClick(question()->button(QMessageBox::Yes), Qt::LeftButton);
+            EVENTUALLY2(result() == expected, qPrintable(result()));
+        };
+        confirm(home, "mapSetHome", QStringLiteral("Set home here: accepted"));
+        EVENTUALLY(apart(home, m_window->view().vehicle->state.home) < 1);
+        confirm(home, "mapPointAt", QStringLiteral("Point at here: accepted"));
+        confirm(goal, "mapGoHere", QStringLiteral("Go here: accepted"));
+        picture("map-menu-flight");
+        EVENTUALLY(apart(goal, m_window->view().vehicle->state.position) < 2);
+        EVENTUALLY(std::abs(m_window->view().vehicle->state.heading - 180) < 10); // home is to the south
+        chooseOnMap(*map, goal, "mapChangeAltitude");
+        EVENTUALLY(m_window->findChild<QDialog *>(QStringLiteral("changeAltitudeDialog")));
+        const double before = m_window->view().vehicle->state.altitudeRelative;
+        auto *altitude = find<QDoubleSpinBox>("changeAltitudeDialogAltitude");
+        altitude->setValue(std::round(before) + 5);
+        hold("changeAltitudeDialogGo");
+        EVENTUALLY(m_window->view().vehicle->state.altitudeRelative > before + 4);
+        confirm(goal, "mapLoiter", QStringLiteral("Loiter: accepted"));
+        EVENTUALLY_EQUAL(strip("stripMode")->text(), QStringLiteral("LOITER"));
+    }
+
     void researchSuiteNeedsConsent()
     {
         QVERIFY(!m_window->suites().action(SuiteId::Rc4)->isEnabled());
@@ -131,6 +171,30 @@ private:
         return found;
     }
     StripItem *strip(const char *name) { return find<StripItem>(name); }
+
+    /// By a right click as the window system reports it.
+    void chooseOnMap(MapView &map, const QPoint &at, const char *name)
+    {
+        QTest::mouseClick(m_window->windowHandle(), Qt::RightButton, {}, map.mapTo(m_window.get(), at));
+        QMenu *menu = nullptr;
+        const auto shown = [&] {
+            for (QMenu *candidate : map.findChildren<QMenu *>(QStringLiteral("mapMenu")))
+                menu = candidate->isVisible() ? candidate : menu;
+            return menu != nullptr;
+        };
+        EVENTUALLY(shown());
+        auto *entry = menu->findChild<QAction *>(QLatin1String(name));
+        QVERIFY2(entry && entry->isEnabled(), name);
+        QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(entry).center());
+    }
+
+    QMessageBox *question() const
+    {
+        for (QMessageBox *box : m_window->findChildren<QMessageBox *>(QStringLiteral("confirmCommand")))
+            if (box->isVisible())
+                return box;
+        return nullptr;
+    }
 
     void hold(const char *name)
     {

@@ -1,5 +1,6 @@
 // Draws the window in its states and sizes, and its dialogs, into a folder for people to look at: ui_gallery DIR [STATE SIZE
-// THEME], where STATE and the others are lists with commas, "dialogs" among the states being all dialogs.
+// THEME], where STATE and the others are lists with commas, "dialogs" among the states being all dialogs, "map" the menu of the
+// map, and the name of one of its entries, such as "mapGoHere", what that opens.
 #include "fake_station.h"
 #include "gallery_dialogs.h"
 #include "scripted_snapshots.h"
@@ -16,9 +17,13 @@
 #include <QtCore/QSettings>
 #include <QtCore/QTemporaryDir>
 #include <QtCore/QTimer>
+#include <QtGui/QAction>
+#include <QtGui/QContextMenuEvent>
+#include <QtGui/QMouseEvent>
 #include <QtGui/QPainter>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QDockWidget>
+#include <QtWidgets/QMenu>
 
 using namespace skyseal;
 using namespace skyseal::ui;
@@ -119,6 +124,33 @@ void waitForTiles(MapView &map)
     loop.exec();
 }
 
+/// The window, with the menus and dialogs that it has opened over it.
+QPixmap pictureOf(MainWindow &window)
+{
+    QPixmap out = window.grab();
+    QPainter painter(&out);
+    for (QWidget *over : window.findChildren<QWidget *>())
+        if (over->isWindow() && over->isVisible())
+            painter.drawPixmap(over->pos() - window.pos(), over->grab());
+    return out;
+}
+
+/// Opens the menu of the map as a click does, and chooses one of its entries.
+void openMapMenu(MainWindow &window, const QString &entry)
+{
+    auto *map = window.findChild<MapView *>(QStringLiteral("map"));
+    const QPoint at = map->rect().center() + QPoint(60, -60);
+    QMouseEvent pointer(QEvent::MouseMove, at, map->mapToGlobal(at), Qt::NoButton, Qt::NoButton, {});
+    QCoreApplication::sendEvent(map, &pointer);
+    QContextMenuEvent click(QContextMenuEvent::Mouse, at, map->mapToGlobal(at));
+    QCoreApplication::sendEvent(map, &click);
+    auto *menu = map->findChild<QMenu *>(QStringLiteral("mapMenu"));
+    if (auto *action = menu->findChild<QAction *>(entry)) {
+        menu->close();
+        action->trigger();
+    }
+}
+
 /// Brings the window into a state by the same signals that the engine would send.
 void play(FakeStation &station, MainWindow &window, const QString &state, const QString &dock)
 {
@@ -198,6 +230,8 @@ void play(FakeStation &station, MainWindow &window, const QString &state, const 
     }
     if (state == QLatin1String("demo"))
         window.setDemo(true);
+    if (state.startsWith(QLatin1String("map")))
+        openMapMenu(window, state);
     if (state == QLatin1String("replay")) {
         window.startReplay(QStringLiteral("tlog:/logs/2026-05-02 field.tlog"));
         for (double t = 0; t < 40; t += 0.5)
@@ -266,7 +300,7 @@ int main(int argc, char **argv)
                 if (state == QLatin1String("tiles"))
                     waitForTiles(*window.findChild<MapView *>());
                 QCoreApplication::processEvents();
-                window.grab().save(out.filePath(QStringLiteral("%1-%2-%3.png").arg(state, size, theme)));
+                pictureOf(window).save(out.filePath(QStringLiteral("%1-%2-%3.png").arg(state, size, theme)));
             }
         }
     }

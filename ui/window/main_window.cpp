@@ -20,6 +20,7 @@
 #include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/icons.h"
+#include "ui/window/map_menu.h"
 #include "ui/window/panel_table.h"
 #include "ui/window/problem_reports.h"
 #include "ui/window/source_bar.h"
@@ -140,6 +141,7 @@ void MainWindow::makeMenus(const ProgramFacts &facts)
         targets.inDemo = [this] { return m_source->source() == SourceBar::Source::Demo; };
     }
     addMenus(*menuBar(), windowMenus(targets));
+    new MapMenu(*m_map, *m_selection, *m_commands, *m_dialogs, *this);
 }
 
 void MainWindow::connectParts()

@@ -63,13 +63,18 @@ void addItems(QMenu &menu, const MenuItems &items)
 
 } // namespace
 
+void fillMenu(QMenu &menu, const MenuItems &items)
+{
+    menu.setToolTipsVisible(std::ranges::any_of(items, [](const MenuItem &item) { return !!item.disabledReason; }));
+    addItems(menu, items);
+}
+
 void addMenus(QMenuBar &bar, const std::vector<Menu> &menus)
 {
     for (const Menu &table : menus) {
         QMenu *menu = bar.addMenu(table.title);
         menu->setObjectName(table.id);
-        menu->setToolTipsVisible(std::ranges::any_of(table.items, [](const MenuItem &item) { return !!item.disabledReason; }));
-        addItems(*menu, table.items);
+        fillMenu(*menu, table.items);
     }
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 class QAction;
+class QMenu;
 class QMenuBar;
 
 namespace skyseal::ui {
@@ -37,6 +38,9 @@ struct Menu
     QString title;
     MenuItems items;
 };
+
+/// Adds `items` to `menu`, which owns everything that is made. What the functions of the items refer to must outlive it.
+void fillMenu(QMenu &menu, const MenuItems &items);
 
 /// Adds `menus` to `bar`, which owns everything that is made. What the functions of the items refer to must outlive it.
 void addMenus(QMenuBar &bar, const std::vector<Menu> &menus);

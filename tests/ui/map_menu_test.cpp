@@ -1,0 +1,325 @@
+// The menu of the map: opened by a right click or the menu key, each command confirmed and sent for the place that was clicked,
+// and the coordinates at the map's edge.
+#include "scripted_snapshots.h"
+#include "tests/support/eventually.h"
+#include "tests/support/test_runner.h"
+#include "ui/flight/hold_button.h"
+#include "ui/map/map_view.h"
+#include "ui/text/coordinates.h"
+#include "window_rig.h"
+
+#include <QtGui/QClipboard>
+#include <QtGui/QContextMenuEvent>
+#include <QtGui/QGuiApplication>
+#include <QtGui/QWindow>
+#include <QtTest/QTest>
+#include <QtWidgets/QDoubleSpinBox>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QMenu>
+#include <QtWidgets/QMessageBox>
+#include <QtWidgets/QPushButton>
+
+using namespace skyseal;
+using namespace skyseal::ui;
+
+class MapMenuTest : public QObject, private WindowRig
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        setUp();
+        m_time = 0;
+        show([](vehicle::VehicleState &) {});
+        m_map = find<MapView>("map");
+    }
+    void cleanup() { tearDown(); }
+
+    void goesToTheClickedPlaceOnceConfirmed()
+    {
+        const QPoint at = m_map->rect().center() + QPoint(80, -40);
+        const LatLong place = placeAt(at);
+        choose(openMenu(at), "mapGoHere");
+        EVENTUALLY(question());
+        QVERIFY(m_map->mark());
+        QVERIFY(isMarked(place));
+        QVERIFY2(question()->text().contains(coordinatesText(place.latitude, place.longitude, CoordinateFormat::Decimal)),
+                 qPrintable(question()->text()));
+        QVERIFY(question()->text().contains(QStringLiteral("above home")));
+        QVERIFY(question()->text().contains(QStringLiteral("from the vehicle")));
+        QVERIFY(m_station->commands.empty());
+        QTest::mouseClick(question()->button(QMessageBox::Yes), Qt::LeftButton);
+        EVENTUALLY_EQUAL(m_station->commands.size(), std::size_t(1));
+        const auto &order = std::get<vehicle::GoTo>(m_station->commands[0].second);
+        QCOMPARE((LatLong{order.latitude, order.longitude}), place);
+        QCOMPARE(order.altitudeRelative, m_altitude);
+        QVERIFY(order.changeMode);
+        QVERIFY(!m_map->mark());
+        QCOMPARE(find<QLabel>("commandResult")->text(), QStringLiteral("Go here: requested…"));
+        m_station->notify(vehicle::CommandResult{vehicle::RequestId{1}, 1, vehicle::CommandOutcome::Refused, 2, "denied"});
+        QCOMPARE(find<QLabel>("commandResult")->text(), QStringLiteral("Go here: denied"));
+    }
+
+    void escapeSendsNothing()
+    {
+        QMenu *menu = openMenu(m_map->rect().center());
+        QVERIFY(m_map->mark());
+        QTest::keyClick(menu, Qt::Key_Escape);
+        EVENTUALLY(!m_map->findChild<QMenu *>());
+        QVERIFY(!m_map->mark());
+        choose(openMenu(m_map->rect().center()), "mapSetHome");
+        EVENTUALLY(question());
+        QTest::keyClick(question(), Qt::Key_Escape);
+        EVENTUALLY(!question());
+        QVERIFY(!m_map->mark());
+        QVERIFY(m_station->commands.empty());
+    }
+
+    void changeOfModeIsAnnounced()
+    {
+        choose(openMenu({100, 100}), "mapGoHere");
+        EVENTUALLY(question());
+        QCOMPARE(question()->informativeText(), QString()); // in GUIDED
+        show([](vehicle::VehicleState &state) { state.mode = "AUTO"; });
+        choose(openMenu({100, 100}), "mapGoHere");
+        EVENTUALLY(question() && !question()->informativeText().isEmpty());
+        QCOMPARE(question()->informativeText(), QStringLiteral("The mode changes from AUTO to GUIDED."));
+    }
+
+    /// One place at a time: the question about the one before is no longer asked.
+    void anotherMenuEndsTheQuestion()
+    {
+        choose(openMenu({100, 100}), "mapGoHere");
+        EVENTUALLY(question());
+        const QPointer<QMessageBox> first = question();
+        openMenu({200, 200});
+        EVENTUALLY(!first);
+        QVERIFY(m_station->commands.empty());
+        QVERIFY(isMarked(placeAt({200, 200})));
+    }
+
+    void commands_data()
+    {
+        QTest::addColumn<QString>("action");
+        QTest::addColumn<int>("index");
+        QTest::addColumn<QString>("result");
+        const auto row = [](const char *action, const vehicle::VehicleCommand &expected, const char *result) {
+            QTest::newRow(action) << QString::fromLatin1(action) << static_cast<int>(expected.index())
+                                  << QString::fromUtf8(result);
+        };
+        row("mapLoiter", vehicle::Loiter{}, "Loiter: requested…");
+        row("mapPointAt", vehicle::PointAt{}, "Point at here: requested…");
+        row("mapStopPointing", vehicle::StopPointing{}, "Stop pointing: requested…");
+        row("mapSetHome", vehicle::SetHome{}, "Set home here: requested…");
+    }
+
+    void commands()
+    {
+        QFETCH(QString, action);
+        QFETCH(int, index);
+        QFETCH(QString, result);
+        choose(openMenu({120, 90}), action.toLatin1());
+        EVENTUALLY(question());
+        QTest::mouseClick(question()->button(QMessageBox::Yes), Qt::LeftButton);
+        EVENTUALLY_EQUAL(m_station->commands.size(), std::size_t(1));
+        const vehicle::VehicleCommand &sent = m_station->commands[0].second;
+        QCOMPARE(static_cast<int>(sent.index()), index);
+        if (const auto *point = std::get_if<vehicle::PointAt>(&sent))
+            QCOMPARE((LatLong{point->latitude, point->longitude}), placeAt({120, 90}));
+        if (const auto *home = std::get_if<vehicle::SetHome>(&sent))
+            QCOMPARE((LatLong{home->latitude, home->longitude}), placeAt({120, 90}));
+        QCOMPARE(find<QLabel>("commandResult")->text(), result);
+    }
+
+    void altitudeIsHeldToConfirm()
+    {
+        choose(openMenu({100, 100}), "mapChangeAltitude");
+        EVENTUALLY(m_window->findChild<QDialog *>(QStringLiteral("changeAltitudeDialog")));
+        auto *altitude = find<QDoubleSpinBox>("changeAltitudeDialogAltitude");
+        QCOMPARE(altitude->value(), std::round(m_altitude));
+        QTest::keyClicks(altitude, QStringLiteral("750")); // higher than a take-off may go; the present value is selected
+        QTest::keyClick(altitude, Qt::Key_Return);
+        QVERIFY(m_station->commands.empty());
+        auto *go = find<HoldButton>("changeAltitudeDialogGo");
+        QTest::mousePress(go, Qt::LeftButton);
+        EVENTUALLY_EQUAL(m_station->commands.size(), std::size_t(1));
+        const auto &order = std::get<vehicle::ChangeAltitude>(m_station->commands[0].second);
+        QCOMPARE(order.altitudeRelative, 750.0);
+        QVERIFY(order.changeMode);
+    }
+
+    void whatMakesNoSenseIsDisabledWithItsReason_data()
+    {
+        QTest::addColumn<int>("state");
+        QTest::addColumn<QString>("action");
+        QTest::addColumn<QString>("reason");
+        QTest::newRow("go, disarmed") << 0 << "mapGoHere"
+                                      << "the vehicle is disarmed";
+        QTest::newRow("altitude, disarmed") << 0 << "mapChangeAltitude"
+                                            << "the vehicle is disarmed";
+        QTest::newRow("loiter, disarmed") << 0 << "mapLoiter"
+                                          << "the vehicle is disarmed";
+        QTest::newRow("home, disarmed") << 0 << "mapSetHome"
+                                        << "";
+        QTest::newRow("point, disarmed") << 0 << "mapPointAt"
+                                         << "";
+        QTest::newRow("go, no position") << 1 << "mapGoHere"
+                                         << "its position is not known";
+        QTest::newRow("home, no altitude") << 1 << "mapSetHome"
+                                           << "the altitude of home is not known";
+        QTest::newRow("altitude, rover") << 2 << "mapChangeAltitude"
+                                         << "this kind of vehicle does not fly";
+        QTest::newRow("go, rover") << 2 << "mapGoHere"
+                                   << "";
+        QTest::newRow("go, none") << 3 << "mapGoHere"
+                                  << "no vehicle";
+        QTest::newRow("copy, none") << 3 << "mapCopy"
+                                    << "";
+    }
+
+    void whatMakesNoSenseIsDisabledWithItsReason()
+    {
+        QFETCH(int, state);
+        QFETCH(QString, action);
+        QFETCH(QString, reason);
+        if (state == 3)
+            m_station->show(waitingSnapshot());
+        else
+            show([state](vehicle::VehicleState &vehicle) {
+                if (state == 0)
+                    vehicle.armed = false;
+                if (state == 1)
+                    vehicle.position = vehicle.home = {};
+                if (state == 2)
+                    vehicle.type = mavlink::MAV_TYPE_GROUND_ROVER;
+            });
+        const QMenu *menu = openMenu({100, 100});
+        const auto *entry = menu->findChild<QAction *>(action);
+        QVERIFY(entry);
+        QCOMPARE(entry->isEnabled(), reason.isEmpty());
+        if (!reason.isEmpty())
+            QCOMPARE(entry->toolTip(), reason);
+        QVERIFY(menu->toolTipsVisible());
+    }
+
+    /// The window system turns the menu key into this event.
+    void menuKeyOpensInTheMiddle()
+    {
+        m_map->setFocus();
+        QContextMenuEvent key(QContextMenuEvent::Keyboard, {3, 3}, m_map->mapToGlobal(QPoint(3, 3)));
+        QCoreApplication::sendEvent(m_map, &key);
+        QMenu *menu = shownMenu();
+        QVERIFY(menu);
+        const LatLong middle = placeAt(m_map->rect().center());
+        QVERIFY(isMarked(middle));
+        for (const QAction *entry : menu->actions()) {
+            QTest::keyClick(menu, Qt::Key_Down);
+            if (menu->activeAction() && menu->activeAction()->objectName() == QLatin1String("mapCopy"))
+                break;
+            Q_UNUSED(entry);
+        }
+        QTest::keyClick(menu, Qt::Key_Return);
+        EVENTUALLY_EQUAL(QGuiApplication::clipboard()->text(),
+                         coordinatesToCopy(middle.latitude, middle.longitude, CoordinateFormat::Decimal));
+    }
+
+    void pointerShowsItsPlace()
+    {
+        m_map->clearFocus();
+        QVERIFY(!m_map->pointedPlace());
+        QTest::mouseMove(m_window->windowHandle(), m_map->mapTo(m_window.get(), QPoint(50, 60)));
+        EVENTUALLY(m_map->pointedPlace());
+        QCOMPARE(*m_map->pointedPlace(), placeAt({50, 60}));
+        QTest::mouseMove(m_window->windowHandle(), QPoint(2, 2));
+        EVENTUALLY(!m_map->pointedPlace());
+        m_map->setFocus();
+        EVENTUALLY(m_map->pointedPlace());
+        QCOMPARE(*m_map->pointedPlace(), placeAt(m_map->rect().center()));
+    }
+
+    void coordinatesAreWritten_data()
+    {
+        QTest::addColumn<double>("latitude");
+        QTest::addColumn<double>("longitude");
+        QTest::addColumn<QString>("decimal");
+        QTest::addColumn<QString>("sexagesimal");
+        QTest::newRow("south east") << -35.363261 << 149.165230 << QStringLiteral("−35.363261 149.165230")
+                                    << QStringLiteral("35°21'47.7\" S 149°09'54.8\" E");
+        QTest::newRow("rounds up") << 59.99999999 << -0.00000001 << QStringLiteral("60.000000 −0.000000")
+                                   << QStringLiteral("60°00'00.0\" N 0°00'00.0\" W");
+        QTest::newRow("north west") << 47.5 << -8.25 << QStringLiteral("47.500000 −8.250000")
+                                    << QStringLiteral("47°30'00.0\" N 8°15'00.0\" W");
+    }
+
+    void coordinatesAreWritten()
+    {
+        QFETCH(double, latitude);
+        QFETCH(double, longitude);
+        QTEST(coordinatesText(latitude, longitude, CoordinateFormat::Decimal), "decimal");
+        QTEST(coordinatesText(latitude, longitude, CoordinateFormat::DegreesMinutesSeconds), "sexagesimal");
+        const QString copied = coordinatesToCopy(latitude, longitude, CoordinateFormat::Decimal);
+        QVERIFY(copied.contains(QStringLiteral(", ")) && !copied.contains(QChar(0x2212)));
+    }
+
+private:
+    template<typename Change> void show(Change change)
+    {
+        engine::Snapshot snapshot = sealedSnapshot(++m_time);
+        vehicle::VehicleState &state = snapshot.vehicles.front().state;
+        state.autopilot = mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA;
+        state.type = mavlink::MAV_TYPE_QUADROTOR;
+        state.mode = "GUIDED";
+        state.armed = true;
+        state.altitudeRelative = m_altitude;
+        change(state);
+        m_station->show(snapshot);
+    }
+
+    LatLong placeAt(const QPoint &pixel) const { return mercator::unproject(m_map->viewport().toMetres(pixel)); }
+    bool isMarked(const LatLong &place) const
+    {
+        constexpr double kMetres = 1e-3;
+        return m_map->mark() && (*m_map->mark() - mercator::project(place)).manhattanLength() < kMetres;
+    }
+
+    QMenu *shownMenu() const
+    {
+        for (QMenu *menu : m_map->findChildren<QMenu *>(QStringLiteral("mapMenu")))
+            if (menu->isVisible())
+                return menu;
+        return nullptr;
+    }
+
+    /// By a click as the window system reports it, which QTest's clicks on widgets are not.
+    QMenu *openMenu(const QPoint &at)
+    {
+        QTest::mouseClick(m_window->windowHandle(), Qt::RightButton, {}, m_map->mapTo(m_window.get(), at));
+        if (!QTest::qWaitFor([this] { return shownMenu() != nullptr; }, test::kDeadlineMs))
+            qFatal("no menu");
+        return shownMenu();
+    }
+
+    static void choose(QMenu *menu, const char *name)
+    {
+        auto *entry = menu->findChild<QAction *>(QLatin1String(name));
+        if (!entry)
+            qFatal("no %s", name);
+        QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(entry).center());
+    }
+
+    QMessageBox *question() const
+    {
+        for (QMessageBox *box : m_window->findChildren<QMessageBox *>(QStringLiteral("confirmCommand")))
+            if (box->isVisible())
+                return box;
+        return nullptr;
+    }
+
+    MapView *m_map = nullptr;
+    double m_time = 0;
+    const double m_altitude = 12.4;
+};
+
+SKYSEAL_TEST_WIDGETS(MapMenuTest)
+#include "map_menu_test.moc"

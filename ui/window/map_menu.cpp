@@ -1,0 +1,167 @@
+#include "ui/window/map_menu.h"
+
+#include "core/engine/station/vehicle_snapshot.h"
+#include "core/vehicle/flight_modes.h"
+#include "core/vehicle/geodesy.h"
+#include "ui/flight/confirm_command.h"
+#include "ui/flight/vehicle_commands.h"
+#include "ui/map/map_view.h"
+#include "ui/text/command_permits.h"
+#include "ui/text/coordinates.h"
+#include "ui/text/units.h"
+#include "ui/text/vehicle_text.h"
+#include "ui/window/view_selection.h"
+#include "ui/window/window_dialogs.h"
+
+#include <QtGui/QClipboard>
+#include <QtGui/QGuiApplication>
+#include <QtWidgets/QMenu>
+#include <QtWidgets/QMessageBox>
+
+#include <cmath>
+
+namespace skyseal::ui {
+
+namespace {
+
+/// The mode in which the vehicle flies to places; empty if that is no mode of its own.
+QString modeOfPlaces(const vehicle::VehicleState &state)
+{
+    const vehicle::VehicleKind kind{state.type, state.autopilot};
+    return kind.isArduPilot() ? QStringLiteral("GUIDED") : kind.isPx4() ? QStringLiteral("LOITER") : QString();
+}
+
+bool flies(const vehicle::VehicleState &state)
+{
+    const vehicle::VehicleKind kind{state.type, state.autopilot};
+    return !kind.isRover() && !kind.isSubmarine();
+}
+
+bool knowsHomeAltitude(const vehicle::VehicleState &state)
+{
+    return std::isfinite(state.home.altitude)
+        || (std::isfinite(state.position.altitude) && std::isfinite(state.altitudeRelative));
+}
+
+} // namespace
+
+MapMenu::MapMenu(MapView &map, const ViewSelection &selection, VehicleCommands &commands, WindowDialogs &dialogs,
+                 QWidget &window)
+    : QObject(&window), m_map(map), m_selection(selection), m_commands(commands), m_dialogs(dialogs), m_window(window)
+{
+    connect(&map, &MapView::menuRequested, this, &MapMenu::open);
+}
+
+const vehicle::VehicleState *MapMenu::vehicle() const
+{
+    const auto *shown = m_selection.view().vehicle;
+    return shown ? &shown->state : nullptr;
+}
+
+void MapMenu::open(const LatLong &place, const QPoint &at)
+{
+    if (m_question)
+        m_question->reject(); // it was about another place
+    auto *menu = new QMenu(&m_map);
+    menu->setObjectName(QStringLiteral("mapMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    fillMenu(*menu, itemsFor(place));
+    connect(menu, &QMenu::aboutToHide, &m_map, [this] { m_map.setMark(std::nullopt); });
+    m_map.setMark(place);
+    menu->popup(at);
+}
+
+MenuItems MapMenu::itemsFor(const LatLong &place)
+{
+    const auto sendable = [this] { return commandsDisabledReason(m_selection.view()); };
+    const auto command = [this, place](const QString &question, const QString &details, const vehicle::VehicleCommand &order) {
+        ask(place, confirmCommand(m_commands, order, question, details, &m_window));
+    };
+    return {{.text = coordinatesText(place.latitude, place.longitude, m_map.coordinateFormat())},
+            goHere(place),
+            {.id = QStringLiteral("mapChangeAltitude"),
+             .text = tr("Change &altitude…"),
+             .trigger = [this] { m_dialogs.openChangeAltitude(m_selection.view()); },
+             .disabledReason = [this] { return climbsDisabledReason(m_selection.view()); }},
+            {.id = QStringLiteral("mapLoiter"),
+             .text = tr("&Loiter at the present position…"),
+             .trigger = [command] { command(tr("Stop and loiter at the present position?"), {}, vehicle::Loiter{}); },
+             .disabledReason = [this] { return movesDisabledReason(m_selection.view()); }},
+            {},
+            {.id = QStringLiteral("mapPointAt"),
+             .text = tr("&Point at here…"),
+             .trigger =
+                 [this, command, place] {
+                     command(tr("Point the camera at this place?\n%1").arg(describe(place)),
+                             tr("At the altitude of home. A copter whose camera cannot pan turns its nose."),
+                             vehicle::PointAt{place.latitude, place.longitude});
+                 },
+             .disabledReason = sendable},
+            {.id = QStringLiteral("mapStopPointing"),
+             .text = tr("&Stop pointing…"),
+             .trigger = [command] { command(tr("Stop pointing the camera at a place?"), {}, vehicle::StopPointing{}); },
+             .disabledReason = sendable},
+            setHome(place),
+            {},
+            {.id = QStringLiteral("mapCopy"), .text = tr("&Copy coordinates"), .trigger = [this, place] {
+                 QGuiApplication::clipboard()->setText(
+                     coordinatesToCopy(place.latitude, place.longitude, m_map.coordinateFormat()));
+             }}};
+}
+
+MenuItem MapMenu::goHere(const LatLong &place)
+{
+    const auto trigger = [this, place] {
+        const vehicle::VehicleState *state = vehicle();
+        if (!state)
+            return;
+        const QString mode = modeOfPlaces(*state);
+        const QString altitude = altitudeFigure(state->altitudeRelative, m_map.units()).text();
+        QString question = tr("Go to this place?\n%1").arg(describe(place));
+        if (flies(*state))
+            question = tr("Go to this place at %1 above home?\n%2").arg(altitude, describe(place));
+        const QString details = mode.isEmpty() || fromStd(state->mode) == mode
+            ? QString()
+            : tr("The mode changes from %1 to %2.").arg(fromStd(state->mode), mode);
+        const vehicle::GoTo order{place.latitude, place.longitude, state->altitudeRelative, true};
+        ask(place, confirmCommand(m_commands, order, question, details, &m_window));
+    };
+    return {.id = QStringLiteral("mapGoHere"), .text = tr("&Go here…"), .trigger = trigger, .disabledReason = [this] {
+                return movesDisabledReason(m_selection.view());
+            }};
+}
+
+MenuItem MapMenu::setHome(const LatLong &place)
+{
+    const auto trigger = [this, place] {
+        ask(place,
+            confirmCommand(m_commands, vehicle::SetHome{place.latitude, place.longitude},
+                           tr("Set home to this place?\n%1").arg(describe(place)),
+                           tr("RTL flies there. Home keeps its altitude; the height of the ground there is not known."),
+                           &m_window));
+    };
+    return {.id = QStringLiteral("mapSetHome"), .text = tr("Set &home here…"), .trigger = trigger, .disabledReason = [this] {
+                const QString reason = commandsDisabledReason(m_selection.view());
+                return reason.isEmpty() && !knowsHomeAltitude(*vehicle()) ? tr("the altitude of home is not known") : reason;
+            }};
+}
+
+void MapMenu::ask(const LatLong &place, QMessageBox *question)
+{
+    m_question = question;
+    m_map.setMark(place);
+    connect(question, &QMessageBox::finished, &m_map, [this] { m_map.setMark(std::nullopt); });
+}
+
+/// The coordinates, and how far they are from the vehicle.
+QString MapMenu::describe(const LatLong &place) const
+{
+    const QString text = coordinatesText(place.latitude, place.longitude, m_map.coordinateFormat());
+    const vehicle::VehicleState *state = vehicle();
+    if (!state || !state->position.known())
+        return text;
+    const double metres = vehicle::distanceMetres(state->position, {place.latitude, place.longitude, 0});
+    return tr("%1, %2 from the vehicle").arg(text, distanceFigure(metres, m_map.units()).text());
+}
+
+} // namespace skyseal::ui

@@ -1,0 +1,52 @@
+// The menu of the map: commands for the place that was clicked. Each is asked once, while the map marks the place; what makes
+// no sense now is disabled with its reason. Lives on the GUI thread.
+#pragma once
+
+#include "ui/tiles/mercator.h"
+#include "ui/window/menu_table.h"
+
+#include <QtCore/QObject>
+#include <QtCore/QPointer>
+
+class QMessageBox;
+class QPoint;
+class QWidget;
+
+namespace skyseal::vehicle {
+struct VehicleState;
+}
+
+namespace skyseal::ui {
+
+class MapView;
+class VehicleCommands;
+class ViewSelection;
+class WindowDialogs;
+
+class MapMenu : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// All must outlive this; `window` becomes its parent and that of the questions.
+    MapMenu(MapView &map, const ViewSelection &selection, VehicleCommands &commands, WindowDialogs &dialogs, QWidget &window);
+
+private:
+    void open(const LatLong &place, const QPoint &at);
+    MenuItems itemsFor(const LatLong &place);
+    MenuItem goHere(const LatLong &place);
+    MenuItem setHome(const LatLong &place);
+    /// Marks `place` until the question is answered.
+    void ask(const LatLong &place, QMessageBox *question);
+    QString describe(const LatLong &place) const;
+    const vehicle::VehicleState *vehicle() const;
+
+    MapView &m_map;
+    const ViewSelection &m_selection;
+    VehicleCommands &m_commands;
+    WindowDialogs &m_dialogs;
+    QWidget &m_window;
+    QPointer<QMessageBox> m_question; ///< about the marked place
+};
+
+} // namespace skyseal::ui
