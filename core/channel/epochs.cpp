@@ -18,18 +18,6 @@ EpochStats LiveEpoch::stats() const
     return out;
 }
 
-LiveEpoch *Epochs::byBits(std::uint8_t bits)
-{
-    const auto matches = [bits](const std::unique_ptr<LiveEpoch> &epoch) {
-        return epoch && (static_cast<std::uint32_t>(epoch->number) & 3) == bits;
-    };
-    if (matches(m_current))
-        return m_current.get();
-    if (matches(m_previous))
-        return m_previous.get();
-    return matches(m_next) ? m_next.get() : nullptr;
-}
-
 LiveEpoch *Epochs::byLowByte(std::uint8_t lowByte)
 {
     LiveEpoch *const epoch = byBits(lowByte & 3);

@@ -51,7 +51,17 @@ public:
     LiveEpoch *previous() { return m_previous.get(); }
     const LiveEpoch *previous() const { return m_previous.get(); }
     /// Returns the live epoch with these two low bits, nullptr if there are no keys for it.
-    LiveEpoch *byBits(std::uint8_t bits);
+    LiveEpoch *byBits(std::uint8_t bits)
+    {
+        const auto matches = [bits](const std::unique_ptr<LiveEpoch> &epoch) {
+            return epoch && (static_cast<std::uint32_t>(epoch->number) & 3) == bits;
+        };
+        if (matches(m_current))
+            return m_current.get();
+        if (matches(m_previous))
+            return m_previous.get();
+        return matches(m_next) ? m_next.get() : nullptr;
+    }
     /// The same by the low byte of the number, which inline frames carry.
     LiveEpoch *byLowByte(std::uint8_t lowByte);
     bool isNext(const LiveEpoch &epoch) const { return &epoch == m_next.get(); }

@@ -155,6 +155,54 @@ void Session::end(TimePoint now, bool sendClose)
 
 // ---- records
 
+// Inline: each is a call for every record otherwise.
+
+/// Hard limit of an epoch: its counter must not wrap.
+inline bool Session::exhausted(const LiveEpoch &epoch)
+{
+    if (epoch.sent < m_context.timing.hardStopRecords || weakened(Weakness::NoHardStop))
+        return false;
+    m_finished = DownReason::Exhausted;
+    return true;
+}
+
+/// A record without a connection id belongs to the session that is up at the other end of the line. Control messages always
+/// carry the id, so that a reconnected line finds its session again.
+inline DatagramKind Session::kindFor(TimePoint now, const Path &to, ByteView plaintext) const
+{
+    const bool alone = to.carrier == Carrier::Serial && m_confirmed && now >= m_namedUntil;
+    return alone && !isControl(plaintext) ? DatagramKind::SingleRecord : DatagramKind::Record;
+}
+
+/// Returns true if the path has not changed.
+inline bool Session::follow(TimePoint now, const Path &from)
+{
+    if (from == path()) {
+        m_path.stay(now);
+        return true;
+    }
+    m_path.moveTo(from, now, m_reports.fullStamp(now));
+    notifyMove(now);
+    return false;
+}
+
+inline void Session::deliver(TimePoint now, LiveEpoch &epoch, RecordPosition position, ByteView plaintext, Delivery &delivery)
+{
+    const auto stamp = frameStamp(plaintext);
+    const ByteView frames = stamp ? plaintext.subspan(kFrameStampLength) : plaintext;
+    const Freshness freshness = m_freshness.judge({now, position, stamp, m_closingUntil.has_value()}, m_reports.peerClock());
+    if (freshness == Freshness::TooOld)
+        requestReport(now); // The answer tightens the bound if it was too loose.
+    epoch.rx.openedBytes += frames.size();
+    epoch.rx.stale += freshness != Freshness::Fresh;
+    delivery.session = id();
+    delivery.epoch = epoch.number;
+    delivery.suite = epoch.suite;
+    delivery.position = position;
+    delivery.freshness = freshness;
+    delivery.frames = frames;
+}
+
 Sealed Session::seal(TimePoint now, ByteView plaintext, MutableByteView out)
 {
     if (isControl(plaintext))
@@ -173,7 +221,9 @@ Sealed Session::sealRecord(TimePoint now, const Path &to, ByteView plaintext, Mu
     LiveEpoch &epoch = m_epochs.current();
     if (exhausted(epoch))
         return SealError::Exhausted;
-    if (out.size() < kRecordHeaderLength + epoch.writer->sealedSize(plaintext.size()))
+    constexpr std::size_t kAmple = 64; // no suite adds as much; a comparison instead of a virtual call
+    if (const std::size_t least = kRecordHeaderLength + plaintext.size();
+        out.size() < least + kAmple && out.size() < kRecordHeaderLength + epoch.writer->sealedSize(plaintext.size()))
         return SealError::NoRoom;
 
     const std::uint32_t counter = epoch.sent++;
@@ -187,23 +237,6 @@ Sealed Session::sealRecord(TimePoint now, const Path &to, ByteView plaintext, Mu
     ++epoch.tx.records;
     epoch.tx.sealedBytes += head + sealed;
     return head + sealed;
-}
-
-/// Hard limit of an epoch: its counter must not wrap.
-bool Session::exhausted(const LiveEpoch &epoch)
-{
-    if (epoch.sent < m_context.timing.hardStopRecords || weakened(Weakness::NoHardStop))
-        return false;
-    m_finished = DownReason::Exhausted;
-    return true;
-}
-
-/// A record without a connection id belongs to the session that is up at the other end of the line. Control messages always
-/// carry the id, so that a reconnected line finds its session again.
-DatagramKind Session::kindFor(TimePoint now, const Path &to, ByteView plaintext) const
-{
-    const bool alone = to.carrier == Carrier::Serial && m_confirmed && now >= m_namedUntil;
-    return alone && !isControl(plaintext) ? DatagramKind::SingleRecord : DatagramKind::Record;
 }
 
 Session::Opened Session::open(TimePoint now, const Path &from, const RecordHeader &header, MutableByteView datagram,
@@ -251,35 +284,6 @@ Session::Opened Session::opened(TimePoint now, const Path &from, const OpenRecor
         return {true, false};
     deliver(now, epoch, position, record.plaintext, delivery.emplace());
     return {true, routine};
-}
-
-void Session::deliver(TimePoint now, LiveEpoch &epoch, RecordPosition position, ByteView plaintext, Delivery &delivery)
-{
-    const auto stamp = frameStamp(plaintext);
-    const ByteView frames = stamp ? plaintext.subspan(kFrameStampLength) : plaintext;
-    const Freshness freshness = m_freshness.judge({now, position, stamp, m_closingUntil.has_value()}, m_reports.peerClock());
-    if (freshness == Freshness::TooOld)
-        requestReport(now); // The answer tightens the bound if it was too loose.
-    epoch.rx.openedBytes += frames.size();
-    epoch.rx.stale += freshness != Freshness::Fresh;
-    delivery.session = id();
-    delivery.epoch = epoch.number;
-    delivery.suite = epoch.suite;
-    delivery.position = position;
-    delivery.freshness = freshness;
-    delivery.frames = frames;
-}
-
-/// Returns true if the path has not changed.
-bool Session::follow(TimePoint now, const Path &from)
-{
-    if (from == path()) {
-        m_path.stay(now);
-        return true;
-    }
-    m_path.moveTo(from, now, m_reports.fullStamp(now));
-    notifyMove(now);
-    return false;
 }
 
 Session::Opened Session::refused(TimePoint now, RecordFault fault)
