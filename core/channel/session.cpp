@@ -209,9 +209,12 @@ Sealed Session::seal(TimePoint now, ByteView plaintext, MutableByteView out)
         return SealError::NotFrames;
     if (plaintext.size() > kMaxRecordPayload)
         return SealError::TooLong;
-    if (!m_identity.initiator)
-        return sealRecord(now, path(), plaintext, out);
-    // A station sends little, so that the copy costs nothing; the agent must know the age of its commands.
+    return m_identity.initiator ? sealStamped(now, plaintext, out) : sealRecord(now, path(), plaintext, out);
+}
+
+/// A station sends little, so that the copy costs nothing; the agent must know the age of its commands.
+Sealed Session::sealStamped(TimePoint now, ByteView plaintext, MutableByteView out)
+{
     std::array<std::uint8_t, kFrameStampLength + kMaxRecordPayload> stamped;
     return sealRecord(now, path(), stampFrames(m_reports.stamp(now), plaintext, stamped), out);
 }

@@ -144,6 +144,7 @@ private:
     NextEpoch prepareNext(crypto::SuiteId suite, const std::optional<SwitchSecret> &exchanged);
     DatagramKind kindFor(TimePoint now, const Path &to, ByteView plaintext) const;
     Sealed sealRecord(TimePoint now, const Path &to, ByteView plaintext, MutableByteView out);
+    Sealed sealStamped(TimePoint now, ByteView plaintext, MutableByteView out);
     void deliver(TimePoint now, LiveEpoch &epoch, RecordPosition position, ByteView plaintext, Delivery &delivery);
     bool exhausted(const LiveEpoch &epoch);
     Opened opened(TimePoint now, const Path &from, const OpenRecord &record, std::optional<Delivery> &delivery);
