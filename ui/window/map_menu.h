@@ -2,7 +2,6 @@
 // no sense now is disabled with its reason. Lives on the GUI thread.
 #pragma once
 
-#include "ui/tiles/mercator.h"
 #include "ui/window/menu_table.h"
 
 #include <QtCore/QObject>
@@ -22,6 +21,7 @@ class MapView;
 class VehicleCommands;
 class ViewSelection;
 class WindowDialogs;
+struct LatLong;
 
 class MapMenu : public QObject
 {
