@@ -37,7 +37,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<QSize>("size");
         QTest::addColumn<QString>("state");
-        for (const QSize size : {QSize(1024, 700), QSize(1280, 800), QSize(1920, 1080), QSize(2560, 1440)})
+        for (const QSize size : {QSize(1024, 700), QSize(1280, 800), QSize(1366, 768), QSize(1920, 1080), QSize(2560, 1440)})
             for (const char *state : {"waiting", "plain", "sealed", "attack"})
                 QTest::addRow("%dx%d %s", size.width(), size.height(), state) << size << QString::fromLatin1(state);
     }
@@ -63,6 +63,8 @@ private Q_SLOTS:
             QVERIFY2(widget->height() + 1 >= wanted.height(), what.constData());
             QVERIFY2(!overlaps(widget), what.constData());
         }
+        for (const QScrollArea *area : m_window->findChildren<FittingScroll *>())
+            QVERIFY2(area->widget()->width() <= area->viewport()->width(), qPrintable(area->parentWidget()->objectName()));
     }
 
     void titlesOfTheChartsAreWhole()
