@@ -63,8 +63,10 @@ private Q_SLOTS:
             QVERIFY2(widget->height() + 1 >= wanted.height(), what.constData());
             QVERIFY2(!overlaps(widget), what.constData());
         }
+        if (size.width() < 1280)
+            return; // the docks are at their least width
         for (const QScrollArea *area : m_window->findChildren<FittingScroll *>())
-            QVERIFY2(area->widget()->width() <= area->viewport()->width(), qPrintable(area->parentWidget()->objectName()));
+            EVENTUALLY2(area->widget()->width() <= area->viewport()->width(), qPrintable(area->parentWidget()->objectName()));
     }
 
     void titlesOfTheChartsAreWhole()

@@ -1,6 +1,6 @@
 // One suite of the Secure link panel: a radio button that follows its action. A click does not check it, because only an agreed
-// switch moves the mark. The arrow keys move the focus; Space or a click chooses. The reason of a disabled suite, which follows its
-// name, is shortened to the width there is: the tool tip has all of it.
+// switch moves the mark. The arrow keys move the focus; Space or a click chooses. The reason of a disabled suite, which follows
+// its name, is shortened to the width there is: the tool tip has all of it.
 #pragma once
 
 #include <QtWidgets/QRadioButton>
