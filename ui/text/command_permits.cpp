@@ -36,7 +36,7 @@ QString commandsDisabledReason(const ViewState &view)
 
 QString movesDisabledReason(const ViewState &view)
 {
-    const QString reason = commandsDisabledReason(view);
+    QString reason = commandsDisabledReason(view);
     if (!reason.isEmpty())
         return reason;
     const vehicle::VehicleState &state = view.vehicle->state;
@@ -47,7 +47,7 @@ QString movesDisabledReason(const ViewState &view)
 
 QString climbsDisabledReason(const ViewState &view)
 {
-    const QString reason = movesDisabledReason(view);
+    QString reason = movesDisabledReason(view);
     if (!reason.isEmpty())
         return reason;
     const vehicle::VehicleKind kind{view.vehicle->state.type, view.vehicle->state.autopilot};

@@ -156,7 +156,7 @@ void MapMenu::ask(const LatLong &place, QMessageBox *question)
 /// The coordinates, and how far they are from the vehicle.
 QString MapMenu::describe(const LatLong &place) const
 {
-    const QString text = coordinatesText(place.latitude, place.longitude, m_map.coordinateFormat());
+    QString text = coordinatesText(place.latitude, place.longitude, m_map.coordinateFormat());
     const vehicle::VehicleState *state = vehicle();
     if (!state || !state->position.known())
         return text;
