@@ -19,6 +19,7 @@
 #include "ui/status/strip_item.h"
 
 #include <QtCore/QDir>
+#include <QtCore/QPointer>
 #include <QtCore/QSettings>
 #include <QtCore/QTemporaryDir>
 #include <QtTest/QSignalSpy>
@@ -198,12 +199,13 @@ private:
 
     void hold(const char *name)
     {
-        auto *button = find<HoldButton>(name);
+        const QPointer<HoldButton> button = find<HoldButton>(name);
         EVENTUALLY(button->isEnabled());
         QSignalSpy confirmed(button, &HoldButton::confirmed);
         QTest::mousePress(button, Qt::LeftButton);
         EVENTUALLY_EQUAL(confirmed.size(), 1);
-        QTest::mouseRelease(button, Qt::LeftButton);
+        QWidget *released = button; // a dialog may have closed
+        QTest::mouseRelease(released ? released : m_window.get(), Qt::LeftButton);
     }
 
     void picture(const char *name)
