@@ -1,5 +1,6 @@
 // A flight as a new user makes it, with the real engine: the demo's simulator and agent as child processes, the window on
 // top, by clicks. Pictures are kept in the folder that SKYSEAL_PICTURES names.
+#include "confirm_question.h"
 #include "app/skyseal/demo.h"
 #include "app/skyseal/station_adapter.h"
 #include "core/channel/policy.h"
@@ -189,13 +190,7 @@ private:
         QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(entry).center());
     }
 
-    QMessageBox *question() const
-    {
-        for (QMessageBox *box : m_window->findChildren<QMessageBox *>(QStringLiteral("confirmCommand")))
-            if (box->isVisible())
-                return box;
-        return nullptr;
-    }
+    QMessageBox *question() const { return test::shownQuestion(*m_window); }
 
     void hold(const char *name)
     {

@@ -1,5 +1,6 @@
 // The menu of the map: opened by a right click or the menu key, each command confirmed and sent for the place that was clicked,
 // and the coordinates at the map's edge.
+#include "confirm_question.h"
 #include "scripted_snapshots.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
@@ -308,13 +309,7 @@ private:
         QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(entry).center());
     }
 
-    QMessageBox *question() const
-    {
-        for (QMessageBox *box : m_window->findChildren<QMessageBox *>(QStringLiteral("confirmCommand")))
-            if (box->isVisible())
-                return box;
-        return nullptr;
-    }
+    QMessageBox *question() const { return test::shownQuestion(*m_window); }
 
     MapView *m_map = nullptr;
     double m_time = 0;
