@@ -331,7 +331,8 @@ void SweepTest::filesAgree()
             QVERIFY2(valueOf(object, metric) > 0, metric);
         for (const char *metric : {"preemptions", "agent_preemptions", "other_cpu", "steal"})
             QVERIFY2(valueOf(object, metric) >= 0, metric);
-        QVERIFY(valueOf(object, "frames_per_datagram") >= 1);
+        // A report of the agent may be a datagram without a frame, and there are few of them beside the frames.
+        QVERIFY(valueOf(object, "frames_per_datagram") > (plain ? 0.98 : 0.8));
         QCOMPARE(std::isnan(valueOf(object, "open_p50")), plain);
         QVERIFY(plain ? valueOf(object, "overhead") == 0 : valueOf(object, "overhead") > 1);
     }
