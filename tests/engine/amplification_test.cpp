@@ -95,11 +95,10 @@ std::vector<MessageKind> kindsFor(Carrier carrier, const StrangersKnowledge &kno
     std::vector<MessageKind> out;
     for (const StrangerMessage &message : kStrangerMessages) {
         MessageKind kind{message.name, {}}, trimmed{std::string(message.name) + ", without padding", {}};
-        const bool isClear = std::string_view(message.name).starts_with("clear");
         for (int i = 0; i < kCopies; ++i) {
             const Bytes bytes = message.make(knows, random);
-            kind.blocks.push_back(isClear ? bytes : onTheWire(carrier, bytes));
-            if (carrier == Carrier::Tunnel && !isClear)
+            kind.blocks.push_back(message.isBare() ? bytes : onTheWire(carrier, bytes));
+            if (carrier == Carrier::Tunnel && !message.isBare())
                 trimmed.blocks.push_back(withoutPadding(kind.blocks.back()));
         }
         out.push_back(std::move(kind));

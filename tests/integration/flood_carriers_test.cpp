@@ -81,7 +81,7 @@ std::shared_ptr<const std::vector<Bytes>> aSecondOf(const StrangerMessage &messa
     std::size_t size = 0;
     for (int i = 0; i < (name.starts_with("first") ? 20'000 : 50'000) && size < 200'000'000 / 8; ++i) {
         const Bytes bytes = message.make(knows, random);
-        out->push_back(name.starts_with("clear") ? bytes : onTheWire(carrier, bytes));
+        out->push_back(message.isBare() ? bytes : onTheWire(carrier, bytes));
         size += out->back().size();
     }
     return out;

@@ -4,6 +4,7 @@
 
 #include "core/channel/cookie.h"
 #include "core/channel/handshake_messages.h"
+#include "core/channel/inline_frame.h"
 #include "core/channel/mac1.h"
 #include "core/channel/pairing_messages.h"
 #include "core/crypto/cpace.h"
@@ -23,12 +24,20 @@ struct StrangersKnowledge
     channel::PublicKey listed{};   ///< the public key of a peer that it lists
     Bytes record;                  ///< one that was sent to that end; empty without a session
     channel::PairingToken token{}; ///< of a call that an agent sent while its pairing window is open
+    Bytes sealedInPlace{};         ///< a frame that was sent to that end; empty where the session seals none in place
 };
 
 struct StrangerMessage
 {
     const char *name;
     Bytes (*make)(const StrangersKnowledge &knows, std::mt19937_64 &random);
+
+    /// MAVLink frames and bytes like them, which no carrier wraps.
+    bool isBare() const
+    {
+        const std::string_view text = name;
+        return text.starts_with("clear") || text.starts_with("frame");
+    }
 };
 
 inline Bytes randomBytes(std::mt19937_64 &random, std::size_t size, int first = -1)
@@ -54,6 +63,23 @@ inline Bytes forgedRecord(const StrangersKnowledge &knows, std::mt19937_64 &rand
     std::copy_n(knows.record.begin(), std::min<std::size_t>(knows.record.size(), 3), out.begin());
     out[3] = out[4] = 0xff;
     out[5] = 0x3f;
+    return out;
+}
+
+/// A frame under the newest epoch and an acceptable counter, with a wrong tag. The trailer is core/channel/PROTOCOL.md section
+/// 12: epoch 1, counter 4, tag 8.
+inline Bytes forgedInPlace(const StrangersKnowledge &knows, std::mt19937_64 &random)
+{
+    Bytes out = knows.sealedInPlace;
+    if (out.empty()) {
+        out = randomBytes(random, channel::kMaxInlineFrame, 0xfd);
+        out[1] = 0xff;
+        out[2] = channel::kInlineFlags;
+    }
+    constexpr std::array<std::uint8_t, 4> kCounter{0xff, 0xff, 0x3f, 0};
+    const auto trailer = out.end() - static_cast<std::ptrdiff_t>(channel::kInlineTrailer);
+    std::copy(kCounter.begin(), kCounter.end(), trailer + 1);
+    std::generate(trailer + 5, out.end(), [&random] { return static_cast<std::uint8_t>(random()); });
     return out;
 }
 
@@ -84,6 +110,8 @@ inline constexpr StrangerMessage kStrangerMessages[] = {
      [](const StrangersKnowledge &knows, std::mt19937_64 &random) { return forgedRecord(knows, random, 60); }},
     {"record of the session, 1200 bytes",
      [](const StrangersKnowledge &knows, std::mt19937_64 &random) { return forgedRecord(knows, random, 1200); }},
+    {"frame sealed in place",
+     [](const StrangersKnowledge &knows, std::mt19937_64 &random) { return forgedInPlace(knows, random); }},
     {"announcement without zeros",
      [](const StrangersKnowledge &, std::mt19937_64 &random) { return randomBytes(random, 127, 0x58); }},
     {"announcement",
