@@ -9,6 +9,7 @@
 #include "tests/support/heartbeat.h"
 #include "tests/support/eventually.h"
 #include "tests/support/holds.h"
+#include "tests/support/stranger_messages.h"
 #include "tests/support/test_runner.h"
 #include "tests/support/udp_attacker.h"
 
@@ -96,6 +97,7 @@ private Q_SLOTS:
     void blockedHandshakesOpenNoClearWay_data();
     void blockedHandshakesOpenNoClearWay();
     void nothingReadableOnTheWire();
+    void strangersCauseOneEventASecond_data();
     void strangersCauseOneEventASecond();
 };
 
@@ -347,10 +349,18 @@ void AttackFlightTest::nothingReadableOnTheWire()
     QCOMPARE(found, std::size_t(3));
 }
 
+void AttackFlightTest::strangersCauseOneEventASecond_data()
+{
+    QTest::addColumn<bool>("pairing");
+    QTest::newRow("pairing closed") << false;
+    QTest::newRow("pairing open at both ends") << true;
+}
+
 void AttackFlightTest::strangersCauseOneEventASecond()
 {
     // All that a stranger can make an end report, from many addresses, at a station that expects one sealed vehicle and at an
-    // agent with a session.
+    // agent with a session. An open pairing window reports others once a second besides.
+    QFETCH(bool, pairing);
     AttackedFlight flight(channel::PeerRole::Pilot, [](engine::StationConfig config) {
         config.secure = engine::SecureMode::Preferred;
         return config;
@@ -369,9 +379,34 @@ void AttackFlightTest::strangersCauseOneEventASecond()
     first[0] = 0x59;
     const QByteArray heartbeat = frameOf(mavlink::Heartbeat{.type = 2, .autopilot = 3}, 1);
 
+    StrangersKnowledge knows;
+    int pairingAtStation = 0;
+    connect(flight.ground.station.get(), &engine::Station::pairing, this, [&] { ++pairingAtStation; });
+    const auto pairingAtAgent = [&flight] {
+        return std::count_if(flight.rig.agentEvents.begin(), flight.rig.agentEvents.end(), [](const engine::AgentEvent &event) {
+            return std::holds_alternative<channel::PairingEvent>(event);
+        });
+    };
+    if (pairing) {
+        QVERIFY(flight.rig.agent->openPairing("air").has_value());
+        flight.ground.station->openPairing("ground");
+        EVENTUALLY(pairingAtStation > 0 && pairingAtAgent() > 0); // each shows the other
+        for (const UdpAttacker::Seen &seen : flight.attacker.seen) {
+            if (const auto token = seen.toGround ? channel::calledToken(viewOf(seen.bytes)) : std::nullopt)
+                knows.token = *token;
+        }
+    }
+    std::vector<Bytes (*)(const StrangersKnowledge &, std::mt19937_64 &)> ofPairing;
+    for (const StrangerMessage &message : kStrangerMessages) {
+        if (std::string_view(message.name).starts_with("pairing: "))
+            ofPairing.push_back(message.make);
+    }
+    std::mt19937_64 random(4);
+
     const quint16 port = flight.ground.port();
     flight.ground.ears->events.clear();
     flight.rig.agentEvents.clear();
+    pairingAtStation = 0;
     const TimePoint begun = steadyNow();
     std::set<Duration::rep> floodedSeconds; // a busy machine leaves some out
     QTimer flood;
@@ -383,6 +418,12 @@ void AttackFlightTest::strangersCauseOneEventASecond()
         flight.attacker.toGround(forged(toGround));
         for (const QByteArray &datagram : {otherVersion, first, forged(toAgent)})
             flight.attacker.toAgent(datagram);
+        for (const auto make : ofPairing) {
+            const Bytes bytes = make(knows, random);
+            const QByteArray datagram(reinterpret_cast<const char *>(bytes.data()), static_cast<qsizetype>(bytes.size()));
+            stranger.writeDatagram(datagram, QHostAddress::LocalHost, port);
+            flight.attacker.toAgent(datagram);
+        }
         announcement[1] = static_cast<char>(announcement[1] + 1);
     });
     const auto countKinds = [&flight] {
@@ -406,10 +447,14 @@ void AttackFlightTest::strangersCauseOneEventASecond()
     const auto lines = std::accumulate(kinds.begin(), kinds.end(), 0,
                                        [](int sum, const auto &kind) { return sum + kind.second; });
     HOLDS(lines <= took + 2, "strangers cause one event a second");
-    HOLDS(static_cast<double>(flight.rig.agentEvents.size()) <= took + 2, "strangers cause one event a second");
+    const auto ofWindow = pairingAtAgent();
+    const auto others = static_cast<std::ptrdiff_t>(flight.rig.agentEvents.size()) - ofWindow;
+    HOLDS(static_cast<double>(others) <= took + 2, "strangers cause one event a second");
+    QVERIFY(ofWindow + pairingAtStation <= (pairing ? took + 2 : 0));
+    QCOMPARE(ofWindow > 0, pairing); // so the window was reached
     for (const char *kind : {"unknown agent", "refused", "forged", "clear"})
         QVERIFY2(kinds.contains(kind), kind); // no kind hides another
-    QVERIFY(flight.rig.agentEvents.size() + 2 >= floodedSeconds.size());
+    QVERIFY(others + 2 >= static_cast<std::ptrdiff_t>(floodedSeconds.size()));
 }
 
 SKYSEAL_TEST(AttackFlightTest)
