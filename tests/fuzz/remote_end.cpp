@@ -14,6 +14,7 @@ namespace skyseal::test {
 namespace {
 
 constexpr std::size_t kMostHistory = 32;
+constexpr std::size_t kMostHeld = 500; ///< the attacker loses what comes after these, so that only the engine could grow
 
 } // namespace
 
@@ -174,7 +175,8 @@ void RemoteEnd::poll(TimePoint now)
 void RemoteEnd::transmit(const Path &to, ByteView message, std::optional<std::size_t> closes)
 {
     m_writer.write(to, message, [&](ByteView block) {
-        m_queue.push_back({Bytes(block.begin(), block.end()), closes, to.link});
+        if (m_queue.size() < kMostHeld)
+            m_queue.push_back({Bytes(block.begin(), block.end()), closes, to.link});
     });
 }
 
