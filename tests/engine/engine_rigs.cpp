@@ -156,7 +156,7 @@ void Receiver::linkReceived(link::Link &, std::span<const link::ReceivedBlock> b
             continue;
         std::size_t frames = 0;
         m_intake.takeDatagram(delivery->frames, [&](const mavlink::ScanItem &item) { frames += item.frame.has_value(); });
-        m_channel->countFrames(delivery->session, frames);
+        m_channel->costs().countFrames(delivery->session, frames);
         m_received += frames;
     }
     const TimePoint now = steadyNow();

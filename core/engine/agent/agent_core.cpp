@@ -52,7 +52,7 @@ AgentCore::AgentCore(AgentConfig config, std::unique_ptr<SecretFiles> secrets, N
       m_timer([this] { handleDeadline(); })
 {
     m_receiver.setPeers(m_secrets->peers);
-    m_channel.endpoint().setCostSource([this](channel::SessionId session) { return m_channel.endCosts(session); });
+    m_channel.endpoint().setCostSource([this](channel::SessionId session) { return m_channel.costs().endCosts(session); });
 }
 
 AgentCore::~AgentCore() = default;

@@ -181,7 +181,7 @@ void AgentReceiver::takeDelivery(const link::ReceivedBlock &block, const channel
         if (m_gate.accept(block.time, delivery, item, [this](std::uint8_t systemId) { return m_routes.isVehicle(systemId); }))
             signToVehicle(item, m_gate.mayCommand(delivery.session));
     });
-    m_parts.channel.countFrames(delivery.session, frames);
+    m_parts.channel.costs().countFrames(delivery.session, frames);
     m_parts.links.noteRemote(block.path.link, block.path.remote);
     m_parts.links.noteUse(block.path);
 }

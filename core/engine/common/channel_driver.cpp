@@ -4,7 +4,6 @@
 #include "core/channel/record.h"
 #include "core/engine/common/urgency.h"
 #include "core/mavlink/frame.h"
-#include "core/metrics/process_usage.h"
 
 #include <algorithm>
 #include <utility>
@@ -18,6 +17,14 @@ namespace {
 constexpr std::size_t kSerialRoom = 254 - channel::kSingleHeaderLength - channel::kMacLength;
 /// In a TUNNEL, as many as its payload holds; a suite with padding holds fewer.
 constexpr std::size_t kTunnelRoom = channel::kTunnelPayload - channel::kRecordHeaderLength - channel::kMacLength;
+
+void add(ChannelTotals &sum, const channel::SessionStats &session)
+{
+    sum.rx += session.rx;
+    sum.tx += session.tx;
+    sum.peerRx += session.peerRx;
+    sum.peerFrames += session.peerFrames;
+}
 
 } // namespace
 
@@ -37,13 +44,13 @@ void ChannelDriver::Batch::add(TimePoint now, ByteView bytes)
 
 std::optional<channel::Delivery> ChannelDriver::receive(TimePoint now, const Path &from, MutableByteView datagram)
 {
-    const std::uint64_t begin = m_clock.begin();
+    const std::uint64_t begin = m_costs.begin();
     return taken(begin, datagram.size(), m_endpoint->handleDatagram(now, from, datagram));
 }
 
 std::optional<channel::Delivery> ChannelDriver::receiveInline(TimePoint now, const Path &from, MutableByteView frame)
 {
-    const std::uint64_t begin = m_clock.begin();
+    const std::uint64_t begin = m_costs.begin();
     return taken(begin, frame.size(), m_endpoint->handleInlineFrame(now, from, frame));
 }
 
@@ -51,15 +58,12 @@ std::optional<channel::Delivery> ChannelDriver::taken(std::uint64_t begin, std::
                                                       std::optional<channel::Delivery> delivery)
 {
     const std::uint64_t end = metrics::CycleClock::now();
-    m_wire.received += bytes;
+    m_kept.wire.received += bytes;
     if (delivery) {
-        const std::uint64_t taken = m_clock.between(begin, end);
-        m_wire.receivedFrames += delivery->frames.size();
-        m_meters[delivery->session].opened(delivery->suite, taken, delivery->frames.size(), m_slept);
-        if (m_measuring)
-            m_opening.record(taken);
+        m_kept.wire.receivedFrames += delivery->frames.size();
+        m_costs.opened(begin, end, *delivery);
     }
-    m_slept = false;
+    m_costs.wokeUp();
     return delivery;
 }
 
@@ -105,16 +109,13 @@ bool ChannelDriver::queueInline(TimePoint now, channel::SessionId session, ByteV
     if (!batch.sealedInPlace) // the frames before it are sealed first, since counters increase
         sealBatch(now, session, batch);
     transmit();
-    const std::uint64_t begin = m_clock.begin();
+    const std::uint64_t begin = m_costs.begin();
     const auto size = m_endpoint->sealInline(now, session, frame, m_record);
     const std::uint64_t end = metrics::CycleClock::now();
     if (!size)
         return false;
-    const std::uint64_t taken = m_clock.between(begin, end);
-    m_meters[session].sealed(m_sendSuites[session], taken);
-    if (m_measuring)
-        m_sealing.record(taken);
-    m_wire.sentFrames += frame.size();
+    m_costs.sealed(begin, end, session, m_sendSuites[session]);
+    m_kept.wire.sentFrames += frame.size();
     if (!batch.holds(*size, batch.frames.size()))
         sealBatch(now, session, batch);
     batch.sealedInPlace = true;
@@ -132,17 +133,14 @@ void ChannelDriver::sealBatch(TimePoint now, channel::SessionId session, Batch &
     batch.size = 0;
     batch.urgent = false;
     transmit();
-    const std::uint64_t begin = m_clock.begin();
+    const std::uint64_t begin = m_costs.begin();
     const auto size = m_endpoint->seal(now, session, frames, m_record);
     if (!size)
         return;
     const std::uint64_t end = metrics::CycleClock::now();
-    const std::uint64_t taken = m_clock.between(begin, end);
-    m_meters[session].sealed(m_sendSuites[session], taken);
-    if (m_measuring)
-        m_sealing.record(taken);
-    m_wire.sent += *size;
-    m_wire.sentFrames += frames.size();
+    m_costs.sealed(begin, end, session, m_sendSuites[session]);
+    m_kept.wire.sent += *size;
+    m_kept.wire.sentFrames += frames.size();
     m_links.send(m_endpoint->recordPath(session), ByteView(m_record).first(*size));
 }
 
@@ -157,7 +155,7 @@ void ChannelDriver::transmit()
             sendInPlace(session, batch);
     }
     while (const auto out = m_endpoint->pollTransmit()) {
-        m_wire.sent += out->bytes.size();
+        m_kept.wire.sent += out->bytes.size();
         m_links.send(out->to, out->bytes);
     }
 }
@@ -167,7 +165,7 @@ void ChannelDriver::sendInPlace(channel::SessionId session, Batch &batch)
     const ByteView frames(batch.frames.data(), std::exchange(batch.size, 0));
     batch.sealedInPlace = false;
     batch.urgent = false;
-    m_wire.sent += frames.size();
+    m_kept.wire.sent += frames.size();
     m_links.send(m_endpoint->recordPath(session), frames);
 }
 
@@ -181,7 +179,7 @@ void ChannelDriver::flush(TimePoint now)
             sealBatch(now, session, batch);
     }
     transmit();
-    m_slept = true; // the thread goes to sleep after this
+    m_costs.sleeps();
 }
 
 void ChannelDriver::flushAll(TimePoint now)
@@ -190,7 +188,7 @@ void ChannelDriver::flushAll(TimePoint now)
     for (auto &[session, batch] : m_batches)
         sealBatch(now, session, batch);
     transmit();
-    m_slept = true; // the thread goes to sleep after this
+    m_costs.sleeps();
 }
 
 std::vector<ChannelDriver::Goodbye> ChannelDriver::closeAll(TimePoint now)
@@ -201,7 +199,7 @@ std::vector<ChannelDriver::Goodbye> ChannelDriver::closeAll(TimePoint now)
     std::vector<Goodbye> out;
     while (const auto goodbye = m_endpoint->pollTransmit()) {
         out.push_back({goodbye->to, Bytes(goodbye->bytes.begin(), goodbye->bytes.end())});
-        m_wire.sent += goodbye->bytes.size();
+        m_kept.wire.sent += goodbye->bytes.size();
         m_links.send(goodbye->to, goodbye->bytes);
     }
     return out;
@@ -221,12 +219,9 @@ std::optional<channel::Event> ChannelDriver::pollEvent(std::optional<channel::Se
     if (const auto *done = std::get_if<channel::SwitchDone>(&*event); done && done->failure == channel::SwitchFailure::None)
         m_sendSuites[done->session] = done->to;
     if (const auto *down = std::get_if<channel::SessionDown>(&*event)) {
-        m_endedRx += down->stats.rx;
-        m_endedTx += down->stats.tx;
-        m_endedPeerRx += down->stats.peerRx;
-        m_endedPeerFrames += down->stats.peerFrames;
+        add(m_kept, down->stats);
         m_batches.erase(down->session);
-        m_meters.erase(down->session);
+        m_costs.forget(down->session);
         m_sendSuites.erase(down->session);
     }
     return event;
@@ -234,8 +229,7 @@ std::optional<channel::Event> ChannelDriver::pollEvent(std::optional<channel::Se
 
 void ChannelDriver::roll(TimePoint now)
 {
-    for (auto &[session, meter] : m_meters)
-        meter.roll(now);
+    m_costs.roll(now);
     // Including sessions that carry only their own reports.
     for (const channel::SessionId session : m_endpoint->sessions()) {
         const auto info = m_endpoint->sessionInfo(session);
@@ -244,45 +238,21 @@ void ChannelDriver::roll(TimePoint now)
     }
 }
 
-SuiteCost ChannelDriver::cost(channel::SessionId session) const
-{
-    const auto found = m_meters.find(session);
-    return found == m_meters.end() ? SuiteCost{} : found->second.cost();
-}
-
-channel::EndCosts ChannelDriver::endCosts(channel::SessionId session) const
-{
-    const auto found = m_meters.find(session);
-    channel::EndCosts out = found == m_meters.end() ? channel::EndCosts{} : found->second.sums();
-    using Microseconds = std::chrono::duration<std::uint64_t, std::micro>;
-    out.cpuMicroseconds = std::chrono::duration_cast<Microseconds>(metrics::processCpuTime()).count();
-    out.residentBytes = metrics::residentBytes().value_or(0);
-    return out;
-}
-
 void ChannelDriver::setMeasuring(bool measuring)
 {
-    m_measuring = measuring;
+    m_costs.setMeasuring(measuring);
     m_endpoint->askCosts(measuring);
 }
 
 ChannelTotals ChannelDriver::totals() const
 {
-    ChannelTotals out;
-    out.rx = m_endedRx;
-    out.tx = m_endedTx;
-    out.peerRx = m_endedPeerRx;
-    out.peerFrames = m_endedPeerFrames;
+    ChannelTotals out = m_kept;
     out.unmatched = m_endpoint->unmatched();
     out.rx += out.unmatched;
-    out.wire = m_wire;
     TimePoint heard = TimePoint::min();
     for (const channel::SessionId session : m_endpoint->sessions()) {
         if (const auto stats = m_endpoint->stats(session)) {
-            out.rx += stats->rx;
-            out.tx += stats->tx;
-            out.peerRx += stats->peerRx;
-            out.peerFrames += stats->peerFrames;
+            add(out, *stats);
             ++out.sessions;
         }
         const auto info = m_endpoint->sessionInfo(session);
@@ -292,7 +262,7 @@ ChannelTotals ChannelDriver::totals() const
             out.suite = info->suite;
             out.epoch = static_cast<std::uint32_t>(info->epoch);
             out.framing = info->framing;
-            out.cost = cost(session);
+            out.cost = m_costs.of(session);
             if (const auto stats = m_endpoint->stats(session))
                 out.roundTrip = stats->roundTrip;
         }

@@ -1,14 +1,13 @@
 // Connects the secure channel, which has no sockets, with the links, which have no keys: passes records in, coalesces the
-// frames of one wake-up (of 40 ms on a slow link) into records, sends the protocol's own messages, and measures the cost of
-// the ciphers. The station and the agent use the same class. I/O thread.
+// frames of one wake-up (of 40 ms on a slow link) into records, and sends the protocol's own messages. The station and the
+// agent use the same class. I/O thread.
 #pragma once
 
 #include "core/channel/delivery.h"
 #include "core/channel/events.h"
 #include "core/channel/sealed.h"
+#include "core/engine/common/channel_costs.h"
 #include "core/engine/common/link_pool.h"
-#include "core/engine/common/suite_meter.h"
-#include "core/metrics/work_clock.h"
 
 #include <map>
 #include <memory>
@@ -32,14 +31,14 @@ public:
 
     channel::Endpoint &endpoint() { return *m_endpoint; }
     const channel::Endpoint &endpoint() const { return *m_endpoint; }
+    ChannelCosts &costs() { return m_costs; }
+    const ChannelCosts &costs() const { return m_costs; }
 
     /// Takes a datagram whose first byte belongs to the channel. Returns its frames, opened in place; nullopt if there are
     /// none or it is rejected.
     std::optional<channel::Delivery> receive(TimePoint now, const Path &from, MutableByteView datagram);
     /// The same for one frame that was sealed in place.
     std::optional<channel::Delivery> receiveInline(TimePoint now, const Path &from, MutableByteView frame);
-    /// Counts the frames of a delivery, for the rates.
-    void countFrames(channel::SessionId session, std::uint64_t frames) { m_meters[session].openedFrames(frames); }
 
     /// Adds a whole frame to the session's next datagram: to a record, or sealed in place where the session and the frame
     /// allow it. Returns false if it is too long.
@@ -65,14 +64,8 @@ public:
 
     /// Call about once a second.
     void roll(TimePoint now);
-    SuiteCost cost(channel::SessionId session) const;
-    /// The cost of the session to this process.
-    channel::EndCosts endCosts(channel::SessionId session) const;
-    /// While on, the cost of each record is kept over all sessions and suites, see opening() and sealing(), and the costs of
-    /// the peers are requested.
+    /// While on, the costs are kept as well (see ChannelCosts), and those of the peers are requested.
     void setMeasuring(bool measuring);
-    const metrics::Histogram &opening() const { return m_opening; }
-    const metrics::Histogram &sealing() const { return m_sealing; }
     /// Sums over all sessions, including ended ones and unmatched records. The suite is that of the session heard last.
     ChannelTotals totals() const;
 
@@ -101,19 +94,12 @@ private:
 
     std::unique_ptr<channel::Endpoint> m_endpoint;
     LinkPool &m_links;
-    metrics::WorkClock m_clock;
+    ChannelCosts m_costs;
     std::map<channel::SessionId, Batch> m_batches;
-    std::map<channel::SessionId, SuiteMeter> m_meters;
     std::map<channel::SessionId, crypto::SuiteId> m_sendSuites; ///< from the events
     std::array<std::uint8_t, channel::kMaxRecordPayload + channel::kMaxRecordOverhead> m_record;
     TimePoint m_flushDue = kNever;
-    bool m_slept = true; ///< no record was opened in this wake-up yet
-    WireTotals m_wire;
-    bool m_measuring = false;
-    metrics::Histogram m_opening, m_sealing;
-    channel::ReceiveCounters m_endedRx, m_endedPeerRx;
-    std::optional<channel::FrameCounters> m_endedPeerFrames;
-    channel::SendCounters m_endedTx;
+    ChannelTotals m_kept;                 ///< the counters of ended sessions, and the bytes on the wire of all
     std::optional<channel::Event> m_left; ///< deferred by pollEvent()
 };
 

@@ -66,7 +66,7 @@ SessionSnapshot StationChannel::describe(TimePoint now, const channel::SessionIn
     out.info = info;
     if (const auto stats = endpoint().stats(info.session))
         out.stats = *stats;
-    out.cost = driver.cost(info.session);
+    out.cost = driver.costs().of(info.session);
     out.fingerprint = keys::fingerprint(info.peer);
     out.remoteAddress = link::toText(info.path.remote);
     out.age = seconds(now - info.since);

@@ -110,7 +110,7 @@ void StationReceiver::takeDelivery(const link::ReceivedBlock &block, const chann
         else
             acceptLateFrame(block.time, block.path, *item.frame, delivery.freshness);
     });
-    m_channel->driver.countFrames(delivery.session, frames);
+    m_channel->driver.costs().countFrames(delivery.session, frames);
     m_parts.links.noteRemote(block.path.link, block.path.remote);
 }
 

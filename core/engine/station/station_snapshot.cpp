@@ -22,8 +22,8 @@ std::shared_ptr<const Probe> makeProbe(const SnapshotSources &from)
     out->waitingBytes = from.datagrams.waitingBytes;
     out->waitingDatagrams = from.datagrams.waitingCount;
     if (from.channel) {
-        out->open = from.channel->driver.opening();
-        out->seal = from.channel->driver.sealing();
+        out->open = from.channel->driver.costs().opening();
+        out->seal = from.channel->driver.costs().sealing();
     }
     return out;
 }
