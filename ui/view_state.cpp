@@ -11,6 +11,13 @@ bool ViewState::stale() const
     return vehicle && vehicle->state.messageAge > kStaleAfterSeconds;
 }
 
+const engine::SessionSnapshot *sessionOf(const engine::Snapshot &snapshot, const engine::VehicleSnapshot &vehicle)
+{
+    const auto own = std::ranges::find_if(snapshot.sessions,
+                                          [&](const auto &session) { return vehicle.session == session.info.session; });
+    return own == snapshot.sessions.end() ? nullptr : &*own;
+}
+
 ViewState viewOf(SnapshotPtr snapshot, std::uint8_t systemId)
 {
     ViewState view{std::move(snapshot)};
@@ -29,14 +36,10 @@ ViewState viewOf(SnapshotPtr snapshot, std::uint8_t systemId)
         const auto over = std::ranges::find(links, view.vehicle->link, &engine::LinkSnapshot::id);
         view.link = over == links.end() ? nullptr : &*over;
     }
-    if (view.vehicle && view.vehicle->session) {
-        const auto own = std::ranges::find_if(sessions,
-                                              [&](const auto &s) { return s.info.session == *view.vehicle->session; });
-        if (own != sessions.end())
-            view.session = &*own;
-    } else if (!view.vehicle && !sessions.empty()) {
+    if (view.vehicle)
+        view.session = sessionOf(*view.snapshot, *view.vehicle);
+    else if (!sessions.empty())
         view.session = &sessions.front();
-    }
     const auto &pendingApproval = view.snapshot->pendingApproval;
     const auto held = std::ranges::find_if(pendingApproval, [&](const engine::PendingVehicle &one) {
         return !view.vehicle || view.vehicle->state.systemId == one.systemId;

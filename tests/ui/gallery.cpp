@@ -112,6 +112,23 @@ std::shared_ptr<const std::vector<vehicle::MissionItem>> routeMission()
     return std::make_shared<const std::vector<vehicle::MissionItem>>(std::move(out));
 }
 
+/// Vehicle 2 in the same session, 3 not sealed, 4 silent, 5 next to it.
+void addVehicles(engine::Snapshot &snapshot)
+{
+    const double places[][2] = {{60, 90}, {-70, 60}, {30, -110}, {32, -104}}; // metres north and east
+    for (std::uint8_t i = 0; i < std::size(places); ++i) {
+        engine::VehicleSnapshot other = snapshot.vehicles.front();
+        constexpr double kMetresPerDegree = 111319.5;
+        other.state.systemId = static_cast<std::uint8_t>(i + 2);
+        other.state.position.latitude = 47.3977 + places[i][0] / kMetresPerDegree;
+        other.state.position.longitude = 8.5456 + places[i][1] / kMetresPerDegree / 0.6769;
+        other.state.heading = 70.0 * i;
+        snapshot.vehicles.push_back(other);
+    }
+    snapshot.vehicles[2].session.reset();
+    snapshot.vehicles[3].state.messageAge = 12.6;
+}
+
 void waitForTiles(MapView &map)
 {
     QEventLoop loop;
@@ -206,6 +223,8 @@ void play(FakeStation &station, MainWindow &window, const QString &state, const 
             }
             if (state == QLatin1String("served"))
                 addClients(snapshot);
+            if (state == QLatin1String("several"))
+                addVehicles(snapshot);
             if (state == QLatin1String("lost") && t > 46)
                 snapshot.vehicles.front().state.messageAge = 12.6;
             station.show(snapshot);

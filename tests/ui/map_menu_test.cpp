@@ -62,6 +62,25 @@ private Q_SLOTS:
         QCOMPARE(find<QLabel>("commandResult")->text(), QStringLiteral("Go here: denied"));
     }
 
+    void clickSelectsAnotherVehicle()
+    {
+        addOther();
+        QCOMPARE(m_map->content().systemId(), std::uint8_t(1));
+        const QPoint other = m_map->viewport().toPixels(m_map->content().others().front().metres).toPoint();
+        QVERIFY(m_map->rect().contains(other));
+        QTest::mouseClick(m_map, Qt::LeftButton, {}, other + QPoint(40, 0)); // beside it
+        QCOMPARE(m_map->content().systemId(), std::uint8_t(1));
+        QTest::mousePress(m_map, Qt::LeftButton, {}, other); // a drag that begins there
+        QTest::mouseMove(m_map, other + QPoint(60, 0));
+        QTest::mouseRelease(m_map, Qt::LeftButton, {}, other + QPoint(60, 0));
+        QCOMPARE(m_map->content().systemId(), std::uint8_t(1));
+        QTest::mouseClick(m_map, Qt::LeftButton, {},
+                          m_map->viewport().toPixels(m_map->content().others().front().metres).toPoint());
+        QCOMPARE(m_map->content().systemId(), std::uint8_t(2));
+        QCOMPARE(m_map->content().others().front().systemId, std::uint8_t(1));
+        QVERIFY(m_station->commands.empty());
+    }
+
     void escapeSendsNothing()
     {
         QMenu *menu = openMenu(m_map->rect().center());
@@ -274,6 +293,16 @@ private:
         state.armed = true;
         state.altitudeRelative = m_altitude;
         change(state);
+        m_station->show(snapshot);
+    }
+
+    /// Vehicle 2, some 50 m north of vehicle 1.
+    void addOther()
+    {
+        engine::Snapshot snapshot = sealedSnapshot(++m_time);
+        snapshot.vehicles.push_back(snapshot.vehicles.front());
+        snapshot.vehicles.back().state.systemId = 2;
+        snapshot.vehicles.back().state.position.latitude += 0.0005;
         m_station->show(snapshot);
     }
 

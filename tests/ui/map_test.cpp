@@ -20,6 +20,27 @@ ViewState viewAt(double time, std::uint8_t systemId = 1)
     return viewOf(std::make_shared<const engine::Snapshot>(std::move(snapshot)), systemId);
 }
 
+/// Vehicle 1, and others beside it: 2 in the same session, 3 in none, 4 silent for 12 s, 5 without a position.
+engine::Snapshot severalVehicles(double time)
+{
+    engine::Snapshot snapshot = sealedSnapshot(time);
+    for (std::uint8_t id = 2; id <= 5; ++id) {
+        engine::VehicleSnapshot other = snapshot.vehicles.front();
+        other.state.systemId = id;
+        other.state.position.latitude += 0.001 * id;
+        snapshot.vehicles.push_back(other);
+    }
+    snapshot.vehicles[2].session.reset();
+    snapshot.vehicles[3].state.messageAge = 12.4;
+    snapshot.vehicles[4].state.position = {};
+    return snapshot;
+}
+
+ViewState viewOfSeveral(const engine::Snapshot &snapshot, std::uint8_t systemId = 1)
+{
+    return viewOf(std::make_shared<const engine::Snapshot>(snapshot), systemId);
+}
+
 } // namespace
 
 class MapTest : public QObject
@@ -72,6 +93,45 @@ private Q_SLOTS:
         QCOMPARE(around.at(around.left, 0).column, 7);
         QCOMPARE(around.at(around.left + 1, 0).column, 0);
         QCOMPARE(tilesIn(QRectF(-1e9, -1e9, 2e9, 2e9), 2).bottom, 3);
+    }
+
+    void otherVehiclesAreShown()
+    {
+        const ViewState view = viewOfSeveral(severalVehicles(10));
+        MapContent content;
+        content.show(view, 0.5);
+        const auto &others = content.others();
+        QCOMPARE(others.size(), std::size_t(3));
+        QCOMPARE(others[0].systemId, std::uint8_t(2));
+        QCOMPARE(others[0].suite, view.session->info.suite);
+        const auto &where = view.snapshot->vehicles[1].state.position;
+        QCOMPARE(others[0].metres, mercator::project({where.latitude, where.longitude}));
+        const auto textOf = [](const VehicleMarker &marker) { return markerText(marker.systemId, marker.suite, marker.age); };
+        QCOMPARE(textOf(others[0]), QStringLiteral("Vehicle 2 · sealed"));
+        QCOMPARE(textOf(others[1]), QStringLiteral("Vehicle 3 · not sealed"));
+        QCOMPARE(textOf(others[2]), QStringLiteral("Vehicle 4 · 12 s ago"));
+        // The one that was selected before is one of the others then.
+        content.show(viewOfSeveral(severalVehicles(10), 2), 0.5);
+        QCOMPARE(content.others().front().systemId, std::uint8_t(1));
+        QCOMPARE(content.systemId(), std::uint8_t(2));
+    }
+
+    void otherVehiclesThatMoveArePaintedAgain()
+    {
+        engine::Snapshot snapshot = severalVehicles(10);
+        MapContent content;
+        content.show(viewOfSeveral(snapshot), 0.5);
+        QVERIFY(!content.show(viewOfSeveral(snapshot), 0.5).vehicle);
+        snapshot.vehicles[1].state.position.latitude += 1e-7; // a centimetre
+        QVERIFY(!content.show(viewOfSeveral(snapshot), 0.5).vehicle);
+        for (int i = 0; i < 50; ++i) // slowly, but far in the end
+            snapshot.vehicles[1].state.position.latitude += 1e-7;
+        QVERIFY(content.show(viewOfSeveral(snapshot), 0.5).vehicle);
+        snapshot.vehicles[2].state.heading += 5;
+        const MapContent::Changes changes = content.show(viewOfSeveral(snapshot), 0.5);
+        QVERIFY(changes.vehicle && !changes.ground && !changes.moved);
+        snapshot.vehicles[3].state.messageAge = 13.5;
+        QVERIFY(content.show(viewOfSeveral(snapshot), 0.5).vehicle);
     }
 
     void graticuleHasRoundDegrees()

@@ -50,8 +50,12 @@ MapContent::Changes MapContent::show(const ViewState &view, double metresPerPixe
         return changes;
     const auto &state = view.vehicle->state;
     changes.ground = startOver(state.systemId);
-    changes.vehicle = view.stale() != m_stale;
-    m_stale = view.stale();
+    std::vector<VehicleMarker> others = otherVehicles(view);
+    const int age = staleAge(state);
+    changes.vehicle = age != m_age || !looksTheSame(others, m_others, metresPerPixel);
+    if (changes.vehicle)
+        m_others = std::move(others);
+    m_age = age;
     m_suite = view.session ? view.session->info.suite : crypto::SuiteId::None;
     bool homeMoved = false;
     if (state.home.known()) {
@@ -63,9 +67,9 @@ MapContent::Changes MapContent::show(const ViewState &view, double metresPerPixe
     changes.ground |= showMission(*view.vehicle, homeMoved);
     if (state.position.known()) {
         const QPointF now = mercator::project({state.position.latitude, state.position.longitude});
-        if (m_stale || isJump(now, view.snapshot->time))
+        if (isStale() || isJump(now, view.snapshot->time))
             m_track.interrupt();
-        if (!m_stale) {
+        if (!isStale()) {
             m_lastKnown = now;
             m_positionAt = view.snapshot->time;
             changes.ground |= m_track.append(now, m_suite);

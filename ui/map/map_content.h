@@ -1,10 +1,11 @@
-// Contents of the map for the selected vehicle: vehicle, home, mission and the track. Built from view states. Positions are in
+// Contents of the map: the selected vehicle with home, mission and track, and the other vehicles. Built from view states. Positions are in
 // metres of the projection (see mercator.h).
 #pragma once
 
 #include "ui/tiles/mercator.h"
 #include "ui/map/mission_route.h"
 #include "ui/map/track.h"
+#include "ui/map/vehicle_markers.h"
 #include "ui/view_state.h"
 
 #include <memory>
@@ -20,8 +21,8 @@ public:
     struct Changes
     {
         bool ground = false;  ///< home, mission or track
-        bool vehicle = false; ///< position, heading or state of the vehicle
-        bool moved = false;   ///< position of the vehicle
+        bool vehicle = false; ///< position, heading or state of any vehicle
+        bool moved = false;   ///< position of the selected vehicle
     };
 
     /// Takes the vehicle of `view`, and forgets everything of another vehicle shown before. Ignores movements below half a
@@ -29,11 +30,14 @@ public:
     Changes show(const ViewState &view, double metresPerPixel);
     void clearTrack() { m_track.clear(); }
 
+    std::uint8_t systemId() const { return m_systemId; }
     const std::optional<QPointF> &vehicle() const { return m_vehicle; }
     const std::optional<QPointF> &home() const { return m_home; }
     double heading() const { return m_heading; } ///< degrees
-    bool isStale() const { return m_stale; }
+    bool isStale() const { return m_age > 0; }
     crypto::SuiteId suite() const { return m_suite; }
+    int age() const { return m_age; } ///< see staleAge()
+    const std::vector<VehicleMarker> &others() const { return m_others; }
     const Track &track() const { return m_track; }
     /// Nothing until the mission was read.
     const std::optional<MissionRoute> &route() const { return m_route; }
@@ -47,8 +51,9 @@ private:
     std::uint8_t m_systemId = 0;
     std::optional<QPointF> m_vehicle, m_home;
     double m_heading = 0;
-    bool m_stale = false;
+    int m_age = 0;
     crypto::SuiteId m_suite{};
+    std::vector<VehicleMarker> m_others;
     Track m_track;
     QPointF m_lastKnown;
     double m_positionAt = 0; ///< time of the snapshot with the last position, seconds

@@ -12,11 +12,14 @@
 #include <QtGui/QPainter>
 #include <QtGui/QPainterPath>
 
+#include <algorithm>
 #include <cmath>
 
 namespace skyseal::ui {
 
 namespace {
+
+constexpr double kNameOffset = 16; ///< pixels below the middle of a vehicle
 
 /// A length for the scale bar: its text and its metres.
 struct ScaleBar
@@ -145,25 +148,67 @@ void MapPainter::paintHome()
     m_painter.drawPath(house);
 }
 
-void MapPainter::paintVehicle()
+void MapPainter::paintVehicles()
 {
-    if (!m_content.vehicle())
-        return;
+    constexpr double kSmall = 0.75; // of the selected one
     const StateColors &colors = stateColors(m_palette);
+    const auto fill = [&colors](crypto::SuiteId suite, bool isStale) { return isStale ? colors.dim : suiteColor(suite); };
+    const QRectF picture = QRectF(QPointF(), m_viewport.size()).adjusted(-kNameOffset, -kNameOffset, kNameOffset, kNameOffset);
+    std::vector<std::pair<QPointF, QString>> names;
+    if (const auto &selected = m_content.vehicle(); selected && !m_content.others().empty())
+        names.emplace_back(m_viewport.toPixels(*selected),
+                           markerText(m_content.systemId(), m_content.suite(), m_content.age()));
+    for (const VehicleMarker &other : m_content.others()) {
+        const QPointF at = m_viewport.toPixels(other.metres);
+        if (!picture.contains(at))
+            continue;
+        paintArrow(at, other.heading, kSmall, fill(other.suite, other.isStale()));
+        names.emplace_back(at, markerText(other.systemId, other.suite, other.age));
+    }
+    if (m_content.vehicle())
+        paintArrow(m_viewport.toPixels(*m_content.vehicle()), m_content.heading(), 1,
+                   fill(m_content.suite(), m_content.isStale()));
+    paintNames(names);
+}
+
+/// Below each vehicle; where several would overlap, the first one's.
+void MapPainter::paintNames(const std::vector<std::pair<QPointF, QString>> &names)
+{
+    const QFontMetricsF metrics(m_painter.font());
+    std::vector<QRectF> taken;
+    for (const auto &[at, text] : names) {
+        const double width = metrics.horizontalAdvance(text) + kGrid;
+        const QRectF place(at.x() - width / 2, at.y() + kNameOffset, width, metrics.height());
+        if (std::ranges::any_of(taken, [&place](const QRectF &other) { return other.intersects(place); }))
+            continue;
+        paintCaption(place, text);
+        taken.push_back(place);
+    }
+}
+
+/// `heading` in degrees; NaN paints a disc.
+void MapPainter::paintArrow(const QPointF &at, double heading, double size, const QColor &fill)
+{
     m_painter.save();
-    m_painter.translate(m_viewport.toPixels(*m_content.vehicle()));
-    m_painter.rotate(m_content.heading());
+    m_painter.translate(at);
+    m_painter.scale(size, size);
     QPainterPath arrow;
-    arrow.moveTo(0, -15);
-    arrow.lineTo(10, 12);
-    arrow.lineTo(0, 6);
-    arrow.lineTo(-10, 12);
-    arrow.closeSubpath();
+    if (std::isfinite(heading))
+        m_painter.rotate(heading);
+    else
+        arrow.addEllipse(QPointF(), 10, 10);
+    if (arrow.isEmpty()) {
+        arrow.moveTo(0, -15);
+        arrow.lineTo(10, 12);
+        arrow.lineTo(0, 6);
+        arrow.lineTo(-10, 12);
+        arrow.closeSubpath();
+    }
     m_painter.setPen(QPen(m_palette.color(QPalette::Base), 5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     m_painter.setBrush(Qt::NoBrush);
     m_painter.drawPath(arrow);
     m_painter.setPen(QPen(m_palette.color(QPalette::WindowText), 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    m_painter.setBrush(m_content.isStale() ? colors.dim : suiteColor(m_content.suite()));
+    m_painter.setBrush(fill);
     m_painter.drawPath(arrow);
     m_painter.restore();
 }

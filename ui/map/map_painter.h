@@ -27,7 +27,8 @@ public:
 
     /// Everything except the vehicle. The caller fills the background. `moving`: quickly rather than finely.
     void paintGround(const TileLayer &tiles, UnitSystem units, bool moving);
-    void paintVehicle();
+    /// All of them; with words beside each if there are several.
+    void paintVehicles();
     /// A place that the operator is asked about.
     void paintMark(const QPointF &metres);
     /// The place under the pointer, above the scale bar.
@@ -41,9 +42,11 @@ private:
     void paintTrack();
     void paintMission();
     void paintHome();
+    void paintArrow(const QPointF &at, double heading, double size, const QColor &fill);
     void paintScale(UnitSystem units);
     void paintNorth();
     void paintAttribution(const TileLayer &tiles);
+    void paintNames(const std::vector<std::pair<QPointF, QString>> &names);
     void paintCaption(const QRectF &place, const QString &text);
 
     QPainter &m_painter;

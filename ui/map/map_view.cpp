@@ -7,9 +7,11 @@
 #include <QtGui/QMouseEvent>
 #include <QtGui/QPainter>
 #include <QtGui/QWheelEvent>
+#include <QtWidgets/QApplication>
 #include <QtWidgets/QStyle>
 
 #include <cmath>
+#include <utility>
 
 namespace skyseal::ui {
 
@@ -43,7 +45,7 @@ void MapView::showViewState(const ViewState &view)
     m_groundDirty |= changes.ground;
     if (changes.moved && !m_placed)
         showFirst(*m_content.vehicle());
-    if (changes.moved && m_follow && !m_dragging) {
+    if (changes.moved && m_follow && !m_drag) {
         // Follow in steps: the ground is redrawn only when the vehicle leaves the middle of the picture.
         const QPointF off = (*m_content.vehicle() - m_viewport.centre()) / m_viewport.metresPerPixel();
         if (std::abs(off.x()) > width() / 4.0 || std::abs(off.y()) > height() / 4.0) {
@@ -157,7 +159,7 @@ void MapView::paintEvent(QPaintEvent *)
     painter.drawPixmap(0, 0, m_ground);
     painter.setRenderHint(QPainter::Antialiasing);
     MapPainter map(painter, m_content, m_viewport, palette());
-    map.paintVehicle();
+    map.paintVehicles();
     if (m_mark)
         map.paintMark(*m_mark);
     if (const auto place = pointedPlace())
@@ -182,7 +184,7 @@ void MapView::paintGround()
     m_ground.fill(palette().color(QPalette::Base));
     QPainter painter(&m_ground);
     painter.setFont(font());
-    MapPainter(painter, m_content, m_viewport, palette()).paintGround(m_tiles, m_units, m_dragging || m_motion.isMoving());
+    MapPainter(painter, m_content, m_viewport, palette()).paintGround(m_tiles, m_units, m_drag || m_motion.isMoving());
 }
 
 void MapView::resizeEvent(QResizeEvent *)
@@ -201,8 +203,7 @@ void MapView::changeEvent(QEvent *event)
 void MapView::mousePressEvent(QMouseEvent *event)
 {
     if (event->button() == Qt::LeftButton) {
-        m_dragFrom = event->position();
-        m_dragging = true;
+        m_drag = Drag{event->position(), event->position()};
         m_motion.stop();
         setCursor(Qt::ClosedHandCursor);
     }
@@ -211,19 +212,39 @@ void MapView::mousePressEvent(QMouseEvent *event)
 void MapView::mouseMoveEvent(QMouseEvent *event)
 {
     setPointer(event->position());
-    if (m_dragging) {
+    if (m_drag) {
         leaveVehicle();
-        m_viewport.pan(event->position() - m_dragFrom);
-        m_dragFrom = event->position();
+        m_viewport.pan(event->position() - m_drag->last);
+        m_drag->last = event->position();
         markGroundDirty();
     }
 }
 
-void MapView::mouseReleaseEvent(QMouseEvent *)
+void MapView::mouseReleaseEvent(QMouseEvent *event)
 {
-    m_dragging = false;
+    const auto drag = std::exchange(m_drag, std::nullopt);
     unsetCursor();
     markGroundDirty(); // finely
+    if (drag && (event->position() - drag->begin).manhattanLength() < QApplication::startDragDistance()) {
+        if (const auto clicked = otherVehicleAt(event->position()))
+            Q_EMIT vehicleClicked(*clicked);
+    }
+}
+
+/// The nearest one within reach of a finger.
+std::optional<std::uint8_t> MapView::otherVehicleAt(const QPointF &pixel) const
+{
+    constexpr double kReach = 20; // pixels
+    std::optional<std::uint8_t> found;
+    double nearest = kReach;
+    for (const VehicleMarker &other : m_content.others()) {
+        const QPointF way = m_viewport.toPixels(other.metres) - pixel;
+        if (const double apart = std::hypot(way.x(), way.y()); apart < nearest) {
+            nearest = apart;
+            found = other.systemId;
+        }
+    }
+    return found;
 }
 
 void MapView::mouseDoubleClickEvent(QMouseEvent *event)

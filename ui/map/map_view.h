@@ -1,5 +1,5 @@
 // The map: north is up, tiles of the chosen source or a graticule, a scale bar, home, mission, the track coloured by suite, and
-// the vehicle. Drag or the arrow keys move it, the wheel or + and − zoom, Home follows the vehicle again. Holds the content,
+// all vehicles. A click selects another one. Drag or the arrow keys move it, the wheel or + and − zoom, Home follows the vehicle again. Holds the content,
 // the viewport and a picture of the ground; MapPainter paints.
 #pragma once
 
@@ -47,6 +47,8 @@ public:
     const std::optional<QPointF> &mark() const { return m_mark; }
 
 Q_SIGNALS:
+    /// The operator clicked a vehicle that is not the selected one.
+    void vehicleClicked(std::uint8_t systemId);
     /// The operator wants to choose what to do at this place, by the right button or the menu key.
     void menuRequested(const skyseal::ui::LatLong &place, const QPoint &globalPosition);
 
@@ -71,6 +73,7 @@ private:
     void leaveVehicle();
     void showFirst(const QPointF &vehicle);
     void markGroundDirty();
+    std::optional<std::uint8_t> otherVehicleAt(const QPointF &pixel) const;
     void setPointer(const std::optional<QPointF> &pixel);
     void paintGround();
 
@@ -84,9 +87,13 @@ private:
     bool m_follow = true;
     bool m_placed = false;         ///< a vehicle was shown, or the operator has moved the map
     std::optional<QPointF> m_mark; ///< metres of the projection
-    QPointF m_dragFrom;
-    bool m_dragging = false;
-    QPixmap m_ground; ///< painted again only when its content or the viewport changes
+    /// Pixels.
+    struct Drag
+    {
+        QPointF begin, last;
+    };
+    std::optional<Drag> m_drag; ///< while the button is down
+    QPixmap m_ground;           ///< painted again only when its content or the viewport changes
     bool m_groundDirty = true;
 };
 

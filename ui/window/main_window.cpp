@@ -160,6 +160,7 @@ void MainWindow::connectParts()
     });
     connect(m_selection, &ViewSelection::viewChanged, m_commands, &VehicleCommands::showViewState);
     connect(m_selection, &ViewSelection::viewChanged, m_map, &MapView::showViewState);
+    connect(m_map, &MapView::vehicleClicked, m_selection, &ViewSelection::selectVehicle);
     connect(m_selection, &ViewSelection::viewChanged, m_docks, &WindowDocks::onSnapshot);
     connect(m_selection, &ViewSelection::numbersDue, this, &MainWindow::showNumbers);
 

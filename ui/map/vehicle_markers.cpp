@@ -1,0 +1,69 @@
+#include "ui/map/vehicle_markers.h"
+
+#include "core/engine/station/snapshot.h"
+#include "ui/tiles/mercator.h"
+
+#include <QtCore/QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace skyseal::ui {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(skyseal::ui::VehicleMarker)
+};
+
+bool looksTheSame(const VehicleMarker &a, const VehicleMarker &b, double metresPerPixel)
+{
+    constexpr double kTurn = 0.7; // degrees
+    const bool turned = std::isfinite(a.heading) != std::isfinite(b.heading) || std::abs(a.heading - b.heading) > kTurn;
+    return a.systemId == b.systemId && a.suite == b.suite && a.age == b.age && !turned
+        && (a.metres - b.metres).manhattanLength() <= metresPerPixel * 0.5;
+}
+
+} // namespace
+
+int staleAge(const vehicle::VehicleState &state)
+{
+    return state.messageAge > kStaleAfterSeconds ? static_cast<int>(std::min(state.messageAge, 1e6)) : 0;
+}
+
+std::vector<VehicleMarker> otherVehicles(const ViewState &view)
+{
+    std::vector<VehicleMarker> out;
+    if (!view.snapshot)
+        return out;
+    for (const engine::VehicleSnapshot &vehicle : view.snapshot->vehicles) {
+        const auto &state = vehicle.state;
+        if (&vehicle == view.vehicle || !state.position.known())
+            continue;
+        const engine::SessionSnapshot *session = sessionOf(*view.snapshot, vehicle);
+        out.push_back({.systemId = state.systemId,
+                       .metres = mercator::project({state.position.latitude, state.position.longitude}),
+                       .heading = state.heading,
+                       .suite = session ? session->info.suite : crypto::SuiteId::None,
+                       .age = staleAge(state)});
+    }
+    return out;
+}
+
+QString markerText(std::uint8_t systemId, crypto::SuiteId suite, int age)
+{
+    if (age > 0)
+        return Text::tr("Vehicle %1 · %2 s ago").arg(systemId).arg(age);
+    return suite == crypto::SuiteId::None ? Text::tr("Vehicle %1 · not sealed").arg(systemId)
+                                          : Text::tr("Vehicle %1 · sealed").arg(systemId);
+}
+
+bool looksTheSame(const std::vector<VehicleMarker> &a, const std::vector<VehicleMarker> &b, double metresPerPixel)
+{
+    return std::ranges::equal(a, b, [metresPerPixel](const VehicleMarker &one, const VehicleMarker &other) {
+        return looksTheSame(one, other, metresPerPixel);
+    });
+}
+
+} // namespace skyseal::ui
