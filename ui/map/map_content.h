@@ -1,5 +1,5 @@
-// Contents of the map: the selected vehicle with home, mission and track, and the other vehicles. Built from view states. Positions are in
-// metres of the projection (see mercator.h).
+// Contents of the map: the selected vehicle with home, mission and track, and the other vehicles. Built from view states.
+// Positions are in metres of the projection (see mercator.h).
 #pragma once
 
 #include "ui/tiles/mercator.h"

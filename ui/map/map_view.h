@@ -1,6 +1,6 @@
 // The map: north is up, tiles of the chosen source or a graticule, a scale bar, home, mission, the track coloured by suite, and
-// all vehicles. A click selects another one. Drag or the arrow keys move it, the wheel or + and − zoom, Home follows the vehicle again. Holds the content,
-// the viewport and a picture of the ground; MapPainter paints.
+// all vehicles. A click selects another one. Drag or the arrow keys move the map, the wheel or + and − zoom, Home follows the
+// vehicle again. Holds the content, the viewport and a picture of the ground; MapPainter paints.
 #pragma once
 
 #include "ui/map/map_content.h"
