@@ -58,6 +58,23 @@ void traffic(Pair &pair, Duration period = 20ms)
     });
 }
 
+/// A session of `victim`, which sends its records home, until an attacker has it send them to his own address.
+struct Hijack
+{
+    explicit Hijack(Side end) : victim(end) { thief.remote.port = 6666; }
+
+    Path where() const { return pair.ends[victim].endpoint->recordPath(pair.ends[victim].session()); }
+    bool isHome() const { return where() == home; }
+    bool isDiverted() const { return where() == thief; }
+    bool offerFromThief(const Bytes &datagram) { return offer(pair, victim, datagram, thief); }
+
+    const Side victim;
+    const std::unique_ptr<Pair> owner = pairUnder(SuiteId::ChaCha20Poly1305);
+    Pair &pair = *owner;
+    const Path home = where();
+    Path thief = home;
+};
+
 void swallowEverything(Pair &pair)
 {
     pair.link.attacker = [](TimePoint, SentDatagram &) { return false; };
@@ -188,12 +205,8 @@ void AttackSessionTest::windowPoisoning()
 
 void AttackSessionTest::hijackOfAnAddress()
 {
-    auto owner = pairUnder(SuiteId::ChaCha20Poly1305);
-    Pair &pair = *owner;
-    const auto where = [&] { return pair.ground().endpoint->recordPath(pair.ground().session()); };
-    const Path home = where();
-    Path thief = home;
-    thief.remote.port = 6666;
+    Hijack hijack(Ground);
+    Pair &pair = hijack.pair;
     Tap tap(pair);
     for (int i = 0; i < 50; ++i) {
         pair.sendFrame(Air);
@@ -205,17 +218,17 @@ void AttackSessionTest::hijackOfAnAddress()
     for (const SentDatagram &flight : tap.flights) {
         if (flight.from != Air)
             continue;
-        offer(pair, Ground, flight.bytes, thief);
+        hijack.offerFromThief(flight.bytes);
         Bytes damaged = flight.bytes;
         damaged.back() ^= 1;
         damaged[4] ^= 0x10;
-        offer(pair, Ground, damaged, thief);
+        hijack.offerFromThief(damaged);
     }
-    HOLDS(where() == home, "no refused record moves the session");
+    HOLDS(hijack.isHome(), "no refused record moves the session");
     // A genuine record that was delayed and is not the newest does not move it either.
-    QVERIFY(offer(pair, Ground, late.flight.bytes, thief));
+    QVERIFY(hijack.offerFromThief(late.flight.bytes));
     ++pair.ground().delivered[late.number];
-    HOLDS(where() == home, "no late record moves the session");
+    HOLDS(hijack.isHome(), "no late record moves the session");
     QCOMPARE(pair.ground().all<PeerMoved>().size(), 0u);
     QVERIFY(aliveAndExact(pair));
 }
@@ -252,26 +265,22 @@ void AttackSessionTest::withheldRecordDivertsForSeconds()
 {
     // An attacker withholds the newest record from the agent, blocks the station, and delivers that record from his own
     // address: he receives the telemetry for two and a half seconds, not until the session times out.
-    auto owner = pairUnder(SuiteId::ChaCha20Poly1305);
-    Pair &pair = *owner;
-    const auto where = [&] { return pair.air().endpoint->recordPath(pair.air().session()); };
-    const Path home = where();
-    Path thief = home;
-    thief.remote.port = 6666;
+    Hijack hijack(Air);
+    Pair &pair = hijack.pair;
     const Caught kept = catchOne(pair, 28, Ground);
     pair.link.attacker = [](TimePoint, SentDatagram &flight) { return flight.from == Air; };
     pair.every(20ms, [&pair] { pair.sendFrame(Air); });
     pair.run(300ms);
-    QVERIFY(offer(pair, Air, kept.flight.bytes, thief));
+    QVERIFY(hijack.offerFromThief(kept.flight.bytes));
     ++pair.air().delivered[kept.number];
-    QVERIFY(where() == thief);
+    QVERIFY(hijack.isDiverted());
     pair.run(2s);
-    QVERIFY(where() == thief); // as long as an honest peer may be out of reach after it moved
+    QVERIFY(hijack.isDiverted()); // as long as an honest peer may be out of reach after it moved
     pair.run(1s);
-    HOLDS(where() == home, "the session goes back to its peer");
+    HOLDS(hijack.isHome(), "the session goes back to its peer");
     const auto moved = pair.air().all<PeerMoved>();
     QCOMPARE(moved.size(), std::size_t(2)); // there and back, each reported
-    QVERIFY(moved[0].to == thief && moved[1].to == home);
+    QVERIFY(moved[0].to == hijack.thief && moved[1].to == hijack.home);
     pair.link.attacker = nullptr;
     pair.stopTraffic();
     QVERIFY(aliveAndExact(pair));
@@ -281,29 +290,25 @@ void AttackSessionTest::answersToOtherAddressesEndNoTrial()
 {
     // As above, but the agent of the quiet session asks at its configured address, and the attacker delivers the station's
     // answer from his own: it echoes a stamp of after the move, which proves nothing about his address.
-    auto owner = pairUnder(SuiteId::ChaCha20Poly1305);
-    Pair &pair = *owner;
-    const auto where = [&] { return pair.air().endpoint->recordPath(pair.air().session()); };
-    const Path home = where();
-    Path thief = home;
-    thief.remote.port = 6666;
+    Hijack hijack(Air);
+    Pair &pair = hijack.pair;
     const Caught kept = catchOne(pair, 28, Ground);
     Bytes newest;
     pair.link.attacker = [&](TimePoint, SentDatagram &flight) {
         if (flight.from == Ground)
             newest = flight.bytes;
-        return flight.from == Air && flight.targetPort != thief.remote.port;
+        return flight.from == Air && flight.targetPort != hijack.thief.remote.port;
     };
     pair.every(20ms, [&pair] { pair.sendFrame(Air); });
     pair.run(300ms);
-    offer(pair, Air, kept.flight.bytes, thief);
-    QVERIFY(where() == thief);
+    hijack.offerFromThief(kept.flight.bytes);
+    QVERIFY(hijack.isDiverted());
     newest.clear();
     pair.run(2400ms); // The agent has asked by then.
-    QVERIFY(where() == thief && !newest.empty());
-    offer(pair, Air, newest, thief);
+    QVERIFY(hijack.isDiverted() && !newest.empty());
+    hijack.offerFromThief(newest);
     pair.run(5s);
-    HOLDS(where() == home, "the session goes back to its peer");
+    HOLDS(hijack.isHome(), "the session goes back to its peer");
 }
 
 void AttackSessionTest::echoesOfAnHourAgoEndNoTrial()
@@ -311,19 +316,15 @@ void AttackSessionTest::echoesOfAnHourAgoEndNoTrial()
     // The stamps of reports repeat after 2^32 us: by the sign of their difference, one that is older by more than half of that
     // looks newer. The attacker withholds a station's reports, keeps the session up with one of them every nine minutes, and
     // then delivers the others from his own address.
-    auto owner = pairUnder(SuiteId::ChaCha20Poly1305);
-    Pair &pair = *owner;
-    const auto where = [&] { return pair.air().endpoint->recordPath(pair.air().session()); };
-    const Path home = where();
-    Path thief = home;
-    thief.remote.port = 6666;
+    Hijack hijack(Air);
+    Pair &pair = hijack.pair;
     pair.every(20ms, [&pair] { pair.sendFrame(Air); });
     pair.run(3s);
     std::vector<SentDatagram> withheld;
     pair.link.attacker = [&](TimePoint, SentDatagram &flight) {
         if (flight.from == Ground)
             withheld.push_back(flight);
-        return flight.from == Air && flight.targetPort != thief.remote.port;
+        return flight.from == Air && flight.targetPort != hijack.thief.remote.port;
     };
     pair.run(15s);
     pair.stopTraffic();
@@ -334,15 +335,15 @@ void AttackSessionTest::echoesOfAnHourAgoEndNoTrial()
         pair.link.inject(pair.now, withheld.at(next++));
     }
     pair.run(1s);
-    QVERIFY(pair.air().up() && where() == home && next + 5 < withheld.size());
+    QVERIFY(pair.air().up() && hijack.isHome() && next + 5 < withheld.size());
     for (; next < withheld.size(); ++next) {
-        offer(pair, Air, withheld[next].bytes, thief);
-        if (where() == thief)
+        hijack.offerFromThief(withheld[next].bytes);
+        if (hijack.isDiverted())
             pair.run(10ms);
     }
-    QVERIFY(where() == thief);
+    QVERIFY(hijack.isDiverted());
     pair.run(5s);
-    HOLDS(where() == home, "the session goes back to its peer");
+    HOLDS(hijack.isHome(), "the session goes back to its peer");
 }
 
 void AttackSessionTest::jitterReorderingAndDuplicates()
