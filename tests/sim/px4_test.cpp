@@ -210,18 +210,11 @@ void SimPx4Test::climbsOnItsWay()
     QVERIFY(airborne(station, 12));
     station.run(8);
     const auto here = station.last<GlobalPositionInt>();
-    CommandInt go;
-    go.target_system = 1;
-    go.command = MAV_CMD_DO_REPOSITION;
-    go.frame = MAV_FRAME_GLOBAL;
+    CommandInt go = TestStation::commandAt(MAV_CMD_DO_REPOSITION, MAV_FRAME_GLOBAL, here.lat + 4500, here.lon, 596); // 50 m
     go.param1 = -1;
     go.param2 = 1;
     go.param4 = std::nanf("");
-    go.x = here.lat + 4500; // 50 m
-    go.y = here.lon;
-    go.z = 596;
-    station.send(go);
-    QCOMPARE(int(station.last<CommandAck>().result), int(MAV_RESULT_ACCEPTED));
+    QCOMPARE(station.resultOf(go), int(MAV_RESULT_ACCEPTED));
     station.run(2);
     const float nan = std::nanf("");
     QCOMPARE(station.command(MAV_CMD_DO_REPOSITION, {-1, 1, 0, nan, nan, nan, 604}), int(MAV_RESULT_ACCEPTED));

@@ -69,13 +69,31 @@ public:
     /// Sends a COMMAND_LONG and gives its result; -1 when there was no answer.
     int command(std::uint16_t id, std::array<float, 7> p = {}, std::uint8_t target = 1)
     {
+        return resultOf(test::commandLong(id, p, target));
+    }
+    /// The same for any COMMAND_LONG or COMMAND_INT.
+    template<typename Command> int resultOf(const Command &command)
+    {
         const std::size_t before = all<mavlink::CommandAck>().size();
-        send(test::commandLong(id, p, target));
+        send(command);
         const auto acks = all<mavlink::CommandAck>();
-        if (acks.size() != before + 1 || acks.back().command != id || acks.back().target_system != 255
+        if (acks.size() != before + 1 || acks.back().command != command.command || acks.back().target_system != 255
             || acks.back().target_component != 190)
             return -1;
         return acks.back().result;
+    }
+
+    /// A COMMAND_INT to the vehicle, for a place in degrees × 10^7 and m.
+    static mavlink::CommandInt commandAt(std::uint16_t id, std::uint8_t frame, std::int32_t x, std::int32_t y, float z = 0)
+    {
+        mavlink::CommandInt out;
+        out.target_system = 1;
+        out.command = id;
+        out.frame = frame;
+        out.x = x;
+        out.y = y;
+        out.z = z;
+        return out;
     }
 
     /// Boots, and climbs in GUIDED to a height in m; false when anything of that was refused.

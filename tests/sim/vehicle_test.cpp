@@ -143,21 +143,14 @@ void SimVehicleTest::commandIntAndReposition()
     QVERIFY(station.takeOff(8));
     QCOMPARE(station.command(MAV_CMD_DO_SET_MODE, {1, 5}), int(MAV_RESULT_ACCEPTED));
     const auto here = station.last<GlobalPositionInt>();
-    CommandInt go;
-    go.target_system = 1;
+    CommandInt go = TestStation::commandAt(MAV_CMD_DO_REPOSITION, MAV_FRAME_GLOBAL_RELATIVE_ALT_INT, here.lat, here.lon + 2200,
+                                           12); // 20 m
     go.target_component = 1;
-    go.frame = MAV_FRAME_GLOBAL_RELATIVE_ALT_INT;
-    go.command = MAV_CMD_DO_REPOSITION;
     go.param1 = -1;
     go.param4 = std::nanf("");
-    go.x = here.lat;
-    go.y = here.lon + 2200; // 20 m
-    go.z = 12;
-    station.send(go);
-    QCOMPARE(int(station.last<CommandAck>().result), int(MAV_RESULT_DENIED)); // not in GUIDED, and not asked to change
+    QCOMPARE(station.resultOf(go), int(MAV_RESULT_DENIED)); // not in GUIDED, and not asked to change
     go.param2 = 1;
-    station.send(go);
-    QCOMPARE(int(station.last<CommandAck>().result), int(MAV_RESULT_ACCEPTED));
+    QCOMPARE(station.resultOf(go), int(MAV_RESULT_ACCEPTED));
     QVERIFY(station.until(
         [&] {
             const auto p = station.last<GlobalPositionInt>();
@@ -173,8 +166,7 @@ void SimVehicleTest::commandIntAndReposition()
     station.run(4);
     QVERIFY(station.last<mavlink::VfrHud>().groundspeed < 2.6f && station.last<mavlink::VfrHud>().groundspeed > 1.3f);
     go.x = 2000000000;
-    station.send(go);
-    QCOMPARE(int(station.last<CommandAck>().result), int(MAV_RESULT_DENIED));
+    QCOMPARE(station.resultOf(go), int(MAV_RESULT_DENIED));
 
     mavlink::MissionItemInt guided; // the older way to say the same
     guided.target_system = 1;
@@ -196,14 +188,9 @@ void SimVehicleTest::noseTurnsToARegionOfInterest()
     QVERIFY(station.takeOff(8));
     const auto here = station.last<GlobalPositionInt>();
     const auto faces = [&](int degrees) { return std::abs(int(station.last<mavlink::VfrHud>().heading) - degrees) < 5; };
-    CommandInt point;
-    point.target_system = 1;
-    point.command = MAV_CMD_DO_SET_ROI_LOCATION;
-    point.frame = MAV_FRAME_GLOBAL_RELATIVE_ALT;
-    point.x = here.lat;
-    point.y = here.lon + 10000; // 90 m to the east
-    station.send(point);
-    QCOMPARE(int(station.last<CommandAck>().result), int(MAV_RESULT_ACCEPTED));
+    CommandInt point = TestStation::commandAt(MAV_CMD_DO_SET_ROI_LOCATION, MAV_FRAME_GLOBAL_RELATIVE_ALT, here.lat,
+                                              here.lon + 10000); // 90 m to the east
+    QCOMPARE(station.resultOf(point), int(MAV_RESULT_ACCEPTED));
     station.run(8);
     QVERIFY(faces(90));
     CommandInt go = point; // to the north-east of it
@@ -211,8 +198,7 @@ void SimVehicleTest::noseTurnsToARegionOfInterest()
     go.x = here.lat + 8085; // 90 m
     go.y = point.y;
     go.z = 8;
-    station.send(go);
-    QCOMPARE(int(station.last<CommandAck>().result), int(MAV_RESULT_ACCEPTED));
+    QCOMPARE(station.resultOf(go), int(MAV_RESULT_ACCEPTED));
     QVERIFY(station.until([&] { return std::abs(station.last<GlobalPositionInt>().lat - go.x) < 15; }, 60));
     QVERIFY(faces(180));
     QCOMPARE(station.command(MAV_CMD_DO_SET_ROI_NONE), int(MAV_RESULT_ACCEPTED));
@@ -221,13 +207,11 @@ void SimVehicleTest::noseTurnsToARegionOfInterest()
     station.run(6);
     QVERIFY(faces(270));
     point.frame = MAV_FRAME_LOCAL_NED;
-    station.send(point);
-    QCOMPARE(int(station.last<CommandAck>().result), int(MAV_RESULT_DENIED));
+    QCOMPARE(station.resultOf(point), int(MAV_RESULT_DENIED));
     QCOMPARE(station.command(MAV_CMD_DO_SET_MODE, {1, 5}), int(MAV_RESULT_ACCEPTED));
     const int before = station.last<mavlink::VfrHud>().heading;
     point.frame = MAV_FRAME_GLOBAL_RELATIVE_ALT;
-    station.send(point);
-    QCOMPARE(int(station.last<CommandAck>().result), int(MAV_RESULT_ACCEPTED));
+    QCOMPARE(station.resultOf(point), int(MAV_RESULT_ACCEPTED));
     station.run(5);
     QVERIFY(faces(before));
 }
@@ -237,15 +221,9 @@ void SimVehicleTest::homeIsSetInTheFrameOfTheCommand()
     TestStation station;
     station.run(6);
     const auto before = station.last<HomePosition>();
-    CommandInt home;
-    home.target_system = 1;
-    home.command = MAV_CMD_DO_SET_HOME;
-    home.frame = MAV_FRAME_GLOBAL;
-    home.x = before.latitude + 1000;
-    home.y = before.longitude;
-    home.z = 590;
-    station.send(home);
-    QCOMPARE(int(station.last<CommandAck>().result), int(MAV_RESULT_ACCEPTED));
+    CommandInt home = TestStation::commandAt(MAV_CMD_DO_SET_HOME, MAV_FRAME_GLOBAL, before.latitude + 1000, before.longitude,
+                                             590);
+    QCOMPARE(station.resultOf(home), int(MAV_RESULT_ACCEPTED));
     QVERIFY(std::abs(station.last<HomePosition>().latitude - home.x) < 10);
     QVERIFY(std::abs(station.last<HomePosition>().altitude - 590'000) < 20);
     home.frame = MAV_FRAME_GLOBAL_RELATIVE_ALT;
@@ -253,8 +231,7 @@ void SimVehicleTest::homeIsSetInTheFrameOfTheCommand()
     station.send(home);
     QVERIFY(std::abs(station.last<HomePosition>().altitude - 586'000) < 20);
     home.frame = MAV_FRAME_LOCAL_NED;
-    station.send(home);
-    QCOMPARE(int(station.last<CommandAck>().result), int(MAV_RESULT_FAILED));
+    QCOMPARE(station.resultOf(home), int(MAV_RESULT_FAILED));
 }
 
 void SimVehicleTest::stationLossReturns()
