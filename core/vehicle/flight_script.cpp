@@ -19,10 +19,21 @@ tl::unexpected<InputError> fail(const ScriptTokens &tokens, const std::string &e
     return tl::make_unexpected(tokens.error(expected));
 }
 
+template<typename T> Action commandOf(const T &command)
+{
+    return VehicleCommand(command);
+}
+
+/// Of a command with one number.
+template<typename T> Action commandWith(double number)
+{
+    return VehicleCommand(T{number});
+}
+
 /// A step without arguments.
 template<typename T> StepResult parsePlain(ScriptTokens &)
 {
-    return Action(VehicleCommand(T{}));
+    return commandOf(T{});
 }
 
 template<typename T> StepResult parseArming(ScriptTokens &tokens)
@@ -34,22 +45,19 @@ template<typename T> StepResult parseArming(ScriptTokens &tokens)
         tokens.take();
         out.force = true;
     }
-    return Action(VehicleCommand(out));
+    return commandOf(out);
 }
 
 StepResult parseMode(ScriptTokens &tokens)
 {
     if (tokens.atEnd())
         return fail(tokens, "a mode's name");
-    return Action(VehicleCommand(SetMode{std::string(tokens.take())}));
+    return commandOf(SetMode{std::string(tokens.take())});
 }
 
 StepResult parseTakeOff(ScriptTokens &tokens)
 {
-    const auto altitude = tokens.number("an altitude in metres above home, over 0 and up to 10000", 0.01, 10000);
-    if (!altitude)
-        return tl::make_unexpected(altitude.error());
-    return Action(VehicleCommand(TakeOff{*altitude}));
+    return tokens.number("an altitude in metres above home, over 0 and up to 10000", 0.01, 10000).map(commandWith<TakeOff>);
 }
 
 /// Two numbers: latitude and longitude, in degrees.
@@ -72,66 +80,55 @@ Result<double, InputError> parseAltitude(ScriptTokens &tokens)
     return tokens.number("an altitude in metres above home, -500 to 10000", -500, 10000);
 }
 
-StepResult parseGoTo(ScriptTokens &tokens)
+/// The place, and its altitude.
+template<typename T> StepResult parsePlaceAbove(ScriptTokens &tokens, bool mayEndBefore)
 {
-    auto place = parsePlace<GoTo>(tokens);
+    auto place = parsePlace<T>(tokens);
     if (!place)
         return tl::make_unexpected(place.error());
+    if (mayEndBefore && tokens.atEnd())
+        return commandOf(*place);
     const auto altitude = parseAltitude(tokens);
     if (!altitude)
         return tl::make_unexpected(altitude.error());
     place->altitudeRelative = *altitude;
-    return Action(VehicleCommand(*place));
+    return commandOf(*place);
+}
+
+StepResult parseGoTo(ScriptTokens &tokens)
+{
+    return parsePlaceAbove<GoTo>(tokens, false);
 }
 
 StepResult parseChangeAltitude(ScriptTokens &tokens)
 {
-    const auto altitude = parseAltitude(tokens);
-    if (!altitude)
-        return tl::make_unexpected(altitude.error());
-    return Action(VehicleCommand(ChangeAltitude{*altitude}));
+    return parseAltitude(tokens).map(commandWith<ChangeAltitude>);
 }
 
 StepResult parsePointing(ScriptTokens &tokens)
 {
     if (equalIgnoringCase(tokens.peek(), "none")) {
         tokens.take();
-        return Action(VehicleCommand(StopPointing{}));
+        return commandOf(StopPointing{});
     }
-    auto place = parsePlace<PointAt>(tokens);
-    if (!place)
-        return tl::make_unexpected(place.error());
-    if (!tokens.atEnd()) {
-        const auto altitude = parseAltitude(tokens);
-        if (!altitude)
-            return tl::make_unexpected(altitude.error());
-        place->altitudeRelative = *altitude;
-    }
-    return Action(VehicleCommand(*place));
+    return parsePlaceAbove<PointAt>(tokens, true);
 }
 
 StepResult parseSetHome(ScriptTokens &tokens)
 {
-    const auto home = parsePlace<SetHome>(tokens);
-    if (!home)
-        return tl::make_unexpected(home.error());
-    return Action(VehicleCommand(*home));
+    return parsePlace<SetHome>(tokens).map(commandOf<SetHome>);
 }
 
 StepResult parseSpeed(ScriptTokens &tokens)
 {
-    const auto speed = tokens.number("a speed in metres a second, over 0 and up to 1000", 0.01, 1000);
-    if (!speed)
-        return tl::make_unexpected(speed.error());
-    return Action(VehicleCommand(ChangeSpeed{*speed}));
+    return tokens.number("a speed in metres a second, over 0 and up to 1000", 0.01, 1000).map(commandWith<ChangeSpeed>);
 }
 
 StepResult parseItem(ScriptTokens &tokens)
 {
-    const auto index = tokens.wholeNumber("the number of a mission item, 0 to 65535", 0, 65535);
-    if (!index)
-        return tl::make_unexpected(index.error());
-    return Action(VehicleCommand(SetCurrentMissionItem{static_cast<std::uint16_t>(*index)}));
+    return tokens.wholeNumber("the number of a mission item, 0 to 65535", 0, 65535).map([](auto index) {
+        return commandOf(SetCurrentMissionItem{static_cast<std::uint16_t>(index)});
+    });
 }
 
 StepResult parseRaw(ScriptTokens &tokens)
@@ -147,15 +144,12 @@ StepResult parseRaw(ScriptTokens &tokens)
             return tl::make_unexpected(value.error());
         out.parameters[i] = static_cast<float>(*value);
     }
-    return Action(VehicleCommand(out));
+    return commandOf(out);
 }
 
 StepResult parseSleep(ScriptTokens &tokens)
 {
-    const auto time = tokens.duration("a time in seconds, 0 to 86400");
-    if (!time)
-        return tl::make_unexpected(time.error());
-    return Action(Sleep{*time});
+    return tokens.duration("a time in seconds, 0 to 86400").map([](Duration time) { return Action(Sleep{time}); });
 }
 
 StepResult parseParam(ScriptTokens &tokens)
