@@ -1,9 +1,7 @@
 #include "app/skyseal/demo.h"
 
 #include "core/base/research.h"
-#include "core/crypto/x25519.h"
-#include "core/keys/peers_file.h"
-#include "core/keys/secret_file.h"
+#include "core/keys/paired_ends.h"
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QFileInfo>
@@ -22,17 +20,6 @@ namespace {
 const QString kSimulator = QStringLiteral("skyseal-sim");
 const QString kAgent = QStringLiteral("skyseal-air");
 constexpr int kStopMs = 2000;
-
-Result<void, InputError> introduce(const std::string &peersFile, const std::string &name, const crypto::X25519KeyPair &peer)
-{
-    keys::PeersFile peers;
-    keys::PeerEntry entry;
-    entry.peer.name = name;
-    entry.peer.key = peer.publicKey;
-    if (auto added = peers.add(std::move(entry)); !added)
-        return added;
-    return peers.save(peersFile);
-}
 
 } // namespace
 
@@ -59,16 +46,7 @@ Result<std::unique_ptr<Demo>, InputError> Demo::create(RandomSource &random)
     std::unique_ptr<Demo> demo(new Demo);
     if (!demo->m_folder.isValid())
         return tl::unexpected(InputError{demo->m_folder.errorString().toStdString(), demo->m_folder.path().toStdString()});
-    const auto file = [&](const char *name) { return demo->m_folder.filePath(QLatin1String(name)).toStdString(); };
-    const auto station = keys::writeNewIdentity(file("station.key"), random);
-    if (!station)
-        return tl::unexpected(station.error());
-    const auto agent = keys::writeNewIdentity(file("air.key"), random);
-    if (!agent)
-        return tl::unexpected(agent.error());
-    if (auto written = introduce(file("station.peers"), "air-demo", *agent); !written)
-        return tl::unexpected(written.error());
-    if (auto written = introduce(file("air.peers"), "station", *station); !written)
+    if (auto written = keys::writePairedEnds(demo->m_folder.path().toStdString(), "air-demo", random); !written)
         return tl::unexpected(written.error());
     return demo;
 }

@@ -1,9 +1,7 @@
 #include "core/experiment/lab.h"
 
 #include "core/base/research.h"
-#include "core/crypto/x25519.h"
-#include "core/keys/peers_file.h"
-#include "core/keys/secret_file.h"
+#include "core/keys/paired_ends.h"
 #include "core/link/steady_now.h"
 #include "core/metrics/process_usage.h"
 
@@ -26,17 +24,6 @@ namespace {
 constexpr int kStopMs = 3000;
 constexpr int kFlightRate =
     20; ///< speeds up the flight, so that the vehicle has a position within seconds; telemetry keeps its rates
-
-Result<void, InputError> writePeers(const QString &peersFile, const char *name, const crypto::X25519KeyPair &peer)
-{
-    keys::PeersFile peers;
-    keys::PeerEntry entry;
-    entry.peer.name = name;
-    entry.peer.key = peer.publicKey;
-    if (auto added = peers.add(std::move(entry)); !added)
-        return added;
-    return peers.save(peersFile.toStdString());
-}
 
 /// Three different ports: all sockets stay bound until the last port is found.
 std::array<quint16, 3> freePorts()
@@ -120,15 +107,7 @@ Result<std::unique_ptr<Lab>, InputError> Lab::create(LabPrograms programs, Rando
     std::unique_ptr<Lab> lab(new Lab(std::move(programs), std::move(vehicle)));
     if (!lab->m_folder.isValid())
         return tl::unexpected(InputError{lab->m_folder.errorString().toStdString(), lab->m_folder.path().toStdString()});
-    const auto station = keys::writeNewIdentity(lab->file("station.key").toStdString(), random);
-    if (!station)
-        return tl::unexpected(station.error());
-    const auto agent = keys::writeNewIdentity(lab->file("air.key").toStdString(), random);
-    if (!agent)
-        return tl::unexpected(agent.error());
-    if (auto written = writePeers(lab->file("station.peers"), "air", *agent); !written)
-        return tl::unexpected(written.error());
-    if (auto written = writePeers(lab->file("air.peers"), "station", *station); !written)
+    if (auto written = keys::writePairedEnds(lab->m_folder.path().toStdString(), "air", random); !written)
         return tl::unexpected(written.error());
     return lab;
 }
