@@ -174,28 +174,20 @@ private Q_SLOTS:
         QTest::addColumn<int>("state");
         QTest::addColumn<QString>("action");
         QTest::addColumn<QString>("reason");
-        QTest::newRow("go, disarmed") << 0 << "mapGoHere"
-                                      << "the vehicle is disarmed";
-        QTest::newRow("altitude, disarmed") << 0 << "mapChangeAltitude"
-                                            << "the vehicle is disarmed";
-        QTest::newRow("loiter, disarmed") << 0 << "mapLoiter"
-                                          << "the vehicle is disarmed";
-        QTest::newRow("home, disarmed") << 0 << "mapSetHome"
-                                        << "";
-        QTest::newRow("point, disarmed") << 0 << "mapPointAt"
-                                         << "";
-        QTest::newRow("go, no position") << 1 << "mapGoHere"
-                                         << "its position is not known";
-        QTest::newRow("home, no altitude") << 1 << "mapSetHome"
-                                           << "the altitude of home is not known";
-        QTest::newRow("altitude, rover") << 2 << "mapChangeAltitude"
-                                         << "this kind of vehicle does not fly";
-        QTest::newRow("go, rover") << 2 << "mapGoHere"
-                                   << "";
-        QTest::newRow("go, none") << 3 << "mapGoHere"
-                                  << "no vehicle";
-        QTest::newRow("copy, none") << 3 << "mapCopy"
-                                    << "";
+        const auto row = [](const char *name, State state, const char *action, const char *reason = "") {
+            QTest::newRow(name) << int(state) << QString::fromLatin1(action) << QString::fromUtf8(reason);
+        };
+        row("go, disarmed", State::Disarmed, "mapGoHere", "the vehicle is disarmed");
+        row("altitude, disarmed", State::Disarmed, "mapChangeAltitude", "the vehicle is disarmed");
+        row("loiter, disarmed", State::Disarmed, "mapLoiter", "the vehicle is disarmed");
+        row("home, disarmed", State::Disarmed, "mapSetHome");
+        row("point, disarmed", State::Disarmed, "mapPointAt");
+        row("go, no position", State::NoPosition, "mapGoHere", "its position is not known");
+        row("home, no altitude", State::NoPosition, "mapSetHome", "the altitude of home is not known");
+        row("altitude, rover", State::Rover, "mapChangeAltitude", "this kind of vehicle does not fly");
+        row("go, rover", State::Rover, "mapGoHere");
+        row("go, none", State::NoVehicle, "mapGoHere", "no vehicle");
+        row("copy, none", State::NoVehicle, "mapCopy");
     }
 
     void whatMakesNoSenseIsDisabledWithItsReason()
@@ -203,17 +195,7 @@ private Q_SLOTS:
         QFETCH(int, state);
         QFETCH(QString, action);
         QFETCH(QString, reason);
-        if (state == 3)
-            m_station->show(waitingSnapshot());
-        else
-            show([state](vehicle::VehicleState &vehicle) {
-                if (state == 0)
-                    vehicle.armed = false;
-                if (state == 1)
-                    vehicle.position = vehicle.home = {};
-                if (state == 2)
-                    vehicle.type = mavlink::MAV_TYPE_GROUND_ROVER;
-            });
+        showIn(State(state));
         const QMenu *menu = openMenu({100, 100});
         const auto *entry = menu->findChild<QAction *>(action);
         QVERIFY(entry);
@@ -283,6 +265,22 @@ private Q_SLOTS:
     }
 
 private:
+    enum class State { Disarmed, NoPosition, Rover, NoVehicle };
+
+    void showIn(State state)
+    {
+        if (state == State::NoVehicle)
+            return m_station->show(waitingSnapshot());
+        show([state](vehicle::VehicleState &vehicle) {
+            if (state == State::Disarmed)
+                vehicle.armed = false;
+            if (state == State::NoPosition)
+                vehicle.position = vehicle.home = {};
+            if (state == State::Rover)
+                vehicle.type = mavlink::MAV_TYPE_GROUND_ROVER;
+        });
+    }
+
     template<typename Change> void show(Change change)
     {
         engine::Snapshot snapshot = sealedSnapshot(++m_time);
