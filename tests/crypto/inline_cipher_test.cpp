@@ -4,6 +4,7 @@
 #include "core/base/secret_bytes.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/inline_cipher.h"
+#include "tests/support/joined.h"
 #include "tests/support/test_runner.h"
 
 #include "seeded_random.h"
@@ -20,6 +21,7 @@
 
 using namespace skyseal;
 using namespace skyseal::crypto;
+using test::joined;
 
 namespace {
 
@@ -78,14 +80,6 @@ Bytes littleEndian(std::uint64_t number, std::size_t size)
     Bytes out(size);
     for (std::size_t i = 0; i < size; ++i)
         out[i] = static_cast<std::uint8_t>(number >> (8 * i));
-    return out;
-}
-
-Bytes joined(std::initializer_list<Bytes> parts)
-{
-    Bytes out;
-    for (const Bytes &part : parts)
-        out.insert(out.end(), part.begin(), part.end());
     return out;
 }
 

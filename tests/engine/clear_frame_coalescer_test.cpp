@@ -5,6 +5,7 @@
 #include "tests/engine/traffic.h"
 #include "tests/support/addresses.h"
 #include "tests/support/eventually.h"
+#include "tests/support/joined.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QCoreApplication>
@@ -58,14 +59,6 @@ private:
     std::unique_ptr<engine::AgentCore> m_agent;
     std::uint16_t m_port = 0;
 };
-
-template<typename Pieces> Bytes joined(const Pieces &pieces)
-{
-    Bytes out;
-    for (const auto &piece : pieces)
-        out.insert(out.end(), piece.begin(), piece.end());
-    return out;
-}
 
 } // namespace
 

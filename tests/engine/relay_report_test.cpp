@@ -4,12 +4,14 @@
 #include "core/channel/inline_frame.h"
 #include "core/channel/record.h"
 #include "core/mavlink/frame.h"
+#include "tests/support/joined.h"
 #include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
 using namespace skyseal;
 using namespace skyseal::engine;
+using test::joined;
 using link::Impairer;
 using std::chrono::milliseconds;
 using Frame = DatagramContents::Frame;
@@ -38,14 +40,6 @@ Bytes sealedInPlace(std::uint8_t sequence, std::uint8_t epoch, std::uint32_t cou
     out[trailer] = epoch;
     for (std::size_t i = 0; i < 4; ++i)
         out[trailer + 1 + i] = static_cast<std::uint8_t>(counter >> (8 * i));
-    return out;
-}
-
-Bytes joined(std::initializer_list<Bytes> parts)
-{
-    Bytes out;
-    for (const Bytes &part : parts)
-        out.insert(out.end(), part.begin(), part.end());
     return out;
 }
 
