@@ -15,8 +15,9 @@ vehicle::VehicleConfig vehicleConfig(const StationConfig &config)
     return out;
 }
 
-/// Only the agent's list contains the role of this station, and an agent does not answer commands of an observer.
-const std::string kMaybeObserver = "; the agent may know this station as an observer, whose commands it drops";
+/// Only the agent's list contains the role of this station, and an agent answers neither an observer's commands nor late ones.
+const std::string kMaybeDropped =
+    "; the agent may know this station as an observer, or the commands reach it too late: it drops both";
 
 } // namespace
 
@@ -52,7 +53,7 @@ void Fleet::publishEvents(vehicle::Vehicle &vehicle, bool sealed, const Notify &
     const auto publish = [&](auto &event) {
         if constexpr (requires { event.changeUnanswered; }) {
             if (sealed && event.changeUnanswered)
-                event.reason += kMaybeObserver;
+                event.reason += kMaybeDropped;
         }
         notify(std::move(event));
     };
