@@ -310,7 +310,9 @@ std::optional<link::LinkUrl> Options::parsedUrl(const std::string &option, const
 
 std::optional<link::LinkUrl> Options::url(const char *name, std::string_view unnamedHost)
 {
-    const std::string given = required(name);
+    const std::string given = text(name); // or the preset
+    if (given.empty())
+        fail(std::string("--") + name + " is missing");
     return given.empty() ? std::nullopt : parsedUrl(name, given, unnamedHost);
 }
 

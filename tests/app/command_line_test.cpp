@@ -80,6 +80,7 @@ void CommandLineTest::usageErrors_data()
     row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 extra", "extra");
     row("skyseal-cli", "monitor --link pigeon:coop", "--link 'pigeon:coop': a link URL");
     row("skyseal-cli", "monitor --link udpin:127.0.0.1:99999", "99999");
+    row("skyseal-cli", "keys pair --peers none.peers", "--identity is missing"); // --link has a preset
     row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 --secure maybe", "maybe");
     row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 --secure required", "--identity");
     row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 --duration soon", "soon");
