@@ -2,6 +2,7 @@
 
 #include "app/air/pairing_server.h"
 #include "app/common/exit_status.h"
+#include "app/common/local_listener.h"
 #include "app/common/process.h"
 #include "core/base/json_writer.h"
 #include "core/crypto/passphrase.h"
@@ -38,6 +39,11 @@ int runPairClient(const QString &program, const std::string &identityFile, Pairi
     socket.connectToServer(name);
     if (!socket.waitForConnected(kPatienceMs)) {
         complain(program, name.toStdString() + ": no agent with this identity is running, or it belongs to another user");
+        return kCannotOpen;
+    }
+    if (!isListenerTrusted(socket, identityFile)) {
+        complain(program,
+                 name.toStdString() + ": the program that listens there belongs to another user; nothing was sent to it");
         return kCannotOpen;
     }
     settings.decidesRole = true;

@@ -1,11 +1,12 @@
 #include "app/air/pairing_server.h"
 
+#include "app/common/local_listener.h"
 #include "core/base/locked_memory.h"
 #include "core/crypto/passphrase.h"
 #include "core/keys/paired_peer.h"
 #include "core/keys/public_key_text.h"
 
-#include <QtCore/QFile>
+#include <QtCore/QFileInfo>
 #include <QtCore/QJsonDocument>
 #include <QtCore/QSysInfo>
 
@@ -17,7 +18,6 @@ namespace skyseal::app {
 namespace {
 
 constexpr qint64 kMaxRequest = 4096;
-constexpr int kPatienceMs = 200;
 
 PairingStatus refusal(std::string reason)
 {
@@ -56,27 +56,17 @@ PairingStatus stored(const std::string &peersFile, channel::Peer peer, std::stri
 
 QString controlSocket(const std::string &identityFile)
 {
-    return QString::fromStdString(identityFile) + QStringLiteral(".control");
+    const QFileInfo file(QString::fromStdString(identityFile));
+    const QString real = file.canonicalFilePath();
+    return (real.isEmpty() ? file.absoluteFilePath() : real) + QStringLiteral(".control");
 }
 
 PairingServer::PairingServer(engine::AgentCore &agent, engine::KeyPaths paths, Say say)
     : m_agent(agent), m_paths(std::move(paths)), m_say(std::move(say))
 {
-    const QString name = controlSocket(m_paths.identity);
-    m_server.setSocketOptions(QLocalServer::UserAccessOption);
     connect(&m_server, &QLocalServer::newConnection, this, &PairingServer::admit);
-    if (m_server.listen(name))
-        return;
-    // The socket is left over from a killed agent, or in use by a running one.
-    QLocalSocket probe;
-    probe.connectToServer(name);
-    if (probe.waitForConnected(kPatienceMs)) {
-        m_problem = tr("%1 is in use by another agent with the same key").arg(name);
-        return;
-    }
-    QLocalServer::removeServer(name);
-    if (!m_server.listen(name))
-        m_problem = tr("%1: %2").arg(name, m_server.errorString());
+    if (const auto listening = listenLocally(m_server, controlSocket(m_paths.identity)); !listening)
+        m_problem = QString::fromStdString(listening.error().text());
 }
 
 PairingServer::~PairingServer()

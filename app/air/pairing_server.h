@@ -22,7 +22,7 @@
 
 namespace skyseal::app {
 
-/// The socket of the agent with this identity file.
+/// The absolute path of the socket of the agent with this identity file, beside the file itself: not beside a link to it.
 QString controlSocket(const std::string &identityFile);
 
 class PairingServer : public QObject

@@ -1,6 +1,7 @@
 #include "app/cli/control/control_socket.h"
 
 #include "app/cli/people_report.h"
+#include "app/common/local_listener.h"
 #include "core/crypto/suite.h"
 #include "core/engine/headless/event_json.h"
 #include "core/engine/headless/event_names.h"
@@ -9,8 +10,6 @@
 
 #include <QtCore/QJsonArray>
 #include <QtCore/QJsonDocument>
-
-#include <sys/stat.h>
 
 namespace skyseal::app {
 
@@ -69,25 +68,8 @@ ControlSocket::~ControlSocket() = default;
 
 Result<void, InputError> ControlSocket::listen(const QString &path)
 {
-    m_server.setSocketOptions(QLocalServer::UserAccessOption);
     m_server.setMaxPendingConnections(kMostConnections);
-    const auto fail = [&path](const char *problem) { return tl::unexpected(InputError{problem, path.toStdString()}); };
-    struct stat status
-    {};
-    if (::lstat(path.toLocal8Bit().constData(), &status) == 0) {
-        if (!S_ISSOCK(status.st_mode))
-            return fail("exists and is not a socket");
-        QLocalSocket probe;
-        probe.connectToServer(path);
-        if (probe.waitForConnected(1000))
-            return fail("another program listens there");
-        if (probe.error() != QLocalSocket::ConnectionRefusedError)
-            return fail("another program may listen there: it does not answer");
-        QLocalServer::removeServer(path); // of a program that was killed
-    }
-    if (!m_server.listen(path))
-        return tl::unexpected(InputError{m_server.errorString().toStdString(), path.toStdString()});
-    return {};
+    return listenLocally(m_server, path);
 }
 
 void ControlSocket::accept()
