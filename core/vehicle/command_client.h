@@ -52,6 +52,8 @@ public:
     bool handleAck(TimePoint now, std::uint16_t command, std::uint8_t result);
     void handleDeadline(TimePoint now);
     TimePoint nextDeadline() const;
+    /// Forgets all commands without an answer.
+    void clear() { m_pending.clear(); }
 
     std::optional<CommandAnswer> poll();
 

@@ -55,6 +55,7 @@ bool Commander::perform(TimePoint now, RequestId id, const Request &request)
 
 bool Commander::handleFrame(TimePoint now, const mavlink::Frame &frame)
 {
+    giveUpAfterSleep(now);
     switch (frame.messageId()) {
     case mavlink::CommandAck::kId: {
         const auto ack = unpack<mavlink::CommandAck>(frame);
@@ -110,6 +111,7 @@ void Commander::handleText(const StatusText &text)
 
 void Commander::handleDeadline(TimePoint now)
 {
+    giveUpAfterSleep(now);
     m_client.handleDeadline(now);
     takeAnswers(now);
     for (Action &action : m_actions) {
@@ -123,6 +125,24 @@ void Commander::handleDeadline(TimePoint now)
         }
     }
     takeAnswers(now); // a repeated request may have been refused at once
+}
+
+void Commander::giveUpAfterSleep(TimePoint now)
+{
+    const TimePoint due = nextDeadline();
+    if (due == kNever || now - due <= kMostDelay)
+        return;
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(now - due).count();
+    for (Action &action : m_actions) {
+        report(CommandResult{.id = action.id,
+                             .systemId = addressing().system,
+                             .outcome = CommandOutcome::TimedOut,
+                             .reason = "no answer yet, and it is not sent again: this program did not run for "
+                                 + std::to_string(seconds) + " s"});
+        action.done = true;
+    }
+    m_client.clear();
+    removeDone();
 }
 
 TimePoint Commander::nextDeadline() const

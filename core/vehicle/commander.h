@@ -27,6 +27,9 @@ public:
     static constexpr Duration kConfirmTimeout = std::chrono::milliseconds(3500);
     /// ArduPilot sends the reason of a refusal shortly after the acknowledgement.
     static constexpr Duration kReasonTimeout = std::chrono::milliseconds(700);
+    /// A deadline that is handled later than this shows that the program did not run, as on a computer that slept. What was
+    /// ordered before is not sent again then: the operator does not expect it any more.
+    static constexpr Duration kMostDelay = std::chrono::seconds(3);
     static constexpr std::size_t kMaxActions = 32;
 
     explicit Commander(VehicleContext &context) : MicroProtocol(context), m_client(context) {}
@@ -70,6 +73,7 @@ private:
     void confirmationTimedOut(TimePoint now, Action &action);
     template<typename T, typename Predicate> void effectReported(Predicate matches);
     void finish(Action &action, CommandOutcome outcome, std::string reason);
+    void giveUpAfterSleep(TimePoint now);
     void removeDone();
 
     CommandClient m_client;

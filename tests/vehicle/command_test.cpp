@@ -13,6 +13,9 @@ class CommandTest : public QObject
 private Q_SLOTS:
     void repeatsOnceASecondWithARisingConfirmation();
     void progressExtendsTheWait();
+    void nothingIsSentAfterASleep_data();
+    void nothingIsSentAfterASleep();
+    void shortStallChangesNothing();
     void armingIsConfirmedByTheHeartbeat();
     void heartbeatProvesWhatALostAckDidNot();
     void acknowledgedButNotDoneTimesOut();
@@ -62,6 +65,53 @@ void CommandTest::repeatsOnceASecondWithARisingConfirmation()
     QCOMPARE(result->outcome, CommandOutcome::TimedOut);
     QCOMPARE(result->reason, std::string("no answer to 5 attempts"));
     QVERIFY(result->changeUnanswered);
+}
+
+void CommandTest::nothingIsSentAfterASleep_data()
+{
+    QTest::addColumn<bool>("frameFirst");
+    QTest::newRow("the deadline first") << false;
+    QTest::newRow("an old acknowledgement first") << true;
+}
+
+void CommandTest::nothingIsSentAfterASleep()
+{
+    QFETCH(bool, frameFirst);
+    Harness h = Harness::copter();
+    h.vehicle.perform(h.now, RequestId{1}, Arm{});
+    QCOMPARE(h.sentOf<mavlink::CommandLong>().size(), std::size_t(1));
+    h.vehicle.perform(h.now, RequestId{2}, RawCommand{246, {}});
+    QCOMPARE(h.sentOf<mavlink::CommandLong>().size(), std::size_t(1));
+    h.now += std::chrono::hours(1);
+    if (frameFirst)
+        h.ack(kArm, kUnsupported);
+    h.vehicle.handleDeadline(h.now);
+    for (std::uint32_t id = 1; id <= 2; ++id) {
+        const auto result = h.poll<CommandResult>();
+        QVERIFY(result);
+        QCOMPARE(result->id, RequestId{id});
+        QCOMPARE(result->outcome, CommandOutcome::TimedOut);
+        QCOMPARE(result->reason, std::string("no answer yet, and it is not sent again: this program did not run for 3599 s"));
+        QVERIFY(!result->changeUnanswered);
+    }
+    for (const TimePoint end = h.now + std::chrono::seconds(20); h.now < end; h.now += std::chrono::milliseconds(100)) {
+        h.vehicle.handleDeadline(h.now);
+        for (const mavlink::CommandLong &command : h.sentOf<mavlink::CommandLong>())
+            QVERIFY(command.command != kArm && command.command != 246);
+    }
+    h.vehicle.perform(h.now, RequestId{3}, Arm{}); // a fresh order is sent
+    QCOMPARE(h.sentOf<mavlink::CommandLong>().size(), std::size_t(1));
+}
+
+void CommandTest::shortStallChangesNothing()
+{
+    Harness h = Harness::copter();
+    h.vehicle.perform(h.now, RequestId{1}, Arm{});
+    QCOMPARE(h.sentOf<mavlink::CommandLong>().size(), std::size_t(1));
+    h.now += std::chrono::milliseconds(3900); // 2.9 s after the deadline
+    h.vehicle.handleDeadline(h.now);
+    QCOMPARE(h.sentOf<mavlink::CommandLong>().size(), std::size_t(1));
+    QVERIFY(!h.poll<CommandResult>());
 }
 
 void CommandTest::progressExtendsTheWait()
