@@ -33,6 +33,7 @@ enum class Weakness : std::uint8_t {
     NoFrameOrder,         ///< frames that arrive late set present values of the display
     NoAgeLimit,           ///< a record commands, however old it may be
     OldReports,           ///< a report counts although a newer one came before it
+    LifeWithoutReports,   ///< any record keeps a session alive, not only echoes in reports
     CommandsAfterClose,   ///< a record commands although the peer has closed the session
     // switch
     NoSwitchExchange, ///< the keys of the next epoch follow from those of the present one

@@ -23,6 +23,9 @@ public:
     TimePoint due() const { return m_due; }
     TimePoint start() const { return m_start; }
     const RoundTrip &roundTrip() const { return m_roundTrip; }
+    /// When this end sent what the peer echoed last; the beginning of the session before the first echo. A report that somebody
+    /// withheld proves nothing later than that.
+    TimePoint provenAt() const { return m_start + std::chrono::microseconds(static_cast<std::int64_t>(m_echo)); }
     bool peerAsksCosts() const { return m_peer && m_peer->asksCosts; }
     /// Session clock in microseconds, modulo 2^32; never 0.
     std::uint32_t stamp(TimePoint now) const;

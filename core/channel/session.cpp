@@ -85,12 +85,18 @@ TimePoint Session::retirePreviousAt() const
     return m_epochs.previous() ? m_handover.retireAt(m_context.timing.oldKeysLinger, roundTrip()) : kNever;
 }
 
+TimePoint Session::forgetAt() const
+{
+    const TimePoint alive = weakened(Weakness::LifeWithoutReports) ? m_lastReceived : m_reports.provenAt();
+    return alive + m_context.timing.forgetAfter;
+}
+
 TimePoint Session::deadline() const
 {
     if (m_finished)
         return TimePoint::min();
-    return std::min({m_reports.due(), m_switch.deadline(), m_lastReceived + m_context.timing.forgetAfter,
-                     m_leaveBy.value_or(kNever), m_closingUntil.value_or(kNever), retirePreviousAt(), m_path.deadline(),
+    return std::min({m_reports.due(), m_switch.deadline(), forgetAt(), m_leaveBy.value_or(kNever),
+                     m_closingUntil.value_or(kNever), retirePreviousAt(), m_path.deadline(),
                      knownToOwner() ? m_receiver.forgeries().deadline() : kNever});
 }
 
@@ -99,7 +105,7 @@ void Session::handleDeadline(TimePoint now)
     const Timing &timing = m_context.timing;
     if (m_finished)
         return;
-    if (now >= m_lastReceived + timing.forgetAfter) {
+    if (now >= forgetAt()) {
         m_finished = DownReason::TimedOut;
         return;
     }
@@ -253,6 +259,10 @@ Session::Opened Session::open(TimePoint now, const Path &from, const RecordHeade
 
 Session::Opened Session::opened(TimePoint now, const Path &from, const OpenRecord &record, std::optional<Delivery> &delivery)
 {
+    if (now >= forgetAt()) { // the deadline was missed while the machine slept
+        m_finished = DownReason::TimedOut;
+        return {false, false};
+    }
     LiveEpoch &epoch = record.epoch;
     bool routine = m_confirmed && m_handover.peerMoved();
     if (m_epochs.isNext(epoch)) {

@@ -62,9 +62,11 @@ inline constexpr Proof kProofs[] = {
 
     {"NoOvertakenLimit", "attack_freshness_test", "withheldCommand", "no overtaken command is obeyed"},
     {"NoOvertakenLimit", "attack_freshness_test", "withheldBurst", "no overtaken command is obeyed"},
+    {"LifeWithoutReports", "attack_freshness_test", "withheldReports", "commands are obeyed again"},
     {"CommandsAfterClose", "attack_freshness_test", "releasedAfterClose", "nothing commands after the close"},
     {"NoAgeLimit", "attack_freshness_test", "releasedAfterAWithheldClose", "nothing older than the limit is obeyed"},
-    {"NoAgeLimit", "attack_freshness_test", "releasedWhenTheStampsRepeat", "nothing older than the limit is obeyed"},
+    {"NoAgeLimit,LifeWithoutReports", "attack_freshness_test", "releasedWhenTheStampsRepeat",
+     "nothing older than the limit is obeyed"},
     {"NoOvertakenLimit", "attack_freshness_test", "releasedAfterASwitch", "no overtaken command is obeyed"},
     {"NoAgeLimit", "attack_freshness_test", "wholeFlowHeldThenReleased", "nothing older than the limit is obeyed"},
     {"NoAgeLimit", "attack_freshness_test", "wholeFlowDelayed", "nothing older than the limit is obeyed"},

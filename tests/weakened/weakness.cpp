@@ -45,6 +45,7 @@ constexpr Named kNames[] = {
     {Weakness::NoOvertakenLimit, "NoOvertakenLimit"},
     {Weakness::NoAgeLimit, "NoAgeLimit"},
     {Weakness::OldReports, "OldReports"},
+    {Weakness::LifeWithoutReports, "LifeWithoutReports"},
     {Weakness::CommandsAfterClose, "CommandsAfterClose"},
     {Weakness::KeepOldKeys, "KeepOldKeys"},
     {Weakness::NoWipe, "NoWipe"},
