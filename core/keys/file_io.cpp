@@ -1,12 +1,12 @@
 #include "core/keys/file_io.h"
 
+#include "core/base/save_file.h"
 #include "core/base/secret_bytes.h"
 #include "core/base/weakness.h"
 
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
-#include <optional>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <thread>
@@ -15,6 +15,8 @@
 namespace skyseal::keys {
 
 namespace {
+
+constexpr ::mode_t kOwnerOnly = 0600;
 
 /// Closes a descriptor at the end of a scope.
 class Descriptor
@@ -139,7 +141,7 @@ bool fileExists(const std::string &path)
 
 Result<void, InputError> createFile(const std::string &path, ByteView content)
 {
-    Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600));
+    Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kOwnerOnly));
     if (!file.isOpen()) {
         if (errno == EEXIST)
             return tl::unexpected(fileError(path, "exists already and is not overwritten"));
@@ -154,34 +156,24 @@ Result<void, InputError> createFile(const std::string &path, ByteView content)
     return {};
 }
 
-/// `mode`: that of the old file, if it is kept.
-static Result<void, InputError> replace(const std::string &path, ByteView content, std::optional<::mode_t> mode)
+static Result<void, InputError> replace(const std::string &path, ByteView content, ::mode_t mode)
 {
-    std::string temporary = path + ".XXXXXX";
-    Descriptor file(::mkostemp(temporary.data(), O_CLOEXEC)); // mode 0600
-    if (!file.isOpen())
-        return tl::unexpected(systemError(path, "cannot be written"));
-    const bool written = (!mode || ::fchmod(file.number(), *mode & 0777) == 0) && writeAll(file.number(), content)
-        && ::fsync(file.number()) == 0 && file.close() && ::rename(temporary.c_str(), path.c_str()) == 0;
-    if (!written) {
-        const InputError error = systemError(path, "cannot be written");
-        ::unlink(temporary.c_str());
-        return tl::unexpected(error);
-    }
-    syncFolder(path);
-    return {};
+    return NewFile::replacing(path, mode).and_then([content](NewFile &&file) {
+        file.write(content);
+        return file.commit();
+    });
 }
 
 Result<void, InputError> replaceFile(const std::string &path, ByteView content)
 {
     struct stat old
     {};
-    return replace(path, content, ::stat(path.c_str(), &old) == 0 ? std::optional(old.st_mode) : std::nullopt);
+    return replace(path, content, ::stat(path.c_str(), &old) == 0 ? old.st_mode & 0777 : kOwnerOnly);
 }
 
 Result<void, InputError> replaceSecretFile(const std::string &path, ByteView content)
 {
-    return replace(path, content, std::nullopt);
+    return replace(path, content, kOwnerOnly);
 }
 
 Result<FileLock, InputError> FileLock::take(const std::string &path, std::chrono::milliseconds patience)
