@@ -115,13 +115,13 @@ int main(int argc, char **argv)
     if (options.has("pair"))
         return pair(options);
     if (options.has("signing"))
-        return runSigning(options);
+        return finishOutput(kName, runSigning(options));
     refusePairingOptions(options);
     const std::optional<AgentSetup> setup = readAgent(options);
     if (const auto status = options.finish())
         return *status;
     if (options.has("check"))
-        return checkSetup(*setup);
+        return finishOutput(kName, checkSetup(*setup));
     const engine::KeyPaths &paths = setup->keys;
     if (!crypto::initCrypto()) {
         complain(kName, "the system provides no randomness");

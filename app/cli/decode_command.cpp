@@ -94,9 +94,9 @@ int runDecode(const QStringList &arguments)
     // Flushes only when no input is pending: live with a pipe, and efficient with a file.
     const auto counts = tlog::decode(input.stream(), *dialect, how, [&](std::string_view line) {
         printOwnText(printable(line));
-        return input.stream().rdbuf()->in_avail() > 0 || std::fflush(stdout) == 0;
+        return input.stream().rdbuf()->in_avail() > 0 || flushOutput();
     });
-    std::fflush(stdout);
+    flushOutput();
     if (!how.json)
         remark(counted(counts.messages, "message") + ", " + std::to_string(counts.bad) + " bad");
     if (counts.messages > 0)

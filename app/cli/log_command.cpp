@@ -5,6 +5,7 @@
 #include "app/common/format.h"
 #include "app/common/options.h"
 #include "app/common/output.h"
+#include "core/base/save_file.h"
 #include "core/engine/headless/telemetry_csv.h"
 #include "core/log/log_summary.h"
 
@@ -111,18 +112,22 @@ int exportFile(const QString &name, const QStringList &arguments)
         complain(name, *problem);
         return kCannotOpen;
     }
-    std::FILE *out = stdout;
-    const std::string target = options.text("out");
-    if (!target.empty() && !(out = std::fopen(target.c_str(), "wb"))) {
-        complain(name, target + ": " + std::strerror(errno));
-        return kCannotOpen;
+    std::optional<NewFile> file;
+    if (const std::string target = options.text("out"); !target.empty()) {
+        auto made = NewFile::saving(target);
+        if (!made) {
+            complain(name, made.error().text());
+            return kCannotOpen;
+        }
+        file.emplace(std::move(*made));
     }
     const std::uint64_t rows = engine::exportTelemetry(
         input.stream(), mavlink::Dialect::builtin(), every,
-        [out](const std::string &line) { return std::fputs(line.c_str(), out) >= 0 && std::fputc('\n', out) != EOF; });
-    const bool written = (out == stdout ? std::fflush(out) : std::fclose(out)) == 0;
-    if (!written) {
-        complain(name, (target.empty() ? "standard output" : target) + ": " + std::strerror(errno));
+        [&file](const std::string &line) { return file ? file->write(asBytes(line + '\n')) : printOwnText(line); });
+    if (!file && !(flushOutput() && outputError() == 0))
+        return kCannotOpen; // finishOutput() says why
+    if (const auto saved = file ? file->commit() : Result<void, InputError>(); !saved) {
+        complain(name, saved.error().text());
         return kCannotOpen;
     }
     remark(counted(rows, "row"));

@@ -2,6 +2,7 @@
 #include "app/cli/commands.h"
 #include "app/common/exit_status.h"
 #include "app/common/options.h"
+#include "app/common/output.h"
 #include "app/common/process.h"
 #include "core/crypto/init_crypto.h"
 
@@ -48,7 +49,7 @@ void printHelp(std::FILE *out)
     for (const Command &command : kCommands)
         std::fprintf(out, "  %-10s %s\n", command.name, command.summary);
     std::fputs("\nskyseal-cli COMMAND --help describes a command. Exit status: 0 done, 1 not reached, 2 usage,\n"
-               "3 a link or file could not be opened.\n",
+               "3 a link or file could not be opened, or a result could not be written.\n",
                out);
 }
 
@@ -63,11 +64,11 @@ int main(int argc, char **argv)
     const QString program = QStringLiteral("skyseal-cli");
     if (name == QLatin1String("--help") || name == QLatin1String("-h") || name == QLatin1String("help")) {
         printHelp(stdout);
-        return kDone;
+        return finishOutput(program, kDone);
     }
     if (name == QLatin1String("--version")) {
         std::printf("skyseal-cli " SKYSEAL_VERSION "\n");
-        return kDone;
+        return finishOutput(program, kDone);
     }
     for (const Command &command : kCommands) {
         if (name != QLatin1String(command.name))
@@ -76,7 +77,7 @@ int main(int argc, char **argv)
             complain(program, "the system provides no randomness");
             return kCannotOpen;
         }
-        return command.run(arguments.mid(1));
+        return finishOutput(program + QLatin1Char(' ') + name, command.run(arguments.mid(1)));
     }
     complain(program,
              name.isEmpty() ? "a command is missing; skyseal-cli --help lists them"

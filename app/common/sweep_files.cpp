@@ -1,5 +1,6 @@
 #include "app/common/sweep_files.h"
 
+#include "core/base/save_file.h"
 #include "core/experiment/cipher_bench.h"
 #include "core/experiment/html_report.h"
 #include "core/experiment/sweep_json.h"
@@ -10,7 +11,6 @@
 #include <QtCore/QJsonDocument>
 #include <QtCore/QJsonObject>
 #include <QtCore/QProcess>
-#include <QtCore/QSaveFile>
 #include <QtCore/QStandardPaths>
 
 namespace skyseal::app {
@@ -22,11 +22,8 @@ constexpr int kDrawingMs = 120000;
 /// Returns an error message, empty on success.
 std::string write(const QString &path, const std::string &content)
 {
-    QSaveFile file(path);
-    if (file.open(QIODevice::WriteOnly) && file.write(content.data(), static_cast<qint64>(content.size())) >= 0
-        && file.commit())
-        return {};
-    return path.toStdString() + ": " + file.errorString().toStdString();
+    const auto saved = saveFile(path.toStdString(), asBytes(content));
+    return saved ? std::string() : saved.error().text();
 }
 
 /// Draws PNG and PDF by skyseal-figures. Returns an error message, empty on success.

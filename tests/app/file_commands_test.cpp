@@ -114,6 +114,12 @@ void FileCommandsTest::parametersAreAFile()
     QVERIFY2(got.status == 0, got.err.constData());
     QVERIFY(contentOf(file).startsWith("\x1b\x67"));
     QVERIFY2(got.err.contains("without a checksum"), got.err.constData());
+    const QByteArray content = contentOf(file);
+    const RunResult full = runOnFullDisk("skyseal-cli",
+                                         m_vehicle.arguments(QStringLiteral("ftp get @PARAM/param.pck ") + file));
+    QCOMPARE(full.status, 3);
+    QVERIFY2(full.err.contains("param.pck: cannot be written: File too large"), full.err.constData());
+    QCOMPARE(contentOf(file), content);
 }
 
 void FileCommandsTest::interruptedTransferLeavesNoFile()

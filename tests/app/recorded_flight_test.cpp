@@ -39,6 +39,7 @@ private Q_SLOTS:
     void recordingIsSound();
     void recordingDecodes();
     void recordingExports();
+    void fullDiskIsReported();
     void recordingReplays();
 
 private:
@@ -160,6 +161,41 @@ void RecordedFlightTest::recordingExports()
         highest = qMax(highest, row[altitude].toDouble());
     }
     QVERIFY(highest >= 4.5);
+}
+
+void RecordedFlightTest::fullDiskIsReported()
+{
+    const QString table = m_folder.filePath(QStringLiteral("backup.csv"));
+    // A row a second, less than libraries keep until the end, and each row.
+    for (const QString &every : {QStringLiteral("30"), QStringLiteral("0")}) {
+        const QStringList arguments{QStringLiteral("log"),
+                                    QStringLiteral("export"),
+                                    m_log,
+                                    QStringLiteral("--every"),
+                                    every,
+                                    QStringLiteral("--out"),
+                                    table};
+        const RunResult none = runOnFullDisk("skyseal-cli", arguments);
+        QCOMPARE(none.status, 3);
+        QVERIFY2(none.err.contains("backup.csv: cannot be written: File too large"), none.err.constData());
+        QVERIFY2(!none.err.contains("row"), none.err.constData());
+        QVERIFY(!QFile::exists(table));
+        QCOMPARE(runProgram("skyseal-cli", arguments).status, 0);
+        const qint64 size = QFileInfo(table).size();
+        QVERIFY(size > 0);
+        QCOMPARE(runOnFullDisk("skyseal-cli", arguments).status, 3);
+        QCOMPARE(QFileInfo(table).size(), size);
+        const RunResult printed = runIntoFullDisk("skyseal-cli", arguments.mid(0, 5));
+        QCOMPARE(printed.status, 3);
+        QVERIFY2(printed.err.contains("standard output: No space left on device"), printed.err.constData());
+        QVERIFY2(!printed.err.contains("row"), printed.err.constData());
+        QVERIFY(QFile::remove(table));
+    }
+    for (const char *command : {"log info", "log verify", "decode"}) {
+        const RunResult result = runIntoFullDisk("skyseal-cli", words(command) + QStringList{m_log});
+        QVERIFY2(result.status == 3, command);
+        QVERIFY2(result.err.contains("standard output: No space left on device"), result.err.constData());
+    }
 }
 
 void RecordedFlightTest::recordingReplays()

@@ -1,5 +1,6 @@
 // A sweep's files in a folder that is not empty: an older sweep's pictures go, and nothing that is somebody else's.
 #include "app/common/sweep_files.h"
+#include "tests/support/file_size_limit.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QDir>
@@ -68,6 +69,27 @@ private Q_SLOTS:
             QVERIFY2(QFile::exists(folder.filePath(name)) != ours, qPrintable(name));
         for (const QString &name : others)
             QVERIFY2(QFile::exists(folder.filePath(name)), qPrintable(name));
+    }
+
+    void fullDiskKeepsTheOldFiles()
+    {
+        const QTemporaryDir folder;
+        const auto write = [&folder] { return writeSweepFiles(folder.path(), oneRun(), {}); };
+        const auto contents = [&folder] {
+            QFile file(folder.filePath(QStringLiteral("sweep.json")));
+            return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+        };
+        QVERIFY(write().written);
+        const QByteArray old = contents();
+        QVERIFY(!old.isEmpty());
+        const SweepFiles failed = [&write] {
+            const test::FileSizeLimit limit(10);
+            return write();
+        }();
+        QVERIFY(!failed.written);
+        QVERIFY2(QByteArray::fromStdString(failed.problem).endsWith("sweep.json: cannot be written: File too large"),
+                 failed.problem.c_str());
+        QCOMPARE(contents(), old);
     }
 };
 

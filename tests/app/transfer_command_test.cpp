@@ -16,6 +16,7 @@ private Q_SLOTS:
     void parametersAreReadAndWritten();
     void parametersAreSavedAndLoaded();
     void missionIsUploadedAndDownloaded();
+    void fullDiskKeepsTheOldFile();
     void unknownVehicleIsNotFound();
     void placeToWriteIsCheckedFirst();
     void wrongFilesAreRefused_data();
@@ -93,6 +94,27 @@ void TransferCommandTest::missionIsUploadedAndDownloaded()
     const RunResult empty = run(QStringLiteral("mission list --json"));
     QCOMPARE(empty.status, 0);
     QVERIFY(empty.out.count("\"event\":\"item\"") <= 1); // at most the home position
+}
+
+void TransferCommandTest::fullDiskKeepsTheOldFile()
+{
+    for (const QString &command : {QStringLiteral("param save "), QStringLiteral("mission download ")}) {
+        const QString file = write("backup", "good");
+        const RunResult result = runOnFullDisk("skyseal-cli", m_vehicle.arguments(command + file));
+        QCOMPARE(result.status, 3);
+        QVERIFY2(result.err.contains(file.toUtf8() + ": cannot be written: File too large"), result.err.constData());
+        QFile kept(file);
+        QVERIFY(kept.open(QIODevice::ReadOnly));
+        QCOMPARE(kept.readAll(), QByteArray("good"));
+        const QString other = m_vehicle.path(QStringLiteral("other"));
+        QCOMPARE(runOnFullDisk("skyseal-cli", m_vehicle.arguments(command + other)).status, 3);
+        QVERIFY(!QFile::exists(other));
+    }
+    for (const QString &command : {QStringLiteral("param get RTL_ALT"), QStringLiteral("param list --json")}) {
+        const RunResult result = runIntoFullDisk("skyseal-cli", m_vehicle.arguments(command));
+        QCOMPARE(result.status, 3);
+        QVERIFY2(result.err.contains("standard output: No space left on device"), result.err.constData());
+    }
 }
 
 void TransferCommandTest::unknownVehicleIsNotFound()

@@ -47,4 +47,25 @@ inline RunResult runProgram(const char *name, const QStringList &arguments, cons
     return runToItsEnd(QStringLiteral(SKYSEAL_BIN_DIR "/") + QLatin1String(name), arguments, input, milliseconds);
 }
 
+/// Runs a program of the build by a line of the shell, in which "$@" is the command.
+inline RunResult runInShell(const char *line, const char *name, const QStringList &arguments)
+{
+    return runToItsEnd(QStringLiteral("/bin/sh"),
+                       QStringList{QStringLiteral("-c"), QLatin1String(line), QStringLiteral("sh"),
+                                   QStringLiteral(SKYSEAL_BIN_DIR "/") + QLatin1String(name)}
+                           + arguments);
+}
+
+/// On a full disk, as far as the program can tell: not a byte can be written to a file. Its output is read as usual.
+inline RunResult runOnFullDisk(const char *name, const QStringList &arguments)
+{
+    return runInShell("trap '' XFSZ; ulimit -f 0; exec \"$@\"", name, arguments);
+}
+
+/// With standard output on a full disk.
+inline RunResult runIntoFullDisk(const char *name, const QStringList &arguments)
+{
+    return runInShell("exec \"$@\" >/dev/full", name, arguments);
+}
+
 } // namespace skyseal::test

@@ -85,7 +85,7 @@ private:
     std::uint64_t m_failed = 0;
 };
 
-/// Reads the whole list, and hands it to a function that returns what went wrong.
+/// Reads the whole list, and hands it to a function that returns why it could not be saved.
 class ReadAll : public VehicleTask
 {
 public:
@@ -101,7 +101,7 @@ protected:
     }
     void parameterEnded(const ParameterResult &result) override
     {
-        finish(result.ok && result.all ? m_take(*result.all, m_vehicle) : result.reason);
+        result.ok &&result.all ? finishSaved(m_take(*result.all, m_vehicle)) : finish(result.reason);
     }
 
 private:

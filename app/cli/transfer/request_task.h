@@ -32,7 +32,7 @@ private:
     template<typename Other> void end(const Other &result)
     {
         if constexpr (std::is_same_v<Other, Result>)
-            finish(result.ok ? m_take(result) : m_subject + result.reason);
+            result.ok ? finishSaved(m_take(result)) : finish(m_subject + result.reason);
     }
 
     vehicle::Request m_request;

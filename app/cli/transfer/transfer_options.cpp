@@ -6,9 +6,9 @@
 #include "app/cli/station_run.h"
 #include "app/common/exit_status.h"
 #include "app/common/output.h"
+#include "core/base/save_file.h"
 
 #include <QtCore/QFile>
-#include <QtCore/QSaveFile>
 
 namespace skyseal::app {
 
@@ -103,23 +103,18 @@ Result<std::string, std::string> readWhole(const QString &file, qint64 most)
 
 std::string writeWhole(const QString &file, std::string_view content)
 {
-    QSaveFile out(file);
-    const auto size = static_cast<qint64>(content.size());
-    if (out.open(QIODevice::WriteOnly) && out.write(content.data(), size) == size && out.commit())
-        return {};
-    return file.toStdString() + ": " + out.errorString().toStdString();
+    const auto saved = saveFile(file.toStdString(), asBytes(content));
+    return saved ? std::string() : saved.error().text();
 }
 
 std::optional<int> checkTarget(const QString &program, const Options &options, const QString &file)
 {
     if (const auto status = options.finish())
         return status;
-    QSaveFile out(file);
-    if (out.open(QIODevice::WriteOnly)) {
-        out.cancelWriting();
+    const auto out = NewFile::saving(file.toStdString());
+    if (out)
         return std::nullopt;
-    }
-    complain(program, file.toStdString() + ": " + out.errorString().toStdString());
+    complain(program, out.error().text());
     return kCannotOpen;
 }
 

@@ -91,4 +91,10 @@ void VehicleTask::finish(std::string problem)
     m_problem = std::move(problem);
 }
 
+void VehicleTask::finishSaved(std::string problem)
+{
+    m_isFileProblem = !problem.empty();
+    finish(std::move(problem));
+}
+
 } // namespace skyseal::app

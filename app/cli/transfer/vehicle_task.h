@@ -31,6 +31,7 @@ public:
     void requestSent(vehicle::RequestId id) final { m_current = id; }
     bool isFinished() const final { return m_finished; }
     const std::string &problem() const final { return m_problem; }
+    bool isFileProblem() const final { return m_isFileProblem; }
 
 protected:
     /// Called once, when the vehicle is known: makes the first request.
@@ -43,6 +44,8 @@ protected:
 
     void ask(vehicle::Request request) { m_next = {m_systemId, std::move(request)}; }
     void finish(std::string problem = {});
+    /// `problem`: of the file that takes the result; empty if it was saved, or if there is none.
+    void finishSaved(std::string problem);
     bool isJson() const { return m_settings.json; }
     std::uint8_t systemId() const { return m_systemId; }
 
@@ -63,6 +66,7 @@ private:
     vehicle::RequestId m_current{};
     bool m_finished = false;
     std::string m_problem;
+    bool m_isFileProblem = false;
 };
 
 } // namespace skyseal::app

@@ -199,7 +199,9 @@ void HeadlessRun::settle(const Snapshot &last)
     if (m_plan.task && (!m_plan.task->isFinished() || !m_plan.task->problem().empty())) {
         if (m_plan.sessionRequired && !m_sessionSeen)
             return end(RunOutcome::NoSession, "no sealed session came up");
-        return end(RunOutcome::TaskFailed, m_plan.task->isFinished() ? m_plan.task->problem() : "interrupted before the end");
+        if (!m_plan.task->isFinished())
+            return end(RunOutcome::TaskFailed, "interrupted before the end");
+        return end(m_plan.task->isFileProblem() ? RunOutcome::CannotOpen : RunOutcome::TaskFailed, m_plan.task->problem());
     }
     if (m_plan.sessionRequired && !m_sessionSeen)
         return end(RunOutcome::NoSession, "no sealed session came up");

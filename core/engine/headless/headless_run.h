@@ -51,7 +51,7 @@ enum class RunOutcome : std::uint8_t {
     SuiteNotReached,  ///< a suite of the list was refused or not confirmed, and never used
     TaskFailed,       ///< the task failed, or the run ended before it
     InlineNotReached, ///< the other end does not allow inline framing
-    CannotOpen        ///< a link cannot work: its port is taken, its host unknown, its file unreadable
+    CannotOpen        ///< a link cannot work: its port is taken, its host unknown, its file unreadable; or a file of the task
 };
 
 class HeadlessRun : public QObject

@@ -33,6 +33,8 @@ public:
     virtual bool isFinished() const = 0;
     /// Reason why the goal was not reached, for people; empty if it was.
     virtual const std::string &problem() const = 0;
+    /// True if the reason is a file of this machine that could not be written.
+    virtual bool isFileProblem() const { return false; }
 };
 
 } // namespace skyseal::engine
