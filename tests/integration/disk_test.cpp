@@ -1,6 +1,7 @@
 // The real programs on a disk that becomes full or read-only: sessions go on, new ones come up, and both ends say so until the
 // disk works again. The disks are mounted in a mount namespace of this process, which nobody else sees.
 #include "tests/support/flight.h"
+#include "tests/support/run_program.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QDir>
@@ -104,6 +105,7 @@ private Q_SLOTS:
     void fullDisk();
     void readOnlyDisk();
     void stationsDisk();
+    void oldFilesStay();
 
 private:
     std::unique_ptr<Program> monitor() const
@@ -212,6 +214,39 @@ void DiskTest::stationsDisk()
     QVERIFY(!station.waitFor(QStringLiteral("stats"), hasVehicle).isEmpty());
     QVERIFY(disk.empty());
     QVERIFY(!station.waitFor(QStringLiteral("counter_storage"), works(true)).isEmpty());
+}
+
+/// A backup that cannot be renewed stays, and the exit status tells it.
+void DiskTest::oldFilesStay()
+{
+    const SmallDisk disk(m_flight->path(QStringLiteral("disk")));
+    QVERIFY(disk.isMounted());
+    const Program agent(QStringLiteral("skyseal-air"), m_flight->airArguments());
+    const QStringList link{QStringLiteral("--link"),     QStringLiteral("udpin:127.0.0.1:%1").arg(m_flight->groundPort),
+                           QStringLiteral("--identity"), m_flight->path(QStringLiteral("ground.key")),
+                           QStringLiteral("--peers"),    m_flight->path(QStringLiteral("ground.peers"))};
+    const auto contentOf = [](const QString &path) {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("none");
+    };
+    const QString parameters = disk.path("all.param"), mission = disk.path("flight.waypoints");
+    const auto save = [&](const char *command, const QString &file) {
+        return runProgram("skyseal-cli", words(command) + QStringList{file} + link);
+    };
+    const RunResult saved = save("param save", parameters);
+    QVERIFY2(saved.status == 0, saved.err.constData());
+    const QByteArray good = contentOf(parameters);
+    QVERIFY(good.contains("RTL_ALT"));
+    QVERIFY(disk.fill());
+    const RunResult again = save("param save", parameters);
+    QCOMPARE(again.status, 3);
+    QVERIFY2(again.err.contains("all.param: cannot be written: No space left on device"), again.err.constData());
+    QCOMPARE(contentOf(parameters), good);
+    QCOMPARE(save("mission download", mission).status, 3);
+    QVERIFY(!QFile::exists(mission));
+    QVERIFY(disk.empty());
+    QCOMPARE(save("param save", parameters).status, 0);
+    QCOMPARE(contentOf(parameters), good);
 }
 
 SKYSEAL_TEST(DiskTest)
