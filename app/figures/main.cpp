@@ -3,6 +3,7 @@
 #include "app/common/exit_status.h"
 #include "app/common/options.h"
 #include "app/figures/figure_painter.h"
+#include "core/base/save_file.h"
 
 #include <QtCore/QBuffer>
 #include <QtCore/QDateTime>
@@ -30,6 +31,15 @@ constexpr int kPictureScale = 2;
 constexpr int kDotsPerInch = 96;
 constexpr double kGap = 8; ///< around a figure, of two beside each other
 
+/// Says what went wrong.
+bool save(const QString &path, const QByteArray &content)
+{
+    const auto saved = skyseal::saveFile(path.toStdString(), skyseal::asBytes({content.data(), std::size_t(content.size())}));
+    if (!saved)
+        complain(kName, saved.error().text());
+    return saved.has_value();
+}
+
 bool drawPicture(const QString &file)
 {
     const QString picture = QFileInfo(file).path() + QLatin1Char('/') + QFileInfo(file).completeBaseName()
@@ -42,8 +52,9 @@ bool drawPicture(const QString &file)
         painter.scale(kPictureScale, kPictureScale);
         figure.draw(painter);
         painter.end();
-        if (image.save(picture))
-            return true;
+        QBuffer png;
+        if (image.save(&png, "PNG"))
+            return save(picture, png.data());
     }
     complain(kName, file.toStdString() + ": cannot be drawn");
     return false;
@@ -138,13 +149,11 @@ bool writePages(const QString &report, const QString &pages, const QDateTime &ti
         document.drawContents(&painter, QRectF(0, i * page.height(), page.width(), page.height()));
         painter.restore();
     }
-    QFile out(pages);
-    if (!painter.end() || !out.open(QIODevice::WriteOnly)) {
-        complain(kName, pages.toStdString() + ": cannot be written");
+    if (!painter.end()) {
+        complain(kName, pages.toStdString() + ": cannot be drawn");
         return false;
     }
-    const QByteArray pdf = time.isValid() ? dated(written.data(), time) : written.data();
-    return out.write(pdf) == pdf.size() && out.flush();
+    return save(pages, time.isValid() ? dated(written.data(), time) : written.data());
 }
 
 } // namespace
