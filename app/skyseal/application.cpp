@@ -8,11 +8,13 @@
 #include "app/skyseal/own_files.h"
 #include "core/crypto/x25519.h"
 #include "core/keys/secret_file.h"
+#include "ui/charts/chart_export.h"
 #include "ui/text/command_permits.h"
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QStandardPaths>
 #include <QtCore/QTimer>
+#include <QtGui/QImage>
 #include <QtGui/QPixmap>
 #include <QtWidgets/QApplication>
 
@@ -305,10 +307,10 @@ void Application::collectHeapFigures()
 
 void Application::takeScreenshot()
 {
-    const bool saved = m_window->grab().save(m_options.screenshot);
-    if (!saved)
-        complain(kName, m_options.screenshot.toStdString() + ": the picture could not be written");
-    QCoreApplication::exit(saved ? kDone : kCannotOpen);
+    const QString problem = ui::writeImage(m_options.screenshot, m_window->grab().toImage());
+    if (!problem.isEmpty())
+        complain(kName, problem.toStdString());
+    QCoreApplication::exit(problem.isEmpty() ? kDone : kCannotOpen);
 }
 
 } // namespace skyseal::app

@@ -1388,10 +1388,6 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 could not be written: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 + bars</source>
         <translation type="unfinished"></translation>
     </message>

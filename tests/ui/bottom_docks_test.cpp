@@ -1,13 +1,17 @@
-// The docks below the map: the messages follow the newest one, the diagnostics are enlarged only for a sweep, and
-// an empty mission says why.
+// The docks below the map: the messages follow the newest one, the diagnostics are enlarged only for a sweep, an empty mission
+// says why, and a mission that cannot be saved leaves the old file.
 #include "core/mavlink/enums.h"
 #include "fake_sweep.h"
 #include "scripted_snapshots.h"
 #include "tests/support/eventually.h"
+#include "tests/support/file_size_limit.h"
 #include "tests/support/test_runner.h"
+#include "ui/mission/mission_panel.h"
 #include "ui/sweep/sweep_dialog.h"
 #include "window_rig.h"
 
+#include <QtCore/QFile>
+#include <QtCore/QTemporaryDir>
 #include <QtGui/QAction>
 #include <QtTest/QTest>
 #include <QtWidgets/QComboBox>
@@ -94,6 +98,32 @@ private Q_SLOTS:
         runSweep(sweeps, std::move(samples));
         const QString shown = find<QLabel>("sweepStatus")->text();
         QVERIFY2(shown.contains(QStringLiteral("1 not valid: not saturated")), qPrintable(shown));
+    }
+
+    void missionIsSavedAsAWhole()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("saved.waypoints"));
+        auto *panel = m_window->findChild<MissionPanel *>();
+        QVERIFY(panel);
+        const auto save = [&](std::size_t items) {
+            panel->saveFile(path, std::make_shared<const std::vector<vehicle::MissionItem>>(items));
+        };
+        const auto lines = [&path] {
+            QFile file(path);
+            return file.open(QIODevice::ReadOnly) ? file.readAll().count('\n') : qsizetype(-1);
+        };
+        save(2);
+        QCOMPARE(lines(), qsizetype(3)); // with its head
+        {
+            const test::FileSizeLimit limit(10);
+            save(5);
+        }
+        QVERIFY2(find<QLabel>("missionResult")->text().contains(QStringLiteral("cannot be written: File too large")),
+                 qPrintable(find<QLabel>("missionResult")->text()));
+        QCOMPARE(lines(), qsizetype(3));
+        save(5);
+        QCOMPARE(lines(), qsizetype(6));
     }
 
     void missionPanelShowsWhyItIsEmpty()

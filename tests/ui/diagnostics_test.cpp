@@ -3,6 +3,7 @@
 #include "core/experiment/cipher_bench.h"
 #include "scripted_snapshots.h"
 #include "tests/support/eventually.h"
+#include "tests/support/file_size_limit.h"
 #include "tests/support/test_runner.h"
 #include "ui/charts/chart_cursor.h"
 #include "ui/charts/chart_view.h"
@@ -442,6 +443,24 @@ private Q_SLOTS:
         QVERIFY(part.open(QIODevice::ReadOnly));
         QCOMPARE(part.readAll().trimmed().split('\n').size(), qsizetype(21 + 1));
         QVERIFY(!m_panel->saveCsv(folder.filePath(QStringLiteral("no/such/folder.csv"))).isEmpty());
+    }
+
+    void fullDiskKeepsTheOldFiles()
+    {
+        QTemporaryDir folder;
+        m_panel->onSnapshot(viewWith(twoSuites()));
+        m_panel->refresh();
+        for (const char *name : {"samples.csv", "picture.png", "picture.svg"}) {
+            const QString path = folder.filePath(QLatin1String(name));
+            QFile old(path);
+            QVERIFY(old.open(QIODevice::WriteOnly) && old.write("good") == 4 && old.flush());
+            const QString problem = [&] {
+                const test::FileSizeLimit limit(10);
+                return path.endsWith(QStringLiteral("csv")) ? m_panel->saveCsv(path) : m_panel->savePicture(path);
+            }();
+            QCOMPARE(problem, path + QStringLiteral(": cannot be written: File too large"));
+            QCOMPARE(QFileInfo(path).size(), qint64(4));
+        }
     }
 
     void picturesAreWritten()

@@ -97,7 +97,7 @@ private Q_SLOTS:
                        QStringLiteral("0.2")});
         QVERIFY(skyseal.waitForFinished());
         QCOMPARE(skyseal.exitCode(), 3);
-        QVERIFY(skyseal.readAllStandardError().contains("folder.png: the picture could not be written"));
+        QVERIFY(skyseal.readAllStandardError().contains("folder.png: cannot be written"));
     }
 
     void firstRunMakesAnIdentity()

@@ -1,7 +1,11 @@
 #include "ui/charts/chart_export.h"
 
+#include "core/base/save_file.h"
+#include "core/engine/text/qt_text.h"
+
+#include <QtCore/QBuffer>
 #include <QtCore/QCoreApplication>
-#include <QtCore/QSaveFile>
+#include <QtCore/QFileInfo>
 #include <QtGui/QImageWriter>
 #include <QtGui/QPainter>
 #include <QtSvg/QSvgGenerator>
@@ -29,11 +33,9 @@ void paintAll(QPainter &painter, const std::vector<QWidget *> &parts, const QSiz
     }
 }
 
-QString writeSvg(const QString &file, const std::vector<QWidget *> &parts, const QSize &size)
+QByteArray svgOf(const std::vector<QWidget *> &parts, const QSize &size)
 {
-    QSaveFile out(file);
-    if (!out.open(QIODevice::WriteOnly))
-        return out.errorString();
+    QBuffer out;
     QSvgGenerator generator;
     generator.setOutputDevice(&out);
     generator.setSize(size);
@@ -42,7 +44,7 @@ QString writeSvg(const QString &file, const std::vector<QWidget *> &parts, const
     QPainter painter(&generator);
     paintAll(painter, parts, size);
     painter.end();
-    return out.commit() ? QString() : out.errorString();
+    return out.data();
 }
 
 } // namespace
@@ -53,24 +55,27 @@ QString writePicture(const QString &file, const std::vector<QWidget *> &parts)
     for (const QWidget *part : parts)
         size = {std::max(size.width(), part->width()), size.height() + part->height()};
     if (file.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive))
-        return writeSvg(file, parts, size);
+        return writeWhole(file, svgOf(parts, size));
     constexpr int kScale = 2;
     QImage image(size * kScale, QImage::Format_RGB32);
     image.setDevicePixelRatio(kScale);
     QPainter painter(&image);
     paintAll(painter, parts, size);
     painter.end();
-    QImageWriter writer(file);
-    return writer.write(image) ? QString() : writer.errorString();
+    return writeImage(file, image);
+}
+
+QString writeImage(const QString &file, const QImage &image)
+{
+    QBuffer out;
+    QImageWriter writer(&out, QFileInfo(file).suffix().toLatin1());
+    return writer.write(image) ? writeWhole(file, out.data()) : file + QStringLiteral(": ") + writer.errorString();
 }
 
 QString writeWhole(const QString &file, const QByteArray &content)
 {
-    QSaveFile out(file);
-    if (!out.open(QIODevice::WriteOnly))
-        return out.errorString();
-    out.write(content);
-    return out.commit() ? QString() : out.errorString();
+    const auto saved = saveFile(file.toStdString(), asBytes({content.data(), std::size_t(content.size())}));
+    return saved ? QString() : engine::fromStd(saved.error().text());
 }
 
 } // namespace skyseal::ui

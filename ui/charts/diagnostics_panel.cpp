@@ -271,7 +271,7 @@ void DiagnosticsPanel::askAndSave(const QString &title, const QString &name, con
         return;
     const QString problem = save(file);
     if (!problem.isEmpty())
-        QMessageBox::warning(this, title, tr("%1 could not be written: %2").arg(file, problem));
+        QMessageBox::warning(this, title, problem);
 }
 
 void DiagnosticsPanel::exposedChanged(bool seen)

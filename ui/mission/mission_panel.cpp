@@ -1,5 +1,6 @@
 #include "ui/mission/mission_panel.h"
 
+#include "core/base/save_file.h"
 #include "core/engine/station/vehicle_snapshot.h"
 #include "core/engine/text/event_text.h"
 #include "core/vehicle/mission_file.h"
@@ -9,7 +10,6 @@
 #include "ui/theme/grid.h"
 
 #include <QtCore/QFile>
-#include <QtCore/QSaveFile>
 #include <QtWidgets/QFileDialog>
 #include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QHeaderView>
@@ -125,11 +125,8 @@ void MissionPanel::sendFile(const QString &file, std::uint8_t systemId)
 
 void MissionPanel::saveFile(const QString &file, const MissionModel::Mission &mission)
 {
-    QSaveFile out(file);
-    const std::string text = vehicle::missionText(*mission);
-    const bool ok = out.open(QIODevice::WriteOnly) && out.write(text.data(), static_cast<qint64>(text.size())) >= 0
-        && out.commit();
-    say(ok ? tr("Saved %1").arg(file) : tr("%1: %2").arg(file, out.errorString()));
+    const auto saved = skyseal::saveFile(file.toStdString(), asBytes(vehicle::missionText(*mission)));
+    say(saved ? tr("Saved %1").arg(file) : fromStd(saved.error().text()));
 }
 
 void MissionPanel::showViewState(const ViewState &view)
