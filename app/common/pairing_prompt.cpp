@@ -60,9 +60,8 @@ PairingPrompt::Settings PairingPrompt::read(Options &options)
     if (out.replaces && out.expected.empty())
         options.fail("--replace requires --expect; without it, you are prompted");
     if (options.has("as")) {
-        keys::PeerEntry entry;
-        entry.peer.name = out.callIt = options.required("as");
-        if (const auto fits = keys::checkPeerEntry(entry); !fits)
+        out.callIt = options.required("as");
+        if (const auto fits = keys::checkPeerName(out.callIt); !fits)
             options.fail("--as: " + fits.error().message);
     }
     return out;

@@ -14,13 +14,6 @@ namespace {
 
 constexpr std::size_t kLongestName = 32;
 
-bool fits(std::string name)
-{
-    PeerEntry entry;
-    entry.peer.name = std::move(name);
-    return checkPeerEntry(entry).has_value();
-}
-
 Result<void, InputError> checkSystemsAreFree(const PeersFile &file, const channel::Peer &peer)
 {
     for (const PeerEntry &other : file.entries()) {
@@ -49,7 +42,8 @@ std::string fitPeerName(std::string_view claimed, const channel::PublicKey &key)
     while (!claimed.empty()) {
         const std::string_view character = claimed.substr(0, firstCharacter(claimed).length);
         claimed.remove_prefix(character.size());
-        if (fits(std::string(character)))
+        // After the first character, also a hyphen fits.
+        if (checkPeerName((name.empty() ? "" : "x") + std::string(character)))
             name += character;
         else if (!name.empty() && name.back() != '-')
             name += '-';
@@ -64,7 +58,7 @@ std::string fitPeerName(std::string_view claimed, const channel::PublicKey &key)
     }
     while (name.ends_with('-'))
         name.pop_back();
-    return fits(name) ? name : "peer-" + fingerprint(key).substr(0, 4);
+    return checkPeerName(name) ? name : "peer-" + fingerprint(key).substr(0, 4);
 }
 
 Result<void, InputError> keepPairedPeer(const std::string &peersFile, const channel::Peer &peer, KeyChange change,

@@ -42,6 +42,13 @@ static std::string quoted(std::string_view text)
     return "\"" + printable(text.substr(0, 60)) + "\"";
 }
 
+/// Blanks beyond ASCII: they look like the end of a name, or like two names.
+static bool isWideBlank(char32_t character)
+{
+    return character == 0xA0 || character == 0x1680 || (character >= 0x2000 && character <= 0x200A) || character == 0x202F
+        || character == 0x205F || character == 0x3000;
+}
+
 /// "character 3 is U+202E, a control or format character"; empty if there is none.
 static std::string unprintableIn(std::string_view text)
 {
@@ -50,10 +57,10 @@ static std::string unprintableIn(std::string_view text)
         const std::string where = "character " + std::to_string(position);
         if (!character.valid)
             return where + " is not valid UTF-8";
-        if (isUnprintable(character.value)) {
+        if (const bool isBlank = isWideBlank(character.value); isBlank || isUnprintable(character.value)) {
             char code[16];
             std::snprintf(code, sizeof code, "U+%04X", static_cast<unsigned>(character.value));
-            return where + " is " + code + ", a control or format character";
+            return where + " is " + code + (isBlank ? ", a blank" : ", a control or format character");
         }
         text.remove_prefix(character.length);
     }
@@ -146,17 +153,27 @@ std::string formatPeerLine(const PeerEntry &entry)
     return out;
 }
 
-Result<void, InputError> checkPeerEntry(const PeerEntry &entry)
+Result<void, InputError> checkPeerName(const std::string &name)
 {
-    const std::string &name = entry.peer.name;
     const auto fits = [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.'
             || static_cast<unsigned char>(c) >= 0x80;
     };
     if (name.empty() || name.size() > kMaxNameLength || !std::all_of(name.begin(), name.end(), fits))
-        return refuse(quoted(name) + " is not a peer's name: 1 to 32 letters, digits, \"-\", \"_\" or \".\"");
+        return refuse(
+            quoted(name)
+            + " is not a peer's name: 1 to 32 letters, digits, \"-\", \"_\" or \".\"; one beyond ASCII counts as 2 to 4");
+    if (name.front() == '-') // the commands that change the peer would take it for an option
+        return refuse(quoted(name) + " is not a peer's name: it must not begin with \"-\"");
     if (const std::string problem = unprintableIn(name); !problem.empty() && !weakened(Weakness::AnyName))
         return refuse(quoted(name) + " is not a peer's name: " + problem);
+    return {};
+}
+
+Result<void, InputError> checkPeerEntry(const PeerEntry &entry)
+{
+    if (auto named = checkPeerName(entry.peer.name); !named)
+        return named;
     if (std::find(entry.peer.systemIds.begin(), entry.peer.systemIds.end(), 0) != entry.peer.systemIds.end())
         return refuse("0 is not a system id: numbers from 1 to 255");
     if (entry.presharedKeyFile.find_first_of(" \t\r\n") != std::string::npos)

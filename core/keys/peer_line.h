@@ -11,8 +11,9 @@ bool isPeerLine(std::string_view line);
 Result<PeerEntry, InputError> parsePeerLine(std::string_view line);
 std::string formatPeerLine(const PeerEntry &entry);
 
-/// Checks the values that a line allows: a name of 1..32 letters, digits, "-", "_", "." or bytes beyond ASCII, ids in 1..255, a
-/// path without blanks.
+/// Checks a name: 1..32 bytes, of letters, digits, "-" (but not first), "_", "." or visible characters beyond ASCII.
+Result<void, InputError> checkPeerName(const std::string &name);
+/// Checks the values that a line allows: a name as above, ids in 1..255, a path without blanks.
 Result<void, InputError> checkPeerEntry(const PeerEntry &entry);
 
 } // namespace skyseal::keys

@@ -156,7 +156,12 @@ void KeysCommandTest::peersAreRenamedAndGivenAnotherRole()
 {
     QCOMPARE(newKey("a.key").status, 0);
     QCOMPARE(addPeer(publicKeyOf("a.key")).status, 0);
-    QCOMPARE(peers("rename", {QStringLiteral("scout-1"), QStringLiteral("two words")}).status, 1);
+    QCOMPARE(peers("rename", {QStringLiteral("scout-1"), QStringLiteral("two words")}).status, 2);
+    for (const char *bad : {"two words", "-x", "\u00a0x"}) {
+        const RunResult refused = peers("add", {QStringLiteral("--name=") + QString::fromUtf8(bad), publicKeyOf("a.key")});
+        QCOMPARE(refused.status, 2);
+        QVERIFY2(refused.err.contains("is not a peer's name"), refused.err.constData());
+    }
     const RunResult unknown = peers("rename", {QStringLiteral("nobody"), QStringLiteral("scout-2")});
     QCOMPARE(unknown.status, 1);
     QVERIFY2(unknown.err.contains("there is no peer named \"nobody\""), unknown.err.constData());

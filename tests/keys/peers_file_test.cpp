@@ -108,6 +108,8 @@ void PeersFileTest::errorsNameTheLine_data()
     row("C1 control", line("ab\xc2\x9bz pilot 1", 0), "\"ab?z\" is not a peer's name: character 3 is U+009B, a control");
     row("direction override", line("gp\xe2\x80\xaej pilot 1", 0), "\"gp?j\" is not a peer's name: character 3 is U+202E");
     row("zero width", line("sc\xe2\x80\x8bout pilot 1", 0), "character 3 is U+200B");
+    row("blank beyond ASCII", line("sc\xc2\xa0out pilot 1", 0), "character 3 is U+00A0, a blank");
+    row("like an option", line("--role pilot 1", 0), "must not begin with \"-\"");
     row("double name", line("first pilot 1", 0), "named \"first\" already");
     row("double key", line("scout pilot 1", 3), "\"first\" has the same key");
     row("control character", line("scout \x1b[31m 1", 0), "\"?[31m\" is not a role");

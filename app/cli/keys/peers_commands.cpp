@@ -4,6 +4,7 @@
 #include "app/cli/keys/named_input.h"
 #include "core/base/json_writer.h"
 #include "core/keys/file_io.h"
+#include "core/keys/peer_line.h"
 #include "core/keys/peers_file.h"
 #include "core/keys/public_key_text.h"
 
@@ -56,6 +57,13 @@ std::optional<channel::PeerRole> readRole(Options &options, const std::string &t
     if (!role)
         options.fail("'" + text + "' is not a role: pilot or observer is expected");
     return role;
+}
+
+std::string readName(Options &options, std::string text)
+{
+    if (const auto fits = keys::checkPeerName(text); !fits)
+        options.fail(fits.error().message);
+    return text;
 }
 
 std::optional<std::vector<std::uint8_t>> readSystems(Options &options, const std::string &text)
@@ -146,7 +154,7 @@ int addPeer(const QStringList &arguments)
         return *status;
     const std::string file = options.required("peers");
     PeerEntry entry;
-    entry.peer.name = options.required("name");
+    entry.peer.name = readName(options, options.required("name"));
     entry.peer.role = readRole(options, options.text("role")).value_or(channel::PeerRole::Observer);
     entry.peer.systemIds = readSystems(options, options.text("sysids")).value_or(std::vector<std::uint8_t>{});
     if (options.has("psk")) // other programs may run in another folder
@@ -239,9 +247,10 @@ int renamePeer(const QStringList &arguments)
     if (const auto status = command.parse(arguments))
         return *status;
     const std::string file = command.options.required("peers");
+    const std::string name = readName(command.options, command.argument(1));
     if (const auto status = command.options.finish())
         return *status;
-    return edit(command, file, [&](PeersFile &peers) { return peers.rename(command.argument(0), command.argument(1)); });
+    return edit(command, file, [&](PeersFile &peers) { return peers.rename(command.argument(0), name); });
 }
 
 int setPeerRole(const QStringList &arguments)
