@@ -8,6 +8,7 @@
 #include <charconv>
 #include <chrono>
 #include <condition_variable>
+#include <filesystem>
 #include <mutex>
 #include <thread>
 #include <utility>
@@ -123,6 +124,11 @@ CounterDisk counterDisk(const std::string &path)
         return updateCounters(path, std::move(ours), reserve, create);
     };
     disk.read = [path] { return readCounters(path); };
+    disk.isMissing = [path] {
+        std::error_code error;
+        const std::filesystem::path folder = std::filesystem::absolute(path, error).parent_path();
+        return !fileExists(path) && std::filesystem::is_directory(folder, error);
+    };
     disk.now = [] {
         return TimePoint(std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now().time_since_epoch()));
     };
@@ -169,7 +175,7 @@ private:
     template<typename Condition> bool waitFor(std::unique_lock<std::mutex> &lock, Condition condition);
     bool openFile(std::unique_lock<std::mutex> &lock);
     void add(const StoredCounters &stored);
-    void update(std::unique_lock<std::mutex> &lock, bool create = false);
+    void update(std::unique_lock<std::mutex> &lock);
 
     const CounterDisk m_disk;
     mutable std::mutex m_mutex; ///< of all that follows
@@ -181,6 +187,7 @@ private:
     std::map<channel::PublicKey, std::uint64_t> m_seen;
     bool m_wantsBlock = true; ///< another block has to be reserved
     bool m_wantsSeen = false; ///< m_seen has to be stored
+    bool m_mayCreate = true;  ///< the file was not there so far
     bool m_busy = true;       ///< the file is read or changed
     TimePoint m_busySince = m_disk.now();
     bool m_stop = false;
@@ -364,15 +371,19 @@ void FileCounterStore::Shared::run()
 bool FileCounterStore::Shared::openFile(std::unique_lock<std::mutex> &lock)
 {
     const std::uint64_t first = m_floor;
-    update(lock, true);
+    update(lock);
     if (m_error.message.empty())
         return true;
     m_busy = true;
     m_busySince = m_disk.now();
     lock.unlock();
-    const auto stored = m_disk.read();
+    auto stored = m_disk.read();
+    const bool isMissing = !stored && m_disk.isMissing();
     lock.lock();
     m_busy = false;
+    m_mayCreate = isMissing;
+    if (isMissing)
+        stored = StoredCounters(); // as safe as a new file: what was lost with the old one recovers in the same way
     if (!stored)
         return false;
     add(*stored);
@@ -392,7 +403,7 @@ void FileCounterStore::Shared::add(const StoredCounters &stored)
 }
 
 /// Stores what is wanted. Call with the mutex locked; it is free while the disk works.
-void FileCounterStore::Shared::update(std::unique_lock<std::mutex> &lock, bool create)
+void FileCounterStore::Shared::update(std::unique_lock<std::mutex> &lock)
 {
     const std::uint64_t reserve = m_wantsBlock ? weakened(Weakness::CountersOneByOne) ? 1 : kBlock : 0;
     const StoredCounters ours{std::min(m_floor, kGreatest), m_seen};
@@ -400,12 +411,14 @@ void FileCounterStore::Shared::update(std::unique_lock<std::mutex> &lock, bool c
     m_busy = true;
     m_busySince = m_disk.now();
     lock.unlock();
-    const auto stored = m_disk.update(ours, reserve, create);
+    const auto stored = m_disk.update(ours, reserve, m_mayCreate);
     lock.lock();
     m_busy = false;
     m_error = stored ? InputError() : stored.error();
-    if (stored)
+    if (stored) {
+        m_mayCreate = false;
         add(*stored);
+    }
     if (reserve > 0) {
         const std::uint64_t end = stored ? stored->next : ours.next + reserve;
         m_spare = {std::max(end - reserve, m_floor), end}; // the floor may have risen meanwhile

@@ -42,6 +42,8 @@ struct CounterDisk
     /// Merges `ours` into the content, reserves `reserve` numbers and returns the result. `create`: the file need not exist.
     std::function<Result<StoredCounters, InputError>(StoredCounters ours, std::uint64_t reserve, bool create)> update;
     std::function<Result<StoredCounters, InputError>()> read;
+    /// Whether there is no file yet, in a folder that exists.
+    std::function<bool()> isMissing;
     std::function<TimePoint()> now;
     std::string name; ///< in errors
 };
@@ -59,8 +61,9 @@ public:
     static constexpr Duration kSlow = std::chrono::seconds(5);
 
     /// Creates the file if it does not exist, with `first` as its next number, and reserves the first block. Fails if the file
-    /// is damaged (starting over would allow replays of old first messages), cannot be created, or is not read within kSlow. A
-    /// sound file that cannot be written is used as it is: an agent must come up again on a disk that became read-only.
+    /// is damaged (starting over would allow replays of old first messages), has no folder, or is not read within kSlow. A
+    /// sound file that cannot be written is used as it is, and a missing one that cannot be created is made up in memory: an
+    /// agent must come up again on a disk that is full or became read-only.
     static Result<std::unique_ptr<FileCounterStore>, InputError> open(const std::string &path, std::uint64_t first = 1);
     static Result<std::unique_ptr<FileCounterStore>, InputError> open(CounterDisk disk, std::uint64_t first = 1);
     /// Waits until all accepted numbers are stored, or cannot be, or the disk has not answered for kSlow.

@@ -54,6 +54,7 @@ private Q_SLOTS:
     void hangingDiskHoldsNothingUp();
     void hangingDiskDelaysNeitherStartNorEnd();
     void fileThatCannotBeWrittenIsUsedAsItIs();
+    void fileThatCannotBeCreatedIsMadeLater();
 
 private:
     test::TemporaryFolder m_folder;
@@ -376,7 +377,29 @@ void CounterFileTest::fileThatCannotBeWrittenIsUsedAsItIs()
     QCOMPARE(store->lastSeen({}), std::uint64_t(17)); // old first messages stay refused
     QCOMPARE(store->next(), std::optional<std::uint64_t>(5000));
     disk.read = [] { return Result<StoredCounters, InputError>(tl::unexpected(InputError{"is damaged", "/disk/counters"})); };
+    disk.isMissing = [] { return false; };
     QVERIFY(!FileCounterStore::open(disk)); // never from the beginning
+}
+
+void CounterFileTest::fileThatCannotBeCreatedIsMadeLater()
+{
+    const std::string path = m_folder.path("not_yet");
+    std::atomic<bool> full = true;
+    CounterDisk disk = counterDisk(path);
+    disk.update = [&full, update = disk.update](StoredCounters ours, std::uint64_t reserve, bool create) {
+        return full ? Result<StoredCounters, InputError>(tl::unexpected(InputError{"No space left on device", "counters"}))
+                    : update(std::move(ours), reserve, create);
+    };
+    const auto opened = FileCounterStore::open(disk);
+    QVERIFY(opened);
+    QCOMPARE((*opened)->problem(), std::string("counters: No space left on device"));
+    QCOMPARE((*opened)->next(), std::optional<std::uint64_t>(1));
+    full = false;
+    QVERIFY((*opened)->remember({}, 9)); // tries again at once
+    QVERIFY((*opened)->waitUntilStored().message.empty());
+    const auto stored = StoredCounters::parse(test::readText(path), path);
+    QVERIFY(stored && stored->next > 1);
+    QCOMPARE(stored->seen.at({}), std::uint64_t(9));
 }
 
 SKYSEAL_TEST_APPLESS(CounterFileTest)
