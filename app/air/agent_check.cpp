@@ -3,8 +3,11 @@
 #include "app/common/exit_status.h"
 #include "app/common/output.h"
 #include "core/crypto/init_crypto.h"
+#include "core/crypto/x25519.h"
 #include "core/engine/agent/vehicle_key.h"
 #include "core/engine/common/secret_files.h"
+#include "core/keys/file_io.h"
+#include "core/keys/secret_file.h"
 #include "core/link/address_text.h"
 
 #include <QtCore/QFileInfo>
@@ -69,18 +72,29 @@ void checkLink(const link::LinkUrl &url, Problems &problems)
     }
 }
 
+/// The known stations. A start without a list creates it, and a first station is paired with the agent that runs, so that a
+/// missing or empty list is no problem.
+Result<std::vector<channel::Peer>, InputError> readStations(const engine::KeyPaths &paths)
+{
+    if (keys::fileExists(paths.peers))
+        return engine::readSecretFiles(paths).map([](const auto &secrets) { return secrets->peers; });
+    return keys::loadIdentity(paths.identity, paths.askPassphrase).map([](const auto &) {
+        return std::vector<channel::Peer>();
+    });
+}
+
 void checkKeys(const engine::KeyPaths &paths, Problems &problems)
 {
-    const auto secrets = engine::readSecretFiles(paths);
-    if (!secrets) {
-        problems.push_back(secrets.error().text());
+    const auto stations = readStations(paths);
+    if (!stations) {
+        problems.push_back(stations.error().text());
         return;
     }
-    const std::vector<channel::Peer> &peers = (*secrets)->peers;
     const auto isPilot = [](const channel::Peer &peer) { return peer.role == channel::PeerRole::Pilot; };
-    if (peers.empty())
-        problems.push_back(paths.peers + ": no station is known, so none can connect; pair one with skyseal-air --pair");
-    else if (std::none_of(peers.begin(), peers.end(), isPilot))
+    if (stations->empty())
+        remark(paths.peers + (keys::fileExists(paths.peers) ? ": " : ": the start creates it; ")
+               + "no station is known yet, start the agent and pair one with skyseal-air --pair --identity " + paths.identity);
+    else if (std::none_of(stations->begin(), stations->end(), isPilot))
         problems.push_back(paths.peers + ": no station is a pilot, so none can command the vehicle");
     for (const std::string &file : {paths.identity, paths.peers}) {
         const QString folder = QFileInfo(QString::fromStdString(file)).absolutePath();

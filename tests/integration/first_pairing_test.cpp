@@ -30,6 +30,7 @@ private Q_SLOTS:
     void agentThatListensIsPaired();
     void listThatCannotBeMadeIsAnError();
     void missingKeyMakesNoList();
+    void checkAgreesWithAStart();
 
 private:
     QString path(const char *name) const { return m_folder.filePath(QLatin1String(name)); }
@@ -117,6 +118,28 @@ void FirstPairingTest::missingKeyMakesNoList()
     const RunResult result = runProgram("skyseal-air", agent(9, path("mistyped.key"), path("none.peers")));
     QCOMPARE(result.status, 3);
     QVERIFY(!QFile::exists(path("none.peers")));
+}
+
+void FirstPairingTest::checkAgreesWithAStart()
+{
+    QVERIFY(makeKey("air.key"));
+    const auto check = [this](const char *peers) {
+        return runProgram("skyseal-air", agent(freeUdpPort(), path("air.key"), path(peers)) << QStringLiteral("--check"));
+    };
+    const RunResult fresh = check("checked.peers");
+    QCOMPARE(fresh.out, QByteArray("the configuration is valid\n"));
+    QCOMPARE(fresh.status, 0);
+    QVERIFY2(fresh.err.contains("the start creates it") && fresh.err.contains("skyseal-air --pair --identity"),
+             fresh.err.constData());
+    QVERIFY(!QFile::exists(path("checked.peers")));
+
+    QFile list(path("checked.peers"));
+    QVERIFY(list.open(QIODevice::WriteOnly) && list.setPermissions(QFile::ReadOwner | QFile::WriteOwner));
+    list.close();
+    const RunResult empty = check("checked.peers");
+    QCOMPARE(empty.status, 0);
+    QVERIFY2(empty.err.contains("no station is known yet"), empty.err.constData());
+    QCOMPARE(check("no/such/folder").status, 1);
 }
 
 SKYSEAL_TEST(FirstPairingTest)
