@@ -259,7 +259,7 @@ Session::Opened Session::open(TimePoint now, const Path &from, const RecordHeade
 
 Session::Opened Session::opened(TimePoint now, const Path &from, const OpenRecord &record, std::optional<Delivery> &delivery)
 {
-    if (now >= forgetAt()) { // the deadline was missed while the machine slept
+    if (now >= forgetAt() && !weakened(Weakness::LifeWithoutReports)) { // the deadline was missed while the machine slept
         m_finished = DownReason::TimedOut;
         return {false, false};
     }
