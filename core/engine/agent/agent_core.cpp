@@ -141,11 +141,13 @@ void AgentCore::stop()
     });
 }
 
-/// Of the session whose commands may be the oldest.
+/// Of the pilot's session whose commands may be the oldest.
 std::optional<channel::FreshnessReport> AgentCore::latestCommands()
 {
     std::optional<channel::FreshnessReport> out;
     for (const channel::SessionId session : m_channel.endpoint().sessions()) {
+        if (!m_receiver.mayCommand(session))
+            continue;
         const auto stats = m_channel.endpoint().stats(session);
         if (stats && stats->freshness && (!out || stats->freshness->ageMicroseconds > out->ageMicroseconds))
             out = stats->freshness;

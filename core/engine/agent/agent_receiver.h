@@ -75,6 +75,7 @@ public:
     /// The refusals since the last call.
     std::vector<FramesRefused> takeRefused() { return m_gate.takeRefused(); }
     AgentCounters counters() const;
+    bool mayCommand(channel::SessionId session) const { return m_gate.mayCommand(session); }
     const metrics::SequenceTable &fromVehicle() const { return m_fromVehicle; }
 
 private:
