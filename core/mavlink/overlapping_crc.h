@@ -8,9 +8,9 @@
 // where advance(s, n) is the state that s becomes over n zero bytes: a linear map of 16 bits, read from a table. As long as
 // nothing is damaged, frames do not overlap and are checked directly.
 //
-// For bytes of strangers, the work for bytes that are not frames is limited as well: for streams, and datagrams of 1,472 bytes
-// or more, to twice that of random bytes. A shorter datagram may cost more than that, since the frame after a damaged one must
-// be found: a quarter of its bytes, and 528.
+// For bytes of strangers, the work for bytes that are not frames is limited as well: on average of a stream, and for datagrams
+// of 1,472 bytes or more, to twice that of random bytes. A shorter datagram may cost more than that, since the frame after a
+// damaged one must be found: a quarter of its bytes, and 528.
 #pragma once
 
 #include "core/mavlink/crc.h"
