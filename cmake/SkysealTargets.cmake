@@ -148,15 +148,12 @@ endfunction()
 # skyseal_test_entry(NAME PROGRAM ARGUMENTS … LABELS … [TIMEOUT S] [ENVIRONMENT …]): one more ctest entry of a test program.
 function(skyseal_test_entry name program)
   cmake_parse_arguments(arg "" "TIMEOUT" "ARGUMENTS;LABELS;ENVIRONMENT" ${ARGN})
-  if(arg_TIMEOUT)
-    set(cost COST ${arg_TIMEOUT}) # the long ones begin first, so that none is left alone at the end
-  else()
-    set(cost)
+  if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 240) # so that a test can report its own deadline (tests/support/eventually.h) before it is killed
   endif()
   math(EXPR milliseconds "${arg_TIMEOUT} * 1000") # QtTest alone would end each function after five minutes, all of its rows together
   add_test(NAME ${name} COMMAND ${program} ${arg_ARGUMENTS})
-  set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT} ${cost}
+  set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT}
     ENVIRONMENT "QT_QPA_PLATFORM=offscreen;QTEST_FUNCTION_TIMEOUT=${milliseconds};TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/cmake/tsan.supp die_after_fork=0;UBSAN_OPTIONS=print_stacktrace=1;${arg_ENVIRONMENT}")
 endfunction()
 

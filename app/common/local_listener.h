@@ -14,12 +14,12 @@ QT_END_NAMESPACE
 
 namespace skyseal::app {
 
-/// Listens at an absolute path, open to the same user only. The socket of a program that was killed is replaced; where a program
-/// listens already, or a file of another kind is, the error says so.
+/// Listens at an absolute path, open to the same user only. The socket of a program that was killed is replaced; where a
+/// program listens already, or a file of another kind is, the error says so.
 Result<void, InputError> listenLocally(QLocalServer &server, const QString &path);
 
-/// True if the program that listens at the other end of a connected socket runs as this user, as root, or as the owner of `file`:
-/// anyone may listen at a path where they can write. Linux; elsewhere true, and the rights of the folder decide alone.
+/// True if the program that listens at the other end of a connected socket runs as this user, as root, or as the owner of
+/// `file`: anyone may listen at a path where they can write. Linux; elsewhere true, and the rights of the folder decide alone.
 bool isListenerTrusted(const QLocalSocket &socket, const std::string &file);
 
 } // namespace skyseal::app

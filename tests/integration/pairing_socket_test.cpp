@@ -27,7 +27,8 @@ namespace {
 
 constexpr uid_t kNobody = 65534;
 
-/// A process of another user that listens at a path and reads what the first client sends. Its exit status is the number of bytes.
+/// A process of another user that listens at a path and reads what the first client sends. Its exit status is the number of
+/// bytes.
 class ForeignListener
 {
 public:
