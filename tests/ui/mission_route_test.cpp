@@ -1,5 +1,6 @@
 // The drawn route is the flown one: every command with a place is on it, with splines, loiters and jumps.
 #include "tests/support/test_runner.h"
+#include "ui/map/altitude_profile.h"
 #include "ui/map/mission_painter.h"
 #include "ui/map/mission_route.h"
 
@@ -7,6 +8,7 @@
 #include <QtGui/QPainter>
 #include <QtTest/QTest>
 
+#include <cmath>
 #include <limits>
 
 using namespace skyseal;
@@ -55,6 +57,57 @@ class MissionRouteTest : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void profileFollowsTheGround()
+    {
+        // On the equator, and at 60° north, where a metre on the ground is two of the map.
+        for (const double latitude : {0.0, 60.0}) {
+            std::vector<MissionItem> items;
+            for (std::uint16_t i = 0; i < 3; ++i)
+                items.push_back({.sequence = static_cast<std::uint16_t>(i + 1),
+                                 .latitude = latitude + i * 100 / mercator::kMetresPerDegree,
+                                 .longitude = 11,
+                                 .altitude = 10.F * static_cast<float>(i)});
+            const auto points = profileOf(routeOf(items, std::nullopt, true), 500);
+            QCOMPARE(points.size(), std::size_t(3));
+            for (std::size_t i = 0; i < 3; ++i) {
+                QCOMPARE(points[i].sequence, static_cast<int>(i) + 1);
+                QVERIFY2(std::abs(points[i].distance - 100 * static_cast<double>(i)) < 0.1,
+                         qPrintable(QString::number(points[i].distance)));
+                QCOMPARE(points[i].altitude, 10.0 * static_cast<double>(i));
+            }
+        }
+    }
+
+    void profileKnowsWhatAnAltitudeCountsFrom()
+    {
+        auto fromHome = at(1, MAV_CMD_NAV_WAYPOINT, 10), fromSea = at(2, MAV_CMD_NAV_WAYPOINT, 20),
+             fromTerrain = at(3, MAV_CMD_NAV_WAYPOINT, 30);
+        fromHome.altitude = fromTerrain.altitude = 40;
+        fromSea.altitude = 540;
+        fromSea.frame = MAV_FRAME_GLOBAL;
+        fromTerrain.frame = MAV_FRAME_GLOBAL_TERRAIN_ALT;
+        const MissionRoute made = route({fromHome, fromSea, fromTerrain, order(4, MAV_CMD_NAV_RETURN_TO_LAUNCH)});
+        const auto points = profileOf(made, 500);
+        QCOMPARE(points.size(), std::size_t(4));
+        for (std::size_t i = 0; i < 3; ++i) {
+            QCOMPARE(points[i].altitude, 40.0);
+            QCOMPARE(points[i].overTerrain, i == 2);
+        }
+        QVERIFY(std::isnan(points[3].altitude)); // the altitude of a return is a parameter of the vehicle
+        const auto unknown = profileOf(made, std::numeric_limits<double>::quiet_NaN());
+        QCOMPARE(unknown[0].altitude, 40.0);
+        QVERIFY(std::isnan(unknown[1].altitude));
+    }
+
+    void profileOfASplineIsLongerThanTheLine()
+    {
+        auto bend = at(2, MAV_CMD_NAV_SPLINE_WAYPOINT, 0);
+        bend.longitude += 100 / mercator::kMetresPerDegree;
+        const auto points = profileOf(route({at(1, MAV_CMD_NAV_WAYPOINT, 0), bend, at(3, MAV_CMD_NAV_WAYPOINT, 100)}), 0);
+        QCOMPARE(points.size(), std::size_t(3));
+        QVERIFY2(points[1].distance > 100.5 && points[1].distance < 130, qPrintable(QString::number(points[1].distance)));
+    }
+
     void everyCommandWithAPlaceIsOnTheLine_data()
     {
         QTest::addColumn<int>("command");

@@ -1,7 +1,6 @@
 #include "ui/map/map_content.h"
 
 #include "core/engine/station/snapshot.h"
-#include "core/mavlink/enums.h"
 
 #include <cmath>
 
@@ -29,8 +28,7 @@ bool MapContent::showMission(const engine::VehicleSnapshot &vehicle, bool homeMo
         return false;
     m_missionCurrent = vehicle.state.missionCurrent;
     m_mission = vehicle.mission;
-    const bool firstIsHome = vehicle.state.autopilot == mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA;
-    m_route = m_mission ? std::optional(routeOf(*m_mission, m_home, firstIsHome)) : std::nullopt;
+    m_route = m_mission ? std::optional(routeOf(*m_mission, m_home, keepsHomeFirst(vehicle.state.autopilot))) : std::nullopt;
     return true;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace skyseal::ui {
 
@@ -11,6 +12,8 @@ namespace {
 
 using namespace mavlink;
 using Loiter = RouteStop::Loiter;
+
+constexpr double kUnknownAltitude = std::numeric_limits<double>::quiet_NaN();
 
 bool isGlobal(std::uint8_t frame)
 {
@@ -60,6 +63,17 @@ double finite(float value)
 int whole(float value)
 {
     return static_cast<int>(std::clamp(finite(value), -1.0, 65535.0));
+}
+
+RouteStop::Reference referenceOf(std::uint8_t frame)
+{
+    switch (frame) {
+    case MAV_FRAME_GLOBAL:
+    case MAV_FRAME_GLOBAL_INT: return RouteStop::Reference::SeaLevel;
+    case MAV_FRAME_GLOBAL_TERRAIN_ALT:
+    case MAV_FRAME_GLOBAL_TERRAIN_ALT_INT: return RouteStop::Reference::Terrain;
+    default: return RouteStop::Reference::Home;
+    }
 }
 
 void describeLoiter(RouteStop &stop, const vehicle::MissionItem &item)
@@ -123,6 +137,11 @@ const RouteStop *MissionRoute::stopOf(int sequence) const
     return found == stops.end() ? nullptr : &*found;
 }
 
+bool keepsHomeFirst(std::uint8_t autopilot)
+{
+    return autopilot == MAV_AUTOPILOT_ARDUPILOTMEGA;
+}
+
 MissionRoute routeOf(const std::vector<vehicle::MissionItem> &items, std::optional<QPointF> home, bool firstIsHome)
 {
     MissionRoute route;
@@ -144,7 +163,8 @@ MissionRoute routeOf(const std::vector<vehicle::MissionItem> &items, std::option
             continue;
         }
         if (item.command == MAV_CMD_NAV_RETURN_TO_LAUNCH && home) {
-            route.stops.push_back({.at = *home, .sequence = item.sequence});
+            // The vehicle returns at an altitude of its own parameters.
+            route.stops.push_back({.at = *home, .sequence = item.sequence, .altitude = kUnknownAltitude});
             continue;
         }
         if (!isFlownTo(item.command)) {
@@ -158,6 +178,8 @@ MissionRoute routeOf(const std::vector<vehicle::MissionItem> &items, std::option
         RouteStop stop{.at = place ? mercator::project({item.latitude, item.longitude}) : route.stops.back().at,
                        .sequence = item.sequence,
                        .spline = item.command == MAV_CMD_NAV_SPLINE_WAYPOINT};
+        stop.altitude = static_cast<double>(item.altitude);
+        stop.reference = referenceOf(item.frame);
         describeLoiter(stop, item);
         route.stops.push_back(stop);
     }

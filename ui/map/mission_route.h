@@ -16,14 +16,18 @@ namespace skyseal::ui {
 struct RouteStop
 {
     enum class Loiter : std::uint8_t { None, Unlimited, Turns, Time, ToAltitude };
+    /// What an altitude counts from.
+    enum class Reference : std::uint8_t { Home, SeaLevel, Terrain };
 
     QPointF at;
     int sequence = 0;                        ///< of its item; -1: the place where the route begins, or home at its end
     bool spline = false;                     ///< the leg to this stop is a spline
     QPointF controlIn = {}, controlOut = {}; ///< control points of that spline, after its beginning and before `at`
     Loiter loiter = Loiter::None;
-    double radius = 0; ///< metres on the ground; 0: the one that the vehicle is configured for
-    double amount = 0; ///< turns or seconds
+    double radius = 0;   ///< metres on the ground; 0: the one that the vehicle is configured for
+    double amount = 0;   ///< turns or seconds
+    double altitude = 0; ///< metres above the reference; NaN: the vehicle decides
+    Reference reference = Reference::Home;
 };
 
 /// A jump back or forward in the list (DO_JUMP), drawn between two stops.
@@ -48,6 +52,9 @@ struct MissionRoute
 
     const RouteStop *stopOf(int sequence) const;
 };
+
+/// Whether this kind of autopilot (MAV_AUTOPILOT) keeps home as item 0 of its mission.
+bool keepsHomeFirst(std::uint8_t autopilot);
 
 /// `home` is where take-offs without a place begin and returns to launch end. With `firstIsHome`, item 0 is home and no stop,
 /// as ArduPilot keeps it.

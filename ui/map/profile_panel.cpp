@@ -1,0 +1,65 @@
+#include "ui/map/profile_panel.h"
+
+#include "core/engine/station/vehicle_snapshot.h"
+#include "ui/map/profile_view.h"
+#include "ui/settings.h"
+#include "ui/theme/grid.h"
+#include "ui/view_state.h"
+
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QStackedWidget>
+#include <QtWidgets/QVBoxLayout>
+
+#include <cmath>
+
+namespace skyseal::ui {
+
+ProfilePanel::ProfilePanel(QWidget *parent) : DockPanel(parent)
+{
+    m_pages = new QStackedWidget(this);
+    m_empty = new QLabel(m_pages);
+    m_empty->setObjectName(QStringLiteral("profileEmpty"));
+    m_empty->setWordWrap(true);
+    m_empty->setAlignment(Qt::AlignCenter);
+    m_empty->setForegroundRole(QPalette::PlaceholderText);
+    m_view = new ProfileView(m_pages);
+    m_pages->addWidget(m_empty);
+    m_pages->addWidget(m_view);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(kGrid, kGrid, kGrid, kGrid);
+    column->addWidget(m_pages);
+    showViewState({});
+}
+
+void ProfilePanel::showViewState(const ViewState &view)
+{
+    const auto mission = view.vehicle ? view.vehicle->mission : nullptr;
+    if (!mission || mission->empty()) {
+        m_mission.reset();
+        m_empty->setText(!view.vehicle ? tr("No vehicle.")
+                             : mission ? tr("The vehicle has no mission.")
+                                       : tr("The mission has not been read from the vehicle."));
+        m_pages->setCurrentWidget(m_empty);
+        return;
+    }
+    const auto &state = view.vehicle->state;
+    const auto home = state.home.known() ? std::optional(mercator::project({state.home.latitude, state.home.longitude}))
+                                         : std::nullopt;
+    const bool sameAltitude = state.home.altitude == m_homeAltitude
+        || (std::isnan(state.home.altitude) && std::isnan(m_homeAltitude));
+    if (mission == m_mission && home == m_home && sameAltitude && state.missionCurrent == m_current)
+        return;
+    m_mission = mission;
+    m_home = home;
+    m_homeAltitude = state.home.altitude;
+    m_current = state.missionCurrent;
+    m_view->showProfile(profileOf(routeOf(*mission, home, keepsHomeFirst(state.autopilot)), m_homeAltitude), m_current);
+    m_pages->setCurrentWidget(m_view);
+}
+
+void ProfilePanel::applySettings(const Settings &settings)
+{
+    m_view->setUnits(settings.units);
+}
+
+} // namespace skyseal::ui
