@@ -1,5 +1,5 @@
 // Draws the window in its states and sizes, and its dialogs, into a folder for people to look at: ui_gallery DIR [STATE SIZE
-// THEME], where STATE and the others are lists with commas, "dialogs" among the states being all dialogs, "map" the menu of the
+// THEME WORKSPACE], where STATE and the others are lists with commas, "dialogs" among the states being all dialogs, "map" the menu of the
 // map, and the name of one of its entries, such as "mapGoHere", what that opens.
 #include "fake_station.h"
 #include "gallery_dialogs.h"
@@ -22,7 +22,6 @@
 #include <QtGui/QMouseEvent>
 #include <QtGui/QPainter>
 #include <QtWidgets/QApplication>
-#include <QtWidgets/QDockWidget>
 #include <QtWidgets/QMenu>
 
 using namespace skyseal;
@@ -169,7 +168,7 @@ void openMapMenu(MainWindow &window, const QString &entry)
 }
 
 /// Brings the window into a state by the same signals that the engine would send.
-void play(FakeStation &station, MainWindow &window, const QString &state, const QString &dock)
+void play(FakeStation &station, MainWindow &window, const QString &state)
 {
     if (state == QLatin1String("empty"))
         return;
@@ -188,10 +187,6 @@ void play(FakeStation &station, MainWindow &window, const QString &state, const 
         station.show(snapshot);
         station.notify(engine::PlaintextRefused{1, "192.0.2.66:40000", 1, "air-2"});
         return;
-    }
-    if (auto *raised = window.findChild<QDockWidget *>(dock)) {
-        raised->show();
-        raised->raise();
     }
     const crypto::SuiteId suites[] = {crypto::SuiteId::ChaCha20Poly1305, crypto::SuiteId::Aes256Gcm, crypto::SuiteId::Rc4,
                                       crypto::SuiteId::Aes256Ctr};
@@ -261,6 +256,16 @@ void play(FakeStation &station, MainWindow &window, const QString &state, const 
     }
 }
 
+/// "STATE-WORKSPACE" for all pairs; a dialog, which is drawn alone, has one picture.
+QStringList combined(const QStringList &states, const QStringList &workspaces)
+{
+    QStringList all;
+    for (const QString &state : states)
+        for (const QString &workspace : dialogStates().contains(state) ? workspaces.mid(0, 1) : workspaces)
+            all << state + QLatin1Char('-') + workspace;
+    return all;
+}
+
 } // namespace
 
 int main(int argc, char **argv)
@@ -284,10 +289,11 @@ int main(int argc, char **argv)
         states.removeAt(all);
         states += dialogStates();
     }
-    const QString dock = args.value(5, QStringLiteral("dockDiagnostics"));
+    const QStringList workspaces = args.value(5, QStringLiteral("lab")).split(QLatin1Char(','));
     for (const QString &theme : themes) {
         for (const QString &size : sizes) {
-            for (const QString &state : states) {
+            for (const QString &shown : combined(states, workspaces)) {
+                const QString state = shown.section(QLatin1Char('-'), 0, 0);
                 QTemporaryDir folder;
                 QSettings store(folder.filePath(QStringLiteral("s.ini")), QSettings::IniFormat);
                 Settings settings;
@@ -314,12 +320,13 @@ int main(int argc, char **argv)
                     delete dialog;
                     continue;
                 }
-                play(station, window, state, dock);
+                window.findChild<QAction *>(QStringLiteral("workspace_") + shown.section(QLatin1Char('-'), 1))->trigger();
+                play(station, window, state);
                 window.findChild<DiagnosticsPanel *>()->refresh();
                 if (state == QLatin1String("tiles"))
                     waitForTiles(*window.findChild<MapView *>());
                 QCoreApplication::processEvents();
-                pictureOf(window).save(out.filePath(QStringLiteral("%1-%2-%3.png").arg(state, size, theme)));
+                pictureOf(window).save(out.filePath(QStringLiteral("%1-%2-%3.png").arg(shown, size, theme)));
             }
         }
     }

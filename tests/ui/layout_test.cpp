@@ -11,6 +11,7 @@
 #include "ui/flight/tape.h"
 #include "ui/flight/vehicle_commands.h"
 #include "ui/window/main_window.h"
+#include "ui/window/workspace_table.h"
 #include "ui/security/counters_table.h"
 #include "ui/status/status_strip.h"
 #include "ui/status/strip_item.h"
@@ -18,8 +19,10 @@
 
 #include <QtCore/QSettings>
 #include <QtCore/QTemporaryDir>
+#include <QtGui/QAction>
 #include <QtGui/QPainter>
 #include <QtTest/QTest>
+#include <QtWidgets/QDockWidget>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QRadioButton>
@@ -37,16 +40,20 @@ private Q_SLOTS:
     {
         QTest::addColumn<QSize>("size");
         QTest::addColumn<QString>("state");
+        QTest::addColumn<QByteArray>("workspace");
         for (const QSize size : {QSize(1024, 700), QSize(1280, 800), QSize(1366, 768), QSize(1920, 1080), QSize(2560, 1440)})
             for (const char *state : {"waiting", "plain", "sealed", "attack"})
-                QTest::addRow("%dx%d %s", size.width(), size.height(), state) << size << QString::fromLatin1(state);
+                for (const WorkspaceRow &row : workspaceTable())
+                    QTest::addRow("%dx%d %s %s", size.width(), size.height(), state, row.id)
+                        << size << QString::fromLatin1(state) << QByteArray(row.id);
     }
 
     void nothingIsCut()
     {
         QFETCH(QSize, size);
         QFETCH(QString, state);
-        open(size);
+        QFETCH(QByteArray, workspace);
+        open(size, workspace.constData());
         show(state);
         QCoreApplication::processEvents();
         QCOMPARE(m_window->size(), size);
@@ -95,10 +102,12 @@ private Q_SLOTS:
     {
         QFETCH(QString, state);
         for (const QSize size : {QSize(1024, 700), QSize(1280, 800)}) {
-            open(size);
-            show(state);
-            for (const QScrollArea *area : m_window->findChildren<FittingScroll *>())
-                EVENTUALLY2(!area->verticalScrollBar()->isVisible(), qPrintable(area->parentWidget()->objectName()));
+            for (const char *workspace : {"fly", "lab"}) {
+                open(size, workspace);
+                show(state);
+                for (const QScrollArea *area : m_window->findChildren<FittingScroll *>())
+                    EVENTUALLY2(!area->verticalScrollBar()->isVisible(), qPrintable(area->parentWidget()->objectName()));
+            }
         }
     }
 
@@ -123,6 +132,9 @@ private Q_SLOTS:
     void hiddenPartsStayInToolTips()
     {
         open({1024, 700});
+        auto *dock = m_window->findChild<QDockWidget *>(QStringLiteral("dockSecure"));
+        dock->setFloating(true);
+        dock->resize(260, 400);
         engine::Snapshot snapshot = sealedSnapshot(1);
         snapshot.sessions.front().stats.rx.forged = 7;
         snapshot.sessions.front().stats.rx.malformed = 5;
@@ -138,7 +150,7 @@ private Q_SLOTS:
         const QString link = m_window->findChild<StripItem *>(QStringLiteral("stripLink"))->toolTip(); // labels of its numbers
         for (const char *label : {" of the frames arrived", " latency", " since the newest message"})
             QVERIFY2(link.contains(QLatin1String(label)), qPrintable(link));
-        m_window->resize(1280, 1000);
+        dock->resize(260, 900);
         EVENTUALLY(m_window->findChild<QLabel *>(QStringLiteral("secureFingerprint"))->isVisible());
         QVERIFY(!counters->isBrief());
         QVERIFY(!refused->isVisible());
@@ -244,7 +256,7 @@ private Q_SLOTS:
     void longResultsMoveNothing()
     {
         QFETCH(QSize, size);
-        open(size);
+        open(size, "fly");
         m_station->show(sealedSnapshot(1));
         QCoreApplication::processEvents();
         const auto places = [this] {
@@ -290,7 +302,7 @@ private:
         });
     }
 
-    void open(const QSize &size)
+    void open(const QSize &size, const char *workspace = "lab")
     {
         m_window.reset();
         m_folder = std::make_unique<QTemporaryDir>();
@@ -301,6 +313,7 @@ private:
         m_window = std::make_unique<MainWindow>(*m_station, *m_store, facts);
         m_window->resize(size);
         m_window->show();
+        m_window->findChild<QAction *>(QLatin1String("workspace_") + QLatin1String(workspace))->trigger();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), test::kDeadlineMs));
     }
 

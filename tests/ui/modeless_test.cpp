@@ -40,7 +40,7 @@ private Q_SLOTS:
         QTest::addColumn<QKeySequence>("keys");
         QTest::addColumn<QString>("action");
         QTest::newRow("link") << QKeySequence(Qt::Key_F12) << QString();
-        QTest::newRow("keys") << QKeySequence(Qt::CTRL | Qt::Key_K) << QString();
+        QTest::newRow("keys") << QKeySequence(Qt::CTRL | Qt::Key_P) << QString();
         QTest::newRow("sweep") << QKeySequence(Qt::CTRL | Qt::Key_R) << QString();
         QTest::newRow("settings") << QKeySequence() << QStringLiteral("actionSettings");
         QTest::newRow("take-off") << QKeySequence() << QStringLiteral("actionTakeOff");

@@ -215,7 +215,7 @@ KeysDialog *PairedWindowTest::openKeys()
     m_window->activateWindow(); // a dialog that closed may have had it
     if (!QTest::qWaitForWindowActive(m_window, test::kDeadlineMs))
         return nullptr;
-    QTest::keyClick(m_window, Qt::Key_K, Qt::ControlModifier);
+    QTest::keyClick(m_window, Qt::Key_P, Qt::ControlModifier);
     auto *dialog = m_window->findChild<KeysDialog *>();
     if (dialog && !QTest::qWaitForWindowExposed(dialog, test::kDeadlineMs))
         return nullptr;

@@ -1,4 +1,5 @@
-// The window with a fake station and temporary settings: a second base class for tests of the window.
+// The window with a fake station and temporary settings: a second base class for tests of the window. All docks are shown at
+// first, which none of the workspaces does; a test of the workspaces can change the arrangement before it is shown again.
 #pragma once
 
 #include "fake_station.h"
@@ -8,6 +9,7 @@
 #include <QtCore/QSettings>
 #include <QtCore/QTemporaryDir>
 #include <QtTest/QTest>
+#include <QtWidgets/QDockWidget>
 
 #include <memory>
 
@@ -37,9 +39,20 @@ protected:
         m_window.reset();
         m_window = std::make_unique<MainWindow>(*m_station, *m_store, m_facts);
         m_window->resize(1280, 900);
+        if (!m_store->contains(QStringLiteral("window/workspace")))
+            showAllDocks();
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), test::kDeadlineMs));
         m_window->activateWindow();
+    }
+
+    void showAllDocks()
+    {
+        for (auto *dock : m_window->findChildren<QDockWidget *>())
+            dock->show();
+        auto *front = find<QDockWidget>("dockDiagnostics");
+        front->raise();
+        m_window->resizeDocks({front}, {216}, Qt::Vertical);
     }
 
     template<typename W> W *find(const char *name) const

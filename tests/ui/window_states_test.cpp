@@ -444,10 +444,10 @@ private Q_SLOTS:
     {
         QVERIFY(!m_station->inspecting);
         auto *dock = find<QDockWidget>("dockInspector");
-        QTest::keyClick(m_window.get(), Qt::Key_5, Qt::ControlModifier);
+        QTest::keyClick(m_window.get(), Qt::Key_6, Qt::AltModifier);
         EVENTUALLY(m_station->inspecting);
         QVERIFY(dock->isVisible());
-        QTest::keyClick(m_window.get(), Qt::Key_3, Qt::ControlModifier); // diagnostics come to the front
+        QTest::keyClick(m_window.get(), Qt::Key_5, Qt::AltModifier); // the parameters come to the front
         EVENTUALLY(!m_station->inspecting);
     }
 
@@ -455,13 +455,13 @@ private Q_SLOTS:
     {
         auto *dock = find<QDockWidget>("dockFlight");
         QVERIFY(dock->isVisible());
-        QTest::keyClick(m_window.get(), Qt::Key_1, Qt::ControlModifier);
+        QTest::keyClick(m_window.get(), Qt::Key_1, Qt::AltModifier);
         QVERIFY(dock->isVisible()); // the key of a dock in front does not hide it
         QVERIFY(dock->isAncestorOf(QApplication::focusWidget()));
         QTest::mouseClick(dock->findChild<QAbstractButton *>(QStringLiteral("qt_dockwidget_closebutton")), Qt::LeftButton);
         EVENTUALLY(!dock->isVisible());
         QVERIFY(!find<QAction>("view_dockFlight")->isChecked());
-        QTest::keyClick(m_window.get(), Qt::Key_1, Qt::ControlModifier);
+        QTest::keyClick(m_window.get(), Qt::Key_1, Qt::AltModifier);
         EVENTUALLY(dock->isVisible());
         QVERIFY(find<QAction>("view_dockFlight")->isChecked());
         dock->close();

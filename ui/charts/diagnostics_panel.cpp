@@ -100,13 +100,13 @@ TimeSeriesChart *DiagnosticsPanel::widgetOf(Plot &plot)
     QString note = quantity.note;
     for (const QuantityLine &line : quantity.lines) {
         if (line.stroke == Stroke::Solid && !line.name.isEmpty() && quantity.lines.size() > 1)
-            key << line.name;
+            note += QLatin1Char(' ') + tr("The solid line is “%1”.").arg(line.name); // short, because titles are elided
         else if (line.stroke == Stroke::Dashed)
             key << tr("%1 dashed").arg(line.name);
         else if (line.stroke == Stroke::Dotted)
             key << tr("%1 dotted").arg(line.name);
         if (quantity.barLine > 0 && &line == &quantity.lines[quantity.barLine]) {
-            key.back() = tr("%1 + bars").arg(key.back()); // short, because titles are elided
+            key.back() = tr("%1 + bars").arg(key.back());
             note += QLatin1Char(' ') + tr("The bars show only “%1”.").arg(line.name);
         }
     }

@@ -22,6 +22,7 @@ public:
     void onSnapshot(const ViewState &view) override;
     void showViewState(const ViewState &view) override;
     void applySettings(const Settings &settings) override;
+    bool scrollsAsAWhole() const override { return true; }
 
 private:
     Horizon *m_horizon;

@@ -26,6 +26,7 @@ public:
     /// Hides parts until the panel fits into `height` pixels: first the fingerprint (it stays in the tool tip), then the kinds
     /// of refused records, then the second line of the note and the age of the session.
     void fitHeight(int height) override;
+    bool scrollsAsAWhole() const override { return true; }
 
 Q_SIGNALS:
     /// The operator selected another session; its vehicle is to be shown.

@@ -28,10 +28,11 @@
 #include "ui/window/window_dialogs.h"
 #include "ui/window/window_docks.h"
 #include "ui/window/window_menus.h"
+#include "ui/window/workspace_tabs.h"
+#include "ui/window/workspaces.h"
 
 #include <QtCore/QFileInfo>
 #include <QtCore/QSettings>
-#include <QtCore/QTimer>
 #include <QtGui/QCloseEvent>
 #include <QtGui/QScreen>
 #include <QtWidgets/QMenu>
@@ -61,17 +62,19 @@ MainWindow::MainWindow(StationInterface &station, QSettings &store, const Progra
     setWindowIcon(icon(QStringLiteral("skyseal")));
     setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea); // what stands at the sides needs height
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    m_docks = new WindowDocks(
+        *this, {m_station, *m_commands, *m_suites, *m_selection, *m_dialogs, facts.recordFolder, facts.sessionBytes});
+    m_workspaces = new Workspaces(*this, *m_docks);
     makeBars();
     makeCentre(facts);
     m_commands->setTakeOffAltitude(m_settings.takeOffAltitude);
-    m_docks = new WindowDocks(
-        *this, {m_station, *m_commands, *m_suites, *m_selection, *m_dialogs, facts.recordFolder, facts.sessionBytes});
     makeMenus(facts);
     connectParts();
     connectSources();
     resize(kFirstSize.boundedTo(screen()->availableSize() - kFrame));
-    m_docks->rememberDefault();
-    m_docks->restore(m_store);
+    m_workspaces->restore(m_store);
     applySettings(m_settings);
     setFocus(); // no control has the focus at the start; the map takes the keys once it is clicked or reached by Tab
 }
@@ -93,7 +96,11 @@ void MainWindow::makeBars()
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(m_source);
-    column->addWidget(m_strip);
+    auto *line = new QHBoxLayout;
+    line->setSpacing(0);
+    line->addWidget(new WorkspaceTabs(*m_workspaces, rows));
+    line->addWidget(m_strip, 1);
+    column->addLayout(line);
     bar->addWidget(rows);
     addToolBar(Qt::TopToolBarArea, bar);
     m_traffic = new TrafficBar(this);
@@ -129,6 +136,7 @@ void MainWindow::makeMenus(const ProgramFacts &facts)
                         .suites = *m_suites,
                         .dialogs = *m_dialogs,
                         .docks = *m_docks,
+                        .workspaces = *m_workspaces,
                         .map = *m_map,
                         .version = facts.version,
                         .openSweep = [this] { openSweep(); },
@@ -361,13 +369,6 @@ void MainWindow::revealSweep()
     m_docks->growTo("dockDiagnostics", kSweepHeight);
 }
 
-void MainWindow::showEvent(QShowEvent *event)
-{
-    QMainWindow::showEvent(event);
-    if (!std::exchange(m_wasShown, true))
-        QTimer::singleShot(0, m_docks, &WindowDocks::raiseFloating);
-}
-
 void MainWindow::quit()
 {
     m_quitting = true;
@@ -415,8 +416,7 @@ void MainWindow::closeEvent(QCloseEvent *event)
         event->ignore();
         return;
     }
-    m_docks->shrinkBack();
-    m_docks->save(m_store);
+    m_workspaces->save(m_store);
     event->accept();
 }
 

@@ -30,6 +30,7 @@ class VehicleCommands;
 class ViewSelection;
 class WindowDialogs;
 class WindowDocks;
+class Workspaces;
 
 /// Facts about this program that the window shows.
 struct ProgramFacts
@@ -79,7 +80,6 @@ Q_SIGNALS:
     void settingsChanged(const skyseal::ui::Settings &settings);
 
 protected:
-    void showEvent(QShowEvent *event) override;
     void closeEvent(QCloseEvent *event) override;
 
 private:
@@ -116,7 +116,7 @@ private:
     EmptyState *m_empty;
     ProblemReports *m_problems;
     WindowDocks *m_docks;
-    bool m_wasShown = false;
+    Workspaces *m_workspaces;
     bool m_quitting = false; ///< without a question
 };
 

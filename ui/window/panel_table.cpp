@@ -6,12 +6,15 @@
 #include "ui/inspector/inspector_panel.h"
 #include "ui/links/links_panel.h"
 #include "ui/logs/logs_panel.h"
+#include "ui/map/profile_panel.h"
 #include "ui/messages/messages_panel.h"
 #include "ui/mission/mission_panel.h"
 #include "ui/parameters/parameters_panel.h"
 #include "ui/security/secure_link_panel.h"
 #include "ui/window/view_selection.h"
 #include "ui/window/window_dialogs.h"
+
+#include <algorithm>
 
 namespace skyseal::ui {
 
@@ -61,31 +64,56 @@ DockPanel *makeLinks(const PanelContext &context, QWidget *parent)
     return panel;
 }
 
+DockPanel *makeProfile(const PanelContext &, QWidget *parent)
+{
+    return new ProfilePanel(parent);
+}
+
 template<typename Panel> DockPanel *make(const PanelContext &context, QWidget *parent)
 {
     return new Panel(context.station, parent);
 }
 
+constexpr auto kLeft = Qt::LeftDockWidgetArea, kRight = Qt::RightDockWidgetArea, kBottom = Qt::BottomDockWidgetArea,
+               kHidden = Qt::NoDockWidgetArea;
+
+// clang-format off
 constexpr PanelRow kPanels[] = {
-    {"dockFlight", QT_TRANSLATE_NOOP("skyseal::ui::WindowDocks", "Flight"), Qt::LeftDockWidgetArea, makeFlight},
-    {"dockSecure", QT_TRANSLATE_NOOP("skyseal::ui::WindowDocks", "Secure link"), Qt::RightDockWidgetArea, makeSecureLink},
-    {"dockDiagnostics", QT_TRANSLATE_NOOP("skyseal::ui::WindowDocks", "Diagnostics"), Qt::BottomDockWidgetArea,
-     makeDiagnostics},
-    {"dockMessages", QT_TRANSLATE_NOOP("skyseal::ui::WindowDocks", "Messages"), Qt::BottomDockWidgetArea, makeMessages},
-    {"dockInspector", QT_TRANSLATE_NOOP("skyseal::ui::WindowDocks", "Inspector"), Qt::BottomDockWidgetArea,
-     make<InspectorPanel>},
-    {"dockParameters", QT_TRANSLATE_NOOP("skyseal::ui::WindowDocks", "Parameters"), Qt::BottomDockWidgetArea,
-     make<ParametersPanel>},
-    {"dockMission", QT_TRANSLATE_NOOP("skyseal::ui::WindowDocks", "Mission"), Qt::BottomDockWidgetArea, make<MissionPanel>},
-    {"dockLogs", QT_TRANSLATE_NOOP("skyseal::ui::WindowDocks", "Logs"), Qt::BottomDockWidgetArea, makeLogs},
-    {"dockLinks", QT_TRANSLATE_NOOP("skyseal::ui::WindowDocks", "Links"), Qt::BottomDockWidgetArea, makeLinks},
+    //Fly     Plan     Vehicle  Lab
+    {"dockFlight", QT_TRANSLATE_NOOP("skyseal::ui::WindowDocks", "Flight"),
+     {kLeft,   kHidden, kHidden, kHidden}, makeFlight},
+    {"dockSecure", QT_TRANSLATE_NOOP("skyseal::ui::WindowDocks", "Secure link"),
+     {kHidden, kHidden, kHidden, kRight}, makeSecureLink},
+    {"dockDiagnostics", QT_TRANSLATE_NOOP("skyseal::ui::WindowDocks", "Diagnostics"),
+     {kHidden, kHidden, kHidden, kBottom}, makeDiagnostics},
+    {"dockMessages", QT_TRANSLATE_NOOP("skyseal::ui::WindowDocks", "Messages"),
+     {kHidden, kHidden, kBottom, kBottom}, makeMessages},
+    {"dockParameters", QT_TRANSLATE_NOOP("skyseal::ui::WindowDocks", "Parameters"),
+     {kHidden, kHidden, kRight,  kHidden}, make<ParametersPanel>},
+    {"dockInspector", QT_TRANSLATE_NOOP("skyseal::ui::WindowDocks", "Inspector"),
+     {kHidden, kHidden, kRight,  kBottom}, make<InspectorPanel>},
+    {"dockMission", QT_TRANSLATE_NOOP("skyseal::ui::WindowDocks", "Mission"),
+     {kHidden, kRight,  kHidden, kHidden}, make<MissionPanel>},
+    {"dockProfile", QT_TRANSLATE_NOOP("skyseal::ui::WindowDocks", "Altitude profile"),
+     {kHidden, kBottom, kHidden, kHidden}, makeProfile},
+    {"dockLogs", QT_TRANSLATE_NOOP("skyseal::ui::WindowDocks", "Logs"),
+     {kHidden, kHidden, kBottom, kBottom}, makeLogs},
+    {"dockLinks", QT_TRANSLATE_NOOP("skyseal::ui::WindowDocks", "Links"),
+     {kHidden, kHidden, kBottom, kBottom}, makeLinks},
 };
+// clang-format on
 
 } // namespace
 
 std::span<const PanelRow> panelTable()
 {
     return kPanels;
+}
+
+Qt::DockWidgetArea areaIn(const PanelRow &row, Workspace workspace)
+{
+    const Qt::DockWidgetArea place = row.places[static_cast<std::size_t>(workspace)];
+    return place != kHidden ? place : *std::ranges::find_if(row.places, [](auto area) { return area != kHidden; });
 }
 
 } // namespace skyseal::ui

@@ -3,9 +3,11 @@
 #pragma once
 
 #include "ui/charts/session_memory.h"
+#include "ui/window/workspace_table.h"
 
 #include <QtCore/QString>
 
+#include <array>
 #include <span>
 
 class QWidget;
@@ -35,11 +37,16 @@ struct PanelRow
 {
     const char *id;    ///< object name of the dock; saved arrangements refer to it
     const char *title; ///< in the translation context skyseal::ui::WindowDocks
-    Qt::DockWidgetArea area;
+    /// Where each workspace shows it at first. Panels of one area become tabs, the first one in front. Where it is hidden
+    /// (NoDockWidgetArea), it appears at the place that it has in the first workspace that shows it.
+    std::array<Qt::DockWidgetArea, kWorkspaces> places;
     DockPanel *(*make)(const PanelContext &context, QWidget *parent);
 };
 
-/// In the order of the keys Ctrl+1, Ctrl+2 … Panels of one area become tabs; the first one is in front.
+/// The area of a panel in a workspace, also where the workspace hides it.
+Qt::DockWidgetArea areaIn(const PanelRow &row, Workspace workspace);
+
+/// In the order of the keys Alt+1 … Alt+9, Alt+0.
 std::span<const PanelRow> panelTable();
 
 } // namespace skyseal::ui

@@ -4,27 +4,30 @@
 #include "ui/fitting_scroll.h"
 #include "ui/window/panel_table.h"
 
-#include <QtCore/QSettings>
+#include <QtCore/QEvent>
+#include <QtCore/QTimer>
 #include <QtGui/QAction>
 #include <QtWidgets/QDockWidget>
 #include <QtWidgets/QMainWindow>
 #include <QtWidgets/QTabBar>
 
+#include <algorithm>
 #include <cstdlib>
+#include <map>
 
 namespace skyseal::ui {
 
 namespace {
-constexpr int kArrangementVersion = 1;
-constexpr int kLeftWidth = 280, kRightWidth = 272, kBottomHeight = 216; ///< pixels, before the operator resizes them
-constexpr std::size_t kKeys = 9;                                        ///< Ctrl+1 … Ctrl+9
+constexpr int kLeastRight = 272; ///< pixels: room for the counters of a session
+constexpr int kKeys = 10;        ///< Alt+1 … Alt+9, Alt+0
 } // namespace
 
 WindowDocks::WindowDocks(QMainWindow &window, const PanelContext &context) : QObject(&window), m_window(window)
 {
     for (const PanelRow &row : panelTable())
         add(row, context);
-    setFirstSizes();
+    arrange(Workspace::Fly);
+    window.installEventFilter(this);
 }
 
 void WindowDocks::add(const PanelRow &row, const PanelContext &context)
@@ -33,21 +36,49 @@ void WindowDocks::add(const PanelRow &row, const PanelContext &context)
     dock->setObjectName(QLatin1String(row.id));
     dock->setAccessibleName(dock->windowTitle());
     DockPanel *panel = row.make(context, &m_window);
-    QDockWidget *first = firstIn(row.area);
-    if (row.area == Qt::BottomDockWidgetArea) {
+    if (!panel->scrollsAsAWhole()) {
         dock->setWidget(panel);
     } else {
         auto *scroll = new FittingScroll(panel);
         connect(scroll, &FittingScroll::heightChanged, panel, &DockPanel::fitHeight);
         dock->setWidget(scroll);
     }
-    m_window.addDockWidget(row.area, dock);
-    if (first) {
-        m_window.tabifyDockWidget(first, dock);
-        panel->setInFront(false);
-    }
     connect(dock, &QDockWidget::visibilityChanged, panel, &DockPanel::setInFront);
-    m_docks.push_back({dock, panel, makeViewAction(dock)});
+    m_docks.push_back({&row, dock, panel, makeViewAction(dock)});
+}
+
+void WindowDocks::arrange(Workspace workspace)
+{
+    const auto isPlaced = [workspace](const Dock &dock) {
+        return dock.row->places[static_cast<std::size_t>(workspace)] != Qt::NoDockWidgetArea;
+    };
+    for (const Dock &dock : m_docks) {
+        dock.widget->setFloating(false);
+        m_window.removeDockWidget(dock.widget);
+    }
+    std::map<Qt::DockWidgetArea, QDockWidget *> fronts;
+    for (const bool placed : {true, false}) { // a dock that is hidden comes behind the tabs that are there
+        for (const Dock &dock : m_docks) {
+            if (isPlaced(dock) != placed)
+                continue;
+            const Qt::DockWidgetArea area = areaIn(*dock.row, workspace);
+            m_window.addDockWidget(area, dock.widget);
+            if (const auto [front, isFirst] = fronts.try_emplace(area, dock.widget); !isFirst)
+                m_window.tabifyDockWidget(front->second, dock.widget);
+            dock.widget->setVisible(placed);
+        }
+    }
+    const WorkspaceRow &sizes = workspaceTable()[static_cast<std::size_t>(workspace)];
+    const auto resize = [&](Qt::DockWidgetArea area, int size, Qt::Orientation orientation) {
+        const auto front = fronts.find(area);
+        if (front == fronts.end() || front->second->isHidden())
+            return;
+        front->second->raise();
+        m_window.resizeDocks({front->second}, {size}, orientation);
+    };
+    resize(Qt::LeftDockWidgetArea, sizes.leftWidth, Qt::Horizontal);
+    resize(Qt::RightDockWidgetArea, std::max(kLeastRight, m_window.width() * sizes.rightPercent / 100), Qt::Horizontal);
+    resize(Qt::BottomDockWidgetArea, m_window.height() * sizes.bottomPercent / 100, Qt::Vertical);
 }
 
 QAction *WindowDocks::makeViewAction(QDockWidget *dock)
@@ -56,32 +87,14 @@ QAction *WindowDocks::makeViewAction(QDockWidget *dock)
     action->setObjectName(QStringLiteral("view_") + dock->objectName());
     action->setCheckable(true);
     action->setChecked(!dock->isHidden());
-    if (m_docks.size() < kKeys)
-        action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + static_cast<int>(m_docks.size()))));
+    if (const int number = static_cast<int>(m_docks.size()) + 1; number <= kKeys)
+        action->setShortcut(QKeySequence(Qt::ALT | static_cast<Qt::Key>(Qt::Key_0 + number % kKeys)));
     connect(action, &QAction::triggered, this, [this, dock, action] {
         action->setChecked(true); // whatever was in front: a key never hides what the operator wants to see
         toFront(dock);
     });
     connect(dock->toggleViewAction(), &QAction::toggled, action, &QAction::setChecked);
     return action;
-}
-
-QDockWidget *WindowDocks::firstIn(Qt::DockWidgetArea area) const
-{
-    for (const Dock &dock : m_docks)
-        if (m_window.dockWidgetArea(dock.widget) == area)
-            return dock.widget;
-    return nullptr;
-}
-
-void WindowDocks::setFirstSizes()
-{
-    QDockWidget *left = firstIn(Qt::LeftDockWidgetArea);
-    QDockWidget *right = firstIn(Qt::RightDockWidgetArea);
-    QDockWidget *bottom = firstIn(Qt::BottomDockWidgetArea);
-    bottom->raise();
-    m_window.resizeDocks({left, right}, {kLeftWidth, kRightWidth}, Qt::Horizontal);
-    m_window.resizeDocks({bottom}, {kBottomHeight}, Qt::Vertical);
 }
 
 std::vector<QAction *> WindowDocks::viewActions() const
@@ -154,17 +167,16 @@ void WindowDocks::shrinkBack()
     m_grown.reset();
 }
 
-void WindowDocks::rememberDefault()
+bool WindowDocks::eventFilter(QObject *watched, QEvent *event)
 {
-    m_default = m_window.saveState(kArrangementVersion);
+    if (watched == &m_window && event->type() == QEvent::Show) {
+        m_window.removeEventFilter(this);
+        QTimer::singleShot(0, this, &WindowDocks::raiseFloating);
+    }
+    return QObject::eventFilter(watched, event);
 }
 
-void WindowDocks::restore(const QSettings &store)
-{
-    m_window.restoreGeometry(store.value(QStringLiteral("window/geometry")).toByteArray());
-    m_window.restoreState(store.value(QStringLiteral("window/docks")).toByteArray(), kArrangementVersion);
-}
-
+/// Raises floating panels above the window; some window managers place restored ones behind it.
 void WindowDocks::raiseFloating()
 {
     for (const Dock &dock : m_docks) {
@@ -174,17 +186,6 @@ void WindowDocks::raiseFloating()
         dock.widget->show();
         dock.widget->raise();
     }
-}
-
-void WindowDocks::reset()
-{
-    m_window.restoreState(m_default, kArrangementVersion);
-}
-
-void WindowDocks::save(QSettings &store) const
-{
-    store.setValue(QStringLiteral("window/geometry"), m_window.saveGeometry());
-    store.setValue(QStringLiteral("window/docks"), m_window.saveState(kArrangementVersion));
 }
 
 } // namespace skyseal::ui

@@ -1,9 +1,9 @@
-// The docks around the map, made from the table of panels, and their arrangement. Lives on the GUI thread.
+// The docks around the map, made from the table of panels. Lives on the GUI thread.
 #pragma once
 
 #include "ui/view_state.h"
+#include "ui/window/workspace_table.h"
 
-#include <QtCore/QByteArray>
 #include <QtCore/QObject>
 
 #include <optional>
@@ -12,7 +12,6 @@
 class QAction;
 class QDockWidget;
 class QMainWindow;
-class QSettings;
 
 namespace skyseal::ui {
 
@@ -26,7 +25,7 @@ class WindowDocks : public QObject
     Q_OBJECT
 
 public:
-    /// Adds a dock for each row of panelTable() to `window`.
+    /// Adds a dock for each row of panelTable() to `window`, arranged for the first workspace.
     WindowDocks(QMainWindow &window, const PanelContext &context);
 
     /// The panel of this class; null if the table has none.
@@ -53,17 +52,17 @@ public:
     /// Returns a dock to the height that it had before growTo(), unless the operator has made it even higher.
     void shrinkBack();
 
-    /// Saves the arrangement that reset() returns to. To be called once the window has its first size.
-    void rememberDefault();
-    /// Raises floating panels above the window; some window managers place restored ones behind it.
-    void raiseFloating();
-    void restore(const QSettings &store);
-    void reset();
-    void save(QSettings &store) const;
+    /// Arranges all docks as the tables say for this workspace.
+    void arrange(Workspace workspace);
+
+protected:
+    /// Of the window: when it is shown first.
+    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     struct Dock
     {
+        const PanelRow *row;
         QDockWidget *widget;
         DockPanel *panel;
         QAction *viewAction;
@@ -71,8 +70,7 @@ private:
 
     void add(const PanelRow &row, const PanelContext &context);
     QAction *makeViewAction(QDockWidget *dock);
-    void setFirstSizes();
-    QDockWidget *firstIn(Qt::DockWidgetArea area) const;
+    void raiseFloating();
     void toFront(QDockWidget *dock);
     int tabsAbove(const QDockWidget *dock) const;
 
@@ -86,7 +84,6 @@ private:
     QMainWindow &m_window;
     std::vector<Dock> m_docks;
     std::optional<GrownDock> m_grown;
-    QByteArray m_default;
 };
 
 } // namespace skyseal::ui

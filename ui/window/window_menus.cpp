@@ -8,9 +8,11 @@
 #include "ui/security/suite_actions.h"
 #include "ui/text/command_permits.h"
 #include "ui/text/vehicle_text.h"
+#include "ui/window/command_palette.h"
 #include "ui/window/view_selection.h"
 #include "ui/window/window_dialogs.h"
 #include "ui/window/window_docks.h"
+#include "ui/window/workspaces.h"
 
 #include <QtCore/QCoreApplication>
 #include <QtGui/QAction>
@@ -172,15 +174,19 @@ Menu securityMenu(const MenuTargets &on)
     items.push_back({.id = QStringLiteral("actionKeys"),
                      .text = Text::tr("&Keys and peers…"),
                      .trigger = [on] { on.dialogs.openKeys(); },
-                     .shortcut = Qt::CTRL | Qt::Key_K});
+                     .shortcut = Qt::CTRL | Qt::Key_P});
     return {QStringLiteral("menuSecurity"), Text::tr("&Security"), std::move(items)};
 }
 
 Menu viewMenu(const MenuTargets &on)
 {
     MenuItems items;
+    for (QAction *action : on.workspaces.actions())
+        items.push_back({.action = action});
+    items.push_back({});
     for (QAction *action : on.docks.viewActions())
         items.push_back({.action = action});
+    const auto resetLayout = [on] { on.workspaces.reset(); };
     const MenuItems others{
         {},
         {.id = QStringLiteral("actionFollow"),
@@ -206,7 +212,7 @@ Menu viewMenu(const MenuTargets &on)
          .text = Text::tr("Fetch the &area in view…"),
          .trigger = [on] { on.dialogs.openRegion(on.map); }},
         {},
-        {.id = QStringLiteral("actionResetView"), .text = Text::tr("&Reset the layout"), .trigger = [on] { on.docks.reset(); }},
+        {.id = QStringLiteral("actionResetView"), .text = Text::tr("&Reset the layout"), .trigger = resetLayout},
         {.id = QStringLiteral("actionFullScreen"),
          .text = Text::tr("F&ull screen"),
          .trigger = [on] { on.window.setWindowState(on.window.windowState() ^ Qt::WindowFullScreen); },
@@ -218,7 +224,12 @@ Menu viewMenu(const MenuTargets &on)
 
 Menu toolsMenu(const MenuTargets &on)
 {
-    MenuItems items{{.id = QStringLiteral("actionSweep"),
+    MenuItems items{{.id = QStringLiteral("actionPalette"),
+                     .text = Text::tr("&Find a command…"),
+                     .trigger = [on] { CommandPalette::open(on.window); },
+                     .shortcut = Qt::CTRL | Qt::Key_K},
+                    {},
+                    {.id = QStringLiteral("actionSweep"),
                      .text = Text::tr("Run a s&weep…"),
                      .trigger = on.openSweep,
                      .shortcut = Qt::CTRL | Qt::Key_R}};

@@ -15,6 +15,7 @@ class VehicleCommands;
 class ViewSelection;
 class WindowDialogs;
 class WindowDocks;
+class Workspaces;
 
 /// The parts of the window that the menus act on. All must outlive the menu bar.
 struct MenuTargets
@@ -26,6 +27,7 @@ struct MenuTargets
     SuiteActions &suites;
     WindowDialogs &dialogs;
     WindowDocks &docks;
+    Workspaces &workspaces;
     MapView &map;
     QString version;
     std::function<void()> openSweep;

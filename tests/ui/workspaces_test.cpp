@@ -1,0 +1,196 @@
+// The workspaces: keys and buttons change them, each shows its panels, keeps its arrangement, and fits the smallest window.
+#include "scripted_snapshots.h"
+#include "tests/support/eventually.h"
+#include "tests/support/test_runner.h"
+#include "ui/window/panel_table.h"
+#include "ui/window/workspace_table.h"
+#include "window_rig.h"
+
+#include <QtGui/QAction>
+#include <QtTest/QTest>
+#include <QtWidgets/QAbstractButton>
+#include <QtWidgets/QApplication>
+#include <QtWidgets/QDockWidget>
+#include <QtWidgets/QLabel>
+
+#include <algorithm>
+
+using namespace skyseal;
+using namespace skyseal::ui;
+
+class WorkspacesTest : public QObject, private WindowRig
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        setUp();
+        find<QAction>("actionResetView")->trigger();
+    }
+    void cleanup() { tearDown(); }
+
+    void firstOneIsForFlying()
+    {
+        QVERIFY(find<QAction>("workspace_fly")->isChecked());
+        QCOMPARE(shownDocks(), QStringList{QStringLiteral("dockFlight")});
+    }
+
+    void keysShowThePanelsOfEach()
+    {
+        for (std::size_t i : {1U, 2U, 3U, 0U}) {
+            press(i);
+            const WorkspaceRow &row = workspaceTable()[i];
+            QVERIFY2(find<QAction>(QByteArray("workspace_").append(row.id).constData())->isChecked(), row.id);
+            EVENTUALLY_EQUAL(shownDocks(), placedDocks(i));
+        }
+        for (const PanelRow &panel : panelTable())
+            QVERIFY2(std::ranges::any_of(panel.places, [](auto area) { return area != Qt::NoDockWidgetArea; }), panel.id);
+    }
+
+    void panelsHaveTheirPlaces()
+    {
+        for (std::size_t i = 0; i < kWorkspaces; ++i) {
+            press(i);
+            for (const PanelRow &panel : panelTable())
+                QCOMPARE(m_window->dockWidgetArea(find<QDockWidget>(panel.id)), areaIn(panel, static_cast<Workspace>(i)));
+        }
+    }
+
+    void buttonsShowThem()
+    {
+        auto *tabs = find<QWidget>("workspaceTabs");
+        const auto buttons = tabs->findChildren<QAbstractButton *>();
+        QCOMPARE(buttons.size(), qsizetype(kWorkspaces));
+        auto *map = m_window->findChild<QWidget *>(QStringLiteral("map"));
+        QVERIFY(map);
+        map->setFocus();
+        QTest::mouseClick(buttons[3], Qt::LeftButton);
+        EVENTUALLY_EQUAL(shownDocks(), placedDocks(3));
+        QVERIFY(buttons[3]->isChecked() && !buttons[0]->isChecked());
+        QCOMPARE(QApplication::focusWidget(), map);
+        buttons[0]->setFocus();
+        QTest::keyClick(buttons[0], Qt::Key_Space);
+        EVENTUALLY_EQUAL(shownDocks(), placedDocks(0));
+        for (std::size_t i = 0; i < kWorkspaces; ++i)
+            QVERIFY(buttons[static_cast<qsizetype>(i)]->accessibleName().contains(QLatin1String(workspaceTable()[i].title)));
+    }
+
+    void eachKeepsItsArrangement()
+    {
+        find<QDockWidget>("dockFlight")->close();
+        find<QAction>("view_dockMessages")->trigger(); // shown where the other workspaces have it
+        const QStringList fly{QStringLiteral("dockMessages")};
+        EVENTUALLY_EQUAL(shownDocks(), fly);
+        QCOMPARE(m_window->dockWidgetArea(find<QDockWidget>("dockMessages")), Qt::BottomDockWidgetArea);
+        press(3);
+        EVENTUALLY_EQUAL(shownDocks(), placedDocks(3));
+        find<QDockWidget>("dockSecure")->close();
+        QStringList lab = placedDocks(3);
+        lab.removeAll(QStringLiteral("dockSecure"));
+        press(0);
+        EVENTUALLY_EQUAL(shownDocks(), fly);
+        press(3);
+        EVENTUALLY_EQUAL(shownDocks(), lab);
+        m_window->close();
+        open();
+        QVERIFY(find<QAction>("workspace_lab")->isChecked());
+        EVENTUALLY_EQUAL(shownDocks(), lab);
+        press(0);
+        EVENTUALLY_EQUAL(shownDocks(), fly);
+        find<QAction>("actionResetView")->trigger();
+        EVENTUALLY_EQUAL(shownDocks(), placedDocks(0));
+        press(3);
+        EVENTUALLY_EQUAL(shownDocks(), lab); // another workspace is not reset with it
+    }
+
+    void floatingPanelReturnsWithItsWorkspace()
+    {
+        press(3);
+        auto *dock = find<QDockWidget>("dockSecure");
+        dock->setFloating(true);
+        press(0);
+        EVENTUALLY(!dock->isVisible());
+        press(3);
+        EVENTUALLY(dock->isVisible() && dock->isFloating());
+        find<QAction>("actionResetView")->trigger();
+        EVENTUALLY(dock->isVisible() && !dock->isFloating());
+    }
+
+    void hiddenPanelsDoNotCollect()
+    {
+        press(2);
+        find<QAction>("view_dockInspector")->trigger();
+        EVENTUALLY(m_station->inspecting);
+        press(0);
+        EVENTUALLY(!m_station->inspecting);
+    }
+
+    void planShowsTheAltitudes()
+    {
+        press(1);
+        const auto *why = find<QLabel>("profileEmpty");
+        QVERIFY(why->isVisible());
+        QCOMPARE(why->text(), QStringLiteral("No vehicle."));
+        engine::Snapshot snapshot = sealedSnapshot(1);
+        snapshot.vehicles.front().mission = nullptr;
+        m_station->show(snapshot);
+        EVENTUALLY(why->text().contains(QStringLiteral("not been read")));
+        std::vector<vehicle::MissionItem> items;
+        for (std::uint16_t i = 0; i < 4; ++i)
+            items.push_back({.sequence = i, .latitude = 47 + 0.001 * i, .longitude = 8, .altitude = i == 2 ? 48.5F : 10});
+        snapshot.vehicles.front().mission = std::make_shared<const std::vector<vehicle::MissionItem>>(items);
+        snapshot.time = 2;
+        m_station->show(snapshot);
+        // Two legs of 0.001 degrees on the sphere of the projection; item 0 is home.
+        const auto *profile = find<QWidget>("profileView");
+        EVENTUALLY(profile->isVisible());
+        QVERIFY2(profile->accessibleDescription().contains(QStringLiteral("highest 48.5 m above home")),
+                 qPrintable(profile->accessibleDescription()));
+        QVERIFY2(profile->accessibleDescription().startsWith(QStringLiteral("223 m")),
+                 qPrintable(profile->accessibleDescription()));
+        items[2].altitude = 60;
+        snapshot.vehicles.front().mission = std::make_shared<const std::vector<vehicle::MissionItem>>(items);
+        snapshot.time = 3;
+        m_station->show(snapshot);
+        EVENTUALLY(profile->accessibleDescription().contains(QStringLiteral("highest 60.0 m")));
+    }
+
+    void eachFitsTheSmallestWindow()
+    {
+        m_window->resize(1024, 700);
+        for (std::size_t i = 0; i < kWorkspaces; ++i) {
+            press(i);
+            QCoreApplication::processEvents();
+            QVERIFY2(m_window->width() <= 1024 && m_window->height() <= 700, workspaceTable()[i].id);
+        }
+    }
+
+private:
+    void press(std::size_t workspace)
+    {
+        QTest::keyClick(m_window.get(), static_cast<Qt::Key>(Qt::Key_1 + static_cast<int>(workspace)), Qt::ControlModifier);
+    }
+
+    /// Docks that are open, in front of their tabs or behind; in the order of the table.
+    QStringList shownDocks() const
+    {
+        QStringList shown;
+        for (const PanelRow &panel : panelTable())
+            if (!find<QDockWidget>(panel.id)->isHidden())
+                shown << QLatin1String(panel.id);
+        return shown;
+    }
+
+    static QStringList placedDocks(std::size_t workspace)
+    {
+        QStringList placed;
+        for (const PanelRow &panel : panelTable())
+            if (panel.places[workspace] != Qt::NoDockWidgetArea)
+                placed << QLatin1String(panel.id);
+        return placed;
+    }
+};
+
+SKYSEAL_TEST_WIDGETS(WorkspacesTest)
+#include "workspaces_test.moc"

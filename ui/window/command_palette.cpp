@@ -1,0 +1,161 @@
+#include "ui/window/command_palette.h"
+
+#include "ui/modeless.h"
+#include "ui/theme/grid.h"
+
+#include <QtGui/QAction>
+#include <QtGui/QKeyEvent>
+#include <QtGui/QStandardItemModel>
+#include <QtWidgets/QApplication>
+#include <QtWidgets/QHeaderView>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QMainWindow>
+#include <QtWidgets/QMenu>
+#include <QtWidgets/QMenuBar>
+#include <QtWidgets/QTreeView>
+#include <QtWidgets/QVBoxLayout>
+
+#include <algorithm>
+
+namespace skyseal::ui {
+
+namespace {
+
+constexpr int kWidth = 60 * kGrid, kHeight = 44 * kGrid;
+
+/// Without the mnemonic.
+QString plainText(const QString &text)
+{
+    QString plain = text;
+    plain.remove(QLatin1Char('&'));
+    return plain;
+}
+
+} // namespace
+
+void CommandPalette::open(QMainWindow &window)
+{
+    if (raiseOpen<CommandPalette>(window))
+        return;
+    auto *palette = new CommandPalette(window);
+    palette->move(window.mapToGlobal(QPoint((window.width() - kWidth) / 2, window.height() / 8)));
+    showModeless(*palette);
+}
+
+CommandPalette::CommandPalette(QMainWindow &window) : QDialog(&window)
+{
+    setObjectName(QStringLiteral("commandPalette"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    setWindowTitle(tr("Find a command"));
+    resize(kWidth, kHeight);
+    m_typed = new QLineEdit(this);
+    m_typed->setObjectName(QStringLiteral("paletteTyped"));
+    m_typed->setPlaceholderText(tr("Parts of a name, such as \"rtl\" or \"map source\""));
+    m_typed->setAccessibleName(tr("Command"));
+    m_typed->setClearButtonEnabled(true);
+    m_typed->installEventFilter(this);
+    m_model = new QStandardItemModel(0, 2, this);
+    m_list = new QTreeView(this);
+    m_list->setObjectName(QStringLiteral("paletteList"));
+    m_list->setAccessibleName(tr("Commands"));
+    m_list->setModel(m_model);
+    m_list->setHeaderHidden(true);
+    m_list->setRootIsDecorated(false);
+    m_list->setUniformRowHeights(true);
+    m_list->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_list->setFocusPolicy(Qt::NoFocus); // the arrows move the selection while one types
+    m_list->header()->setStretchLastSection(false);
+    m_list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    m_list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(kGrid, kGrid, kGrid, kGrid);
+    column->setSpacing(kGrid);
+    column->addWidget(m_typed);
+    column->addWidget(m_list, 1);
+
+    for (QAction *top : window.menuBar()->actions())
+        if (QMenu *menu = top->menu())
+            collect(*menu, plainText(top->text()));
+    filter({});
+    m_typed->setFocus();
+    connect(m_typed, &QLineEdit::textChanged, this, &CommandPalette::filter);
+    connect(m_list, &QTreeView::clicked, this, &CommandPalette::choose);
+}
+
+/// Menus fill themselves and learn what is possible when they are about to be shown.
+void CommandPalette::collect(QMenu &menu, const QString &path)
+{
+    Q_EMIT menu.aboutToShow();
+    for (QAction *action : menu.actions()) {
+        if (action->isSeparator())
+            continue;
+        const QString name = path + QStringLiteral(" › ") + plainText(action->text());
+        if (QMenu *submenu = action->menu(); submenu && action->isEnabled())
+            collect(*submenu, name);
+        else
+            add(*action, name);
+    }
+}
+
+void CommandPalette::add(QAction &action, const QString &path)
+{
+    auto *name = new QStandardItem(path);
+    const QString reason = action.isEnabled() ? QString() : action.statusTip();
+    auto *note = new QStandardItem(reason.isEmpty() ? action.shortcut().toString(QKeySequence::NativeText) : reason);
+    note->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    for (QStandardItem *item : {name, note}) {
+        item->setEnabled(action.isEnabled());
+        item->setToolTip(reason.isEmpty() ? path : reason);
+    }
+    m_model->appendRow({name, note});
+    m_actions.emplace_back(&action);
+}
+
+/// Shows the rows that contain every typed word, and selects the first one that is possible.
+void CommandPalette::filter(const QString &typed)
+{
+    const QStringList words = typed.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    QModelIndex first;
+    for (int row = 0; row < m_model->rowCount(); ++row) {
+        const QString name = m_model->item(row)->text();
+        const bool matches = std::ranges::all_of(words,
+                                                 [&](const QString &word) { return name.contains(word, Qt::CaseInsensitive); });
+        m_list->setRowHidden(row, {}, !matches);
+        if (matches && !first.isValid() && m_model->item(row)->isEnabled())
+            first = m_model->index(row, 0);
+    }
+    m_list->setCurrentIndex(first);
+    m_list->scrollTo(first);
+}
+
+void CommandPalette::choose()
+{
+    const QModelIndex current = m_list->currentIndex();
+    if (!current.isValid())
+        return;
+    const QPointer<QAction> action = m_actions[static_cast<std::size_t>(current.row())];
+    close();
+    if (action)
+        action->trigger();
+}
+
+bool CommandPalette::eventFilter(QObject *watched, QEvent *event)
+{
+    if (watched != m_typed || event->type() != QEvent::KeyPress)
+        return QDialog::eventFilter(watched, event);
+    auto *key = static_cast<QKeyEvent *>(event);
+    switch (key->key()) {
+    case Qt::Key_Up:
+    case Qt::Key_Down:
+    case Qt::Key_PageUp:
+    case Qt::Key_PageDown: QApplication::sendEvent(m_list, event); return true;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        if (!key->isAutoRepeat())
+            choose();
+        return true;
+    default: return QDialog::eventFilter(watched, event);
+    }
+}
+
+} // namespace skyseal::ui
