@@ -38,7 +38,7 @@ Settings loadSettings(const QSettings &store)
     Settings s;
     s.theme = static_cast<Theme>(inRange(store, "view/theme", 0, 3, static_cast<int>(s.theme)));
     s.units = static_cast<UnitSystem>(inRange(store, "view/units", 0, 1, static_cast<int>(s.units)));
-    s.coordinates = static_cast<CoordinateFormat>(inRange(store, "view/coordinates", 0, 1, static_cast<int>(s.coordinates)));
+    s.coordinates = static_cast<CoordinateFormat>(inRange(store, "view/coordinates", 0, 3, static_cast<int>(s.coordinates)));
     s.systemId = inRange(store, "station/systemId", 1, 255, s.systemId);
     s.componentId = inRange(store, "station/componentId", 1, 255, s.componentId);
     s.record = store.value(QStringLiteral("log/record"), s.record).toBool();

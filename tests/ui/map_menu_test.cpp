@@ -226,6 +226,24 @@ private Q_SLOTS:
                          coordinatesToCopy(middle.latitude, middle.longitude, CoordinateFormat::Decimal));
     }
 
+    void copiesInTheFormatOfTheSettings()
+    {
+        Settings settings;
+        settings.coordinates = CoordinateFormat::Mgrs;
+        storeSettings(*m_store, settings);
+        open();
+        show([](vehicle::VehicleState &) {});
+        m_map = find<MapView>("map");
+        const LatLong place = placeAt({120, 90});
+        QMenu *menu = openMenu({120, 90});
+        QCOMPARE(menu->actions().first()->text(),
+                 coordinatesText(place.latitude, place.longitude, CoordinateFormat::Mgrs));
+        choose(menu, "mapCopy");
+        EVENTUALLY_EQUAL(QGuiApplication::clipboard()->text(),
+                         coordinatesToCopy(place.latitude, place.longitude, CoordinateFormat::Mgrs));
+        QCOMPARE(QGuiApplication::clipboard()->text().left(5), QStringLiteral("32TMT")); // at 47.4° N 8.5° E
+    }
+
     void pointerShowsItsPlace()
     {
         m_map->clearFocus();

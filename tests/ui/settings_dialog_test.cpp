@@ -41,6 +41,20 @@ private Q_SLOTS:
         QCOMPARE(dialog.settings().recordFolder, QStringLiteral("/tmp/flights"));
     }
 
+    void coordinatesAreChosenByKeys()
+    {
+        SettingsDialog dialog{Settings()};
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&dialog, test::kDeadlineMs));
+        dialog.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&dialog, test::kDeadlineMs));
+        QTest::keyClick(&dialog, Qt::Key_N, Qt::AltModifier);
+        QTest::keyClicks(dialog.focusWidget(), QStringLiteral("UTM"));
+        QCOMPARE(dialog.settings().coordinates, CoordinateFormat::Utm);
+        QTest::keyClick(dialog.focusWidget(), Qt::Key_Down);
+        QCOMPARE(dialog.settings().coordinates, CoordinateFormat::Mgrs);
+    }
+
     void noTextIsCut()
     {
         SettingsDialog dialog(Settings{});

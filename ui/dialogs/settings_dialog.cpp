@@ -79,6 +79,8 @@ QWidget *SettingsDialog::makeView()
     m_coordinates = named(new QComboBox(box), "settingCoordinates", tr("Coordinates"));
     m_coordinates->addItem(tr("decimal degrees"), static_cast<int>(CoordinateFormat::Decimal));
     m_coordinates->addItem(tr("degrees, minutes, seconds"), static_cast<int>(CoordinateFormat::DegreesMinutesSeconds));
+    m_coordinates->addItem(tr("UTM (metres in a zone)"), static_cast<int>(CoordinateFormat::Utm));
+    m_coordinates->addItem(tr("MGRS (grid reference)"), static_cast<int>(CoordinateFormat::Mgrs));
     m_coordinates->setCurrentIndex(m_coordinates->findData(static_cast<int>(m_start.coordinates)));
     form->addRow(tr("&Colours"), m_theme);
     form->addRow(tr("&Units"), m_units);

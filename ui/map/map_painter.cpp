@@ -240,9 +240,9 @@ void MapPainter::paintScale(UnitSystem units)
     m_painter.drawText(QPointF(right - length / 2 - metrics.horizontalAdvance(text) / 2, y - 8), text);
 }
 
-QRectF MapPainter::placeOfCoordinates(const MapViewport &viewport, const QFontMetricsF &metrics)
+QRectF MapPainter::placeOfCoordinates(const MapViewport &viewport, const QFontMetricsF &metrics, const QString &widest)
 {
-    const double width = figuresWidth(metrics, QStringLiteral("00°00'00.0\" W 000°00'00.0\" W")) + 2 * kGrid;
+    const double width = figuresWidth(metrics, widest) + 2 * kGrid;
     const double height = metrics.height() + kHalfGrid;
     const double bottom = viewport.size().height() - 3.0 * kGrid - metrics.height() - 10; // of the scale bar's caption
     return {viewport.size().width() - kGrid - width, bottom - height, width, height};
@@ -251,9 +251,7 @@ QRectF MapPainter::placeOfCoordinates(const MapViewport &viewport, const QFontMe
 void MapPainter::paintCoordinates(const QString &text)
 {
     const QFontMetricsF metrics(m_painter.font());
-    QRectF place = placeOfCoordinates(m_viewport, metrics);
-    const double width = figuresWidth(metrics, text);
-    place.setLeft(place.right() - width - 2 * kGrid);
+    const QRectF place = placeOfCoordinates(m_viewport, metrics, text);
     paintCaption(place, {});
     drawFigures(m_painter, {place.left() + kGrid, place.top() + kHalfGrid / 2.0 + metrics.ascent()}, text);
 }

@@ -33,8 +33,8 @@ public:
     void paintMark(const QPointF &metres);
     /// The place under the pointer, above the scale bar.
     void paintCoordinates(const QString &text);
-    /// The most that paintCoordinates() covers, in pixels.
-    static QRectF placeOfCoordinates(const MapViewport &viewport, const QFontMetricsF &metrics);
+    /// The most that paintCoordinates() covers with a text as wide as `widest`, in pixels.
+    static QRectF placeOfCoordinates(const MapViewport &viewport, const QFontMetricsF &metrics, const QString &widest);
 
 private:
     void paintGraticule(const Graticule &graticule);

@@ -123,7 +123,7 @@ std::optional<LatLong> MapView::pointedPlace() const
 void MapView::setPointer(const std::optional<QPointF> &pixel)
 {
     m_pointer = pixel;
-    update(MapPainter::placeOfCoordinates(m_viewport, fontMetrics()).toAlignedRect());
+    update(MapPainter::placeOfCoordinates(m_viewport, fontMetrics(), widestCoordinates(m_coordinates)).toAlignedRect());
 }
 
 void MapView::followVehicle()
