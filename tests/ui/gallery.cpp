@@ -151,19 +151,36 @@ QPixmap pictureOf(MainWindow &window)
     return out;
 }
 
+void moveTo(MapView &map, const QPoint &at)
+{
+    QMouseEvent pointer(QEvent::MouseMove, at, map.mapToGlobal(at), Qt::NoButton, Qt::NoButton, {});
+    QCoreApplication::sendEvent(&map, &pointer);
+}
+
 /// Opens the menu of the map as a click does, and chooses one of its entries.
 void openMapMenu(MainWindow &window, const QString &entry)
 {
     auto *map = window.findChild<MapView *>(QStringLiteral("map"));
     const QPoint at = map->rect().center() + QPoint(60, -60);
-    QMouseEvent pointer(QEvent::MouseMove, at, map->mapToGlobal(at), Qt::NoButton, Qt::NoButton, {});
-    QCoreApplication::sendEvent(map, &pointer);
+    moveTo(*map, at);
     QContextMenuEvent click(QContextMenuEvent::Mouse, at, map->mapToGlobal(at));
     QCoreApplication::sendEvent(map, &click);
     auto *menu = map->findChild<QMenu *>(QStringLiteral("mapMenu"));
     if (auto *action = menu->findChild<QAction *>(entry)) {
         menu->close();
         action->trigger();
+    }
+}
+
+/// Three points, and the pointer at the next place.
+void measure(MapView &map)
+{
+    map.measure().action()->trigger();
+    const QPoint middle = map.rect().center();
+    for (const QPoint &at : {QPoint(-160, 60), QPoint(-40, -50), QPoint(70, 20), QPoint(150, -80)}) {
+        moveTo(map, middle + at);
+        if (at.x() < 100)
+            map.measure().add(*map.pointedPlace());
     }
 }
 
@@ -246,6 +263,11 @@ void play(FakeStation &station, MainWindow &window, const QString &state)
         window.setDemo(true);
     if (state.startsWith(QLatin1String("map")))
         openMapMenu(window, state);
+    auto *map = window.findChild<MapView *>(QStringLiteral("map"));
+    if (state == QLatin1String("measure"))
+        measure(*map);
+    if (state == QLatin1String("utm") || state == QLatin1String("mgrs"))
+        moveTo(*map, map->rect().center());
     if (state == QLatin1String("replay")) {
         window.startReplay(QStringLiteral("tlog:/logs/2026-05-02 field.tlog"));
         for (double t = 0; t < 40; t += 0.5)
@@ -301,6 +323,10 @@ int main(int argc, char **argv)
                     : theme == QLatin1String("contrast")        ? Theme::HighContrast
                                                                 : Theme::Light;
                 settings.serving.on = state == QLatin1String("served");
+                settings.coordinates = state == QLatin1String("utm") || state == QLatin1String("measure")
+                    ? CoordinateFormat::Utm
+                    : state == QLatin1String("mgrs") ? CoordinateFormat::Mgrs
+                                                     : CoordinateFormat::Decimal;
                 if (state == QLatin1String("tiles"))
                     settings.map = drawnTiles(folder.filePath(QStringLiteral("drawn.mbtiles")));
                 storeSettings(store, settings);

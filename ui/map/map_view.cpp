@@ -1,7 +1,9 @@
 #include "ui/map/map_view.h"
 
 #include "ui/map/map_painter.h"
+#include "ui/map/measure_painter.h"
 
+#include <QtGui/QAction>
 #include <QtGui/QContextMenuEvent>
 #include <QtGui/QKeyEvent>
 #include <QtGui/QMouseEvent>
@@ -26,8 +28,7 @@ MapView::MapView(const TileConfig &tiles, QWidget *parent) : QWidget(parent), m_
 {
     setObjectName(QStringLiteral("map"));
     setAccessibleName(tr("Map"));
-    setAccessibleDescription(
-        tr("Arrow keys move it, plus and minus zoom, Home follows the vehicle, Menu opens the commands for its middle"));
+    describe();
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);
@@ -37,6 +38,32 @@ MapView::MapView(const TileConfig &tiles, QWidget *parent) : QWidget(parent), m_
     connect(&m_motion, &MapMotion::moved, this, &MapView::markGroundDirty);
     connect(&m_motion, &MapMotion::settled, this, &MapView::markGroundDirty); // finely
     connect(&m_tiles, &TileLayer::changed, this, &MapView::markGroundDirty);
+    connect(&m_measure, &MeasureTool::changed, this, &MapView::showMeasurement);
+    connect(m_measure.action(), &QAction::triggered, this, [this] { setFocus(Qt::ShortcutFocusReason); }); // for its keys
+}
+
+void MapView::describe()
+{
+    setAccessibleDescription(
+        m_measure.isOn()
+            ? tr("%1. Return sets a point in the middle of the map, Backspace removes the last, Escape ends")
+                  .arg(measuredText(m_measure, m_units))
+            : tr("Arrow keys move it, plus and minus zoom, Home follows the vehicle, Menu opens the commands for its middle"));
+}
+
+void MapView::showCursor()
+{
+    if (m_measure.isOn())
+        setCursor(Qt::CrossCursor);
+    else
+        unsetCursor();
+}
+
+void MapView::showMeasurement()
+{
+    showCursor();
+    describe();
+    update();
 }
 
 void MapView::showViewState(const ViewState &view)
@@ -93,10 +120,12 @@ void MapView::setMark(const std::optional<LatLong> &place)
 /// By the key: in the middle of the map.
 void MapView::contextMenuEvent(QContextMenuEvent *event)
 {
+    event->accept();
+    if (m_measure.isOn())
+        return;
     const bool byKey = event->reason() == QContextMenuEvent::Keyboard;
     const QPoint pixel = byKey ? rect().center() : event->pos();
-    Q_EMIT menuRequested(mercator::unproject(m_viewport.toMetres(pixel)), mapToGlobal(pixel));
-    event->accept();
+    Q_EMIT menuRequested(placeAt(pixel), mapToGlobal(pixel));
 }
 
 void MapView::setUnits(UnitSystem units)
@@ -104,6 +133,7 @@ void MapView::setUnits(UnitSystem units)
     if (m_units == units)
         return;
     m_units = units;
+    describe();
     markGroundDirty();
 }
 
@@ -117,13 +147,16 @@ std::optional<LatLong> MapView::pointedPlace() const
 {
     if (!m_pointer && !hasFocus())
         return std::nullopt;
-    return mercator::unproject(m_viewport.toMetres(m_pointer.value_or(QPointF(rect().center()))));
+    return placeAt(m_pointer.value_or(QPointF(rect().center())));
 }
 
 void MapView::setPointer(const std::optional<QPointF> &pixel)
 {
     m_pointer = pixel;
-    update(MapPainter::placeOfCoordinates(m_viewport, fontMetrics(), widestCoordinates(m_coordinates)).toAlignedRect());
+    if (m_measure.isOn())
+        update();
+    else
+        update(MapPainter::placeOfCoordinates(m_viewport, fontMetrics(), widestCoordinates(m_coordinates)).toAlignedRect());
 }
 
 void MapView::followVehicle()
@@ -162,6 +195,8 @@ void MapView::paintEvent(QPaintEvent *)
     map.paintVehicles();
     if (m_mark)
         map.paintMark(*m_mark);
+    if (m_measure.isOn())
+        MeasurePainter(painter, m_viewport, palette()).paint(m_measure, pointedPlace(), m_units);
     if (const auto place = pointedPlace())
         map.paintCoordinates(coordinatesText(place->latitude, place->longitude, m_coordinates));
     if (hasFocus()) {
@@ -223,12 +258,18 @@ void MapView::mouseMoveEvent(QMouseEvent *event)
 void MapView::mouseReleaseEvent(QMouseEvent *event)
 {
     const auto drag = std::exchange(m_drag, std::nullopt);
-    unsetCursor();
+    showCursor();
     markGroundDirty(); // finely
-    if (drag && (event->position() - drag->begin).manhattanLength() < QApplication::startDragDistance()) {
-        if (const auto clicked = otherVehicleAt(event->position()))
-            Q_EMIT vehicleClicked(*clicked);
-    }
+    if (drag && (event->position() - drag->begin).manhattanLength() < QApplication::startDragDistance())
+        click(event->position());
+}
+
+void MapView::click(const QPointF &pixel)
+{
+    if (m_measure.isOn())
+        m_measure.add(placeAt(pixel));
+    else if (const auto clicked = otherVehicleAt(pixel))
+        Q_EMIT vehicleClicked(*clicked);
 }
 
 /// The nearest one within reach of a finger.
@@ -249,7 +290,8 @@ std::optional<std::uint8_t> MapView::otherVehicleAt(const QPointF &pixel) const
 
 void MapView::mouseDoubleClickEvent(QMouseEvent *event)
 {
-    zoomAt(event->position(), 2);
+    if (!m_measure.isOn())
+        zoomAt(event->position(), 2);
 }
 
 void MapView::leaveEvent(QEvent *)
@@ -266,6 +308,8 @@ void MapView::wheelEvent(QWheelEvent *event)
 
 void MapView::keyPressEvent(QKeyEvent *event)
 {
+    if (m_measure.handleKey(*event, pointedPlace()))
+        return;
     const auto pan = [this](double right, double down) {
         leaveVehicle();
         m_motion.pan({right * kKeyStep, down * kKeyStep});

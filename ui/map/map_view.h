@@ -1,11 +1,13 @@
 // The map: north is up, tiles of the chosen source or a graticule, a scale bar, home, mission, the track coloured by suite, and
 // all vehicles. A click selects another one. Drag or the arrow keys move the map, the wheel or + and − zoom, Home follows the
-// vehicle again. Holds the content, the viewport and a picture of the ground; MapPainter paints.
+// vehicle again; while the operator measures, clicks and keys go to MeasureTool. Holds the content, the viewport and a picture of
+// the ground; MapPainter paints.
 #pragma once
 
 #include "ui/map/map_content.h"
 #include "ui/map/map_motion.h"
 #include "ui/map/map_viewport.h"
+#include "ui/map/measure_tool.h"
 #include "ui/map/tile_layer.h"
 #include "ui/text/coordinates.h"
 #include "ui/text/units.h"
@@ -38,6 +40,7 @@ public:
     const MapContent &content() const { return m_content; }
     const MapViewport &viewport() const { return m_viewport; }
     TileLayer &tiles() { return m_tiles; }
+    MeasureTool &measure() { return m_measure; }
     UnitSystem units() const { return m_units; }
     CoordinateFormat coordinateFormat() const { return m_coordinates; }
     /// The place under the pointer or, while the map has the focus without it, in the middle; nullopt otherwise.
@@ -75,12 +78,18 @@ private:
     void markGroundDirty();
     std::optional<std::uint8_t> otherVehicleAt(const QPointF &pixel) const;
     void setPointer(const std::optional<QPointF> &pixel);
+    LatLong placeAt(const QPointF &pixel) const { return mercator::unproject(m_viewport.toMetres(pixel)); }
+    void click(const QPointF &pixel);
+    void showMeasurement();
+    void showCursor();
+    void describe();
     void paintGround();
 
     MapContent m_content;
     MapViewport m_viewport;
     MapMotion m_motion{m_viewport};
     TileLayer m_tiles;
+    MeasureTool m_measure;
     UnitSystem m_units = UnitSystem::Metric;
     CoordinateFormat m_coordinates = CoordinateFormat::Decimal;
     std::optional<QPointF> m_pointer; ///< pixels

@@ -13,6 +13,7 @@
 #include "ui/window/view_selection.h"
 #include "ui/window/window_dialogs.h"
 
+#include <QtGui/QAction>
 #include <QtGui/QClipboard>
 #include <QtGui/QGuiApplication>
 #include <QtWidgets/QMenu>
@@ -103,6 +104,13 @@ MenuItems MapMenu::itemsFor(const LatLong &place)
              .disabledReason = sendable},
             setHome(place),
             {},
+            {.id = QStringLiteral("mapMeasure"),
+             .text = tr("&Measure from here"),
+             .trigger =
+                 [this, place] {
+                     m_map.measure().action()->trigger();
+                     m_map.measure().add(place);
+                 }},
             {.id = QStringLiteral("mapCopy"), .text = tr("&Copy coordinates"), .trigger = [this, place] {
                  QGuiApplication::clipboard()->setText(
                      coordinatesToCopy(place.latitude, place.longitude, m_map.coordinateFormat()));

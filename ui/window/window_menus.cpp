@@ -201,6 +201,7 @@ Menu viewMenu(const MenuTargets &on)
          .text = Text::tr("Zoom &out"),
          .trigger = [on] { on.map.zoomBy(1 / 1.5); },
          .shortcut = QKeySequence::ZoomOut},
+        {.action = on.map.measure().action()},
         {.id = QStringLiteral("actionClearTrack"),
          .text = Text::tr("&Clear the track"),
          .trigger = [on] { on.map.clearTrack(); }},
