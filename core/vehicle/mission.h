@@ -26,6 +26,8 @@ struct MissionItem
     bool operator==(const MissionItem &) const = default;
 };
 
+using MissionItems = std::shared_ptr<const std::vector<MissionItem>>;
+
 /// Kinds of plans; each is a list of items of its own on the vehicle.
 enum class MissionType : std::uint8_t {
     Mission = mavlink::MAV_MISSION_TYPE_MISSION,
@@ -59,7 +61,7 @@ struct MissionResult
     std::string reason = {};       ///< why it failed, for people
     bool changeUnanswered = false; ///< an upload or clear that got no answer at all
     /// What the vehicle now has; null unless ok.
-    std::shared_ptr<const std::vector<MissionItem>> items = {};
+    MissionItems items = {};
 };
 
 } // namespace skyseal::vehicle

@@ -380,8 +380,7 @@ void MissionClient::finish(bool ok, std::string reason, bool changeUnanswered)
         else if (m_transfer == MissionTransfer::Clear)
             m_items.clear();
         result.items = std::make_shared<const std::vector<MissionItem>>(std::move(m_items));
-        if (m_type == MissionType::Mission)
-            m_mission = result.items;
+        m_plans[static_cast<std::size_t>(m_type)] = result.items;
     }
     m_items.clear();
     m_phase = Phase::Idle;

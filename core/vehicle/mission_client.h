@@ -29,6 +29,7 @@
 #include "core/vehicle/repetition.h"
 #include "core/vehicle/request_window.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -67,8 +68,8 @@ public:
     TimePoint nextDeadline() const override;
     std::optional<TransferProgress> progress() const override;
 
-    /// The flight plan as last read, or as the vehicle accepted it; null before.
-    std::shared_ptr<const std::vector<MissionItem>> mission() const { return m_mission; }
+    /// The list of this type as last read, or as the vehicle accepted it; null before.
+    const MissionItems &plan(MissionType type) const { return m_plans[static_cast<std::size_t>(type)]; }
 
 private:
     enum class Phase : std::uint8_t { Idle, Announcing, Uploading, RequestingCount, Downloading, Clearing };
@@ -113,10 +114,10 @@ private:
     int m_inferred = 0;           ///< items sent since the vehicle asked for one
     int m_rounds = 0;             ///< the transfer has begun again so often
     int m_releases = 0;
-    Repetition m_repetition;       ///< of the message sent last
-    TimePoint m_floatsDue{};       ///< without an item until then, the other form of items is requested
-    TimePoint m_deadline = kNever; ///< the transfer fails, or begins again
-    std::shared_ptr<const std::vector<MissionItem>> m_mission;
+    Repetition m_repetition;             ///< of the message sent last
+    TimePoint m_floatsDue{};             ///< without an item until then, the other form of items is requested
+    TimePoint m_deadline = kNever;       ///< the transfer fails, or begins again
+    std::array<MissionItems, 3> m_plans; ///< by MissionType
 };
 
 } // namespace skyseal::vehicle

@@ -107,9 +107,19 @@ std::uint32_t Vehicle::parametersExpected() const
     return m_parts->parameters.store().expected();
 }
 
-std::shared_ptr<const std::vector<MissionItem>> Vehicle::mission() const
+MissionItems Vehicle::mission() const
 {
-    return m_parts->mission.mission();
+    return m_parts->mission.plan(MissionType::Mission);
+}
+
+MissionItems Vehicle::fence() const
+{
+    return m_parts->mission.plan(MissionType::Fence);
+}
+
+MissionItems Vehicle::rally() const
+{
+    return m_parts->mission.plan(MissionType::Rally);
 }
 
 } // namespace skyseal::vehicle

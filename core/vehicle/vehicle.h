@@ -1,8 +1,8 @@
 // One vehicle as a station sees it: frames go in, a VehicleState comes out. Each MAVLink micro-protocol (commands, parameters,
 // missions, streams, time) has a client class of its own behind this one, which only routes.
 //
-// Sans-I/O. Query: state(), parameters(), mission(), nextDeadline(). Input: handleFrame(), handleDeadline(). Commands:
-// perform(), setStreams(). After any input or command drain the output: pollOutgoing() first, then pollEvent().
+// Sans-I/O. Query: state(), parameters(), mission(), fence(), rally(), nextDeadline(). Input: handleFrame(), handleDeadline().
+// Commands: perform(), setStreams(). After any input or command drain the output: pollOutgoing() first, then pollEvent().
 #pragma once
 
 #include "core/base/clock.h"
@@ -57,7 +57,9 @@ public:
     std::shared_ptr<const std::vector<Parameter>> parameters() const;
     std::uint32_t parametersExpected() const;
     /// As last read, or as accepted by the vehicle; null before.
-    std::shared_ptr<const std::vector<MissionItem>> mission() const;
+    MissionItems mission() const;
+    MissionItems fence() const;
+    MissionItems rally() const;
 
 private:
     struct Parts;

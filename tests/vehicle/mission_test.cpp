@@ -290,11 +290,15 @@ void MissionTest::fenceAndRallyPointsAreListsOfTheirOwn()
         const auto read = h.poll<MissionResult>();
         QVERIFY(read && read->ok && read->type == type);
         QCOMPARE(read->items->size(), std::size_t(1));
+        const auto kept = [&h, type] { return type == MissionType::Fence ? h.vehicle.fence() : h.vehicle.rally(); };
+        QCOMPARE(kept(), read->items);
         h.vehicle.perform(h.now, RequestId{3}, ClearMission{type});
         QCOMPARE(h.sentOf<mavlink::MissionClearAll>().at(0).mission_type, number);
         h.feed(typed(acknowledgement(0)));
         QVERIFY(h.poll<MissionResult>()->ok);
+        QVERIFY(kept() && kept()->empty());
         QVERIFY(!h.vehicle.mission()); // the flight plan is not concerned
+        QVERIFY(type == MissionType::Fence ? !h.vehicle.rally() : !h.vehicle.fence());
     }
 }
 

@@ -106,6 +106,8 @@ VehicleSnapshot Fleet::describe(TimePoint now, const vehicle::Vehicle &vehicle) 
     out.parameters = vehicle.parameters();
     out.parametersExpected = vehicle.parametersExpected();
     out.mission = vehicle.mission();
+    out.fence = vehicle.fence();
+    out.rally = vehicle.rally();
     return out;
 }
 

@@ -34,7 +34,7 @@ struct VehicleSnapshot
     double framesPerSecond = 0;
     std::shared_ptr<const std::vector<vehicle::Parameter>> parameters; ///< null until requested; shared while unchanged
     std::uint32_t parametersExpected = 0;
-    std::shared_ptr<const std::vector<vehicle::MissionItem>> mission; ///< as last read from the vehicle
+    vehicle::MissionItems mission, fence, rally; ///< as last read from the vehicle; null before
 };
 
 /// A vehicle in clear that is not shown, and to which nothing is sent, before the operator allows it; see
