@@ -82,16 +82,23 @@ MapSource drawnTiles(const QString &path)
     return out;
 }
 
+vehicle::MissionItem placeNorthEast(std::uint16_t command, double north, double east, float first)
+{
+    constexpr double kMetresPerDegree = 111319.5;
+    vehicle::MissionItem item{.command = command, .frame = mavlink::MAV_FRAME_GLOBAL};
+    item.latitude = 47.3977 + north / kMetresPerDegree;
+    item.longitude = 8.5456 + east / kMetresPerDegree / 0.6769;
+    item.parameters[0] = first;
+    return item;
+}
+
 /// All kinds of places: a spline, loiters, a jump, a region of interest, and the way home.
 std::shared_ptr<const std::vector<vehicle::MissionItem>> routeMission()
 {
     const auto place = [](std::uint16_t sequence, std::uint16_t command, double north, double east, float first = 0,
                           float third = 0) {
-        constexpr double kMetresPerDegree = 111319.5;
-        vehicle::MissionItem item{.sequence = sequence, .command = command};
-        item.latitude = 47.3977 + north / kMetresPerDegree;
-        item.longitude = 8.5456 + east / kMetresPerDegree / 0.6769;
-        item.parameters[0] = first;
+        vehicle::MissionItem item = placeNorthEast(command, north, east, first);
+        item.sequence = sequence;
         item.parameters[2] = third;
         return item;
     };
@@ -109,6 +116,22 @@ std::shared_ptr<const std::vector<vehicle::MissionItem>> routeMission()
     out[9].parameters[0] = 5;
     out[9].parameters[1] = 2;
     return std::make_shared<const std::vector<vehicle::MissionItem>>(std::move(out));
+}
+
+/// An area to stay in, two to keep out of, the place to return to, and two rally points.
+void addFence(engine::VehicleSnapshot &vehicle)
+{
+    using namespace mavlink;
+    std::vector<vehicle::MissionItem> fence;
+    for (const auto &[north, east] : {std::pair(95, -130), {105, 60}, {60, 140}, {-70, 130}, {-85, -110}})
+        fence.push_back(placeNorthEast(MAV_CMD_NAV_FENCE_POLYGON_VERTEX_INCLUSION, north, east, 5));
+    for (const auto &[north, east] : {std::pair(40, 70), {45, 115}, {5, 120}, {10, 80}})
+        fence.push_back(placeNorthEast(MAV_CMD_NAV_FENCE_POLYGON_VERTEX_EXCLUSION, north, east, 4));
+    fence.push_back(placeNorthEast(MAV_CMD_NAV_FENCE_CIRCLE_EXCLUSION, -40, -70, 22));
+    fence.push_back(placeNorthEast(MAV_CMD_NAV_FENCE_RETURN_POINT, -50, 60, 0));
+    vehicle.fence = std::make_shared<const std::vector<vehicle::MissionItem>>(std::move(fence));
+    vehicle.rally = std::make_shared<const std::vector<vehicle::MissionItem>>(std::vector{
+        placeNorthEast(MAV_CMD_NAV_RALLY_POINT, 75, -100, 0), placeNorthEast(MAV_CMD_NAV_RALLY_POINT, -60, 105, 0)});
 }
 
 /// Vehicle 2 in the same session, 3 not sealed, 4 silent, 5 next to it.
@@ -219,6 +242,8 @@ void play(FakeStation &station, MainWindow &window, const QString &state)
             number += snapshot.samples.size();
             if (state == QLatin1String("route"))
                 snapshot.vehicles.front().mission = routeMission();
+            if (state == QLatin1String("fence"))
+                addFence(snapshot.vehicles.front());
             if (state == QLatin1String("switching") && t > 46)
                 snapshot.sessions.front().info.pending = crypto::SuiteId::Aes256Cbc;
             if (state == QLatin1String("attack")) {

@@ -1,5 +1,6 @@
 #include "ui/map/map_painter.h"
 
+#include "ui/map/fence_painter.h"
 #include "ui/map/mission_painter.h"
 #include "ui/map/nice_step.h"
 #include "ui/map/tile_painter.h"
@@ -48,7 +49,7 @@ MapPainter::MapPainter(QPainter &painter, const MapContent &content, const MapVi
     : m_painter(painter), m_content(content), m_viewport(viewport), m_palette(palette)
 {}
 
-void MapPainter::paintGround(const TileLayer &tiles, UnitSystem units, bool moving)
+void MapPainter::paintGround(const TileLayer &tiles, const FenceContent &fence, UnitSystem units, bool moving)
 {
     const Graticule graticule = graticuleOf(m_viewport);
     paintGraticule(graticule);
@@ -59,6 +60,7 @@ void MapPainter::paintGround(const TileLayer &tiles, UnitSystem units, bool movi
         paintLabels(graticule);
     }
     m_painter.setRenderHint(QPainter::Antialiasing);
+    FencePainter(m_painter, m_viewport, m_palette).paint(fence);
     paintMission();
     paintTrack();
     paintHome();

@@ -1,4 +1,4 @@
-// Paints the content of the map: the ground (graticule, tiles, mission, track, home, scale bar), and the vehicle above it. Made
+// Paints the content of the map: the ground (graticule, tiles, fence, mission, track, home, scale bar), and the vehicle above it. Made
 // for one paint event.
 #pragma once
 
@@ -15,6 +15,7 @@ class QPainter;
 
 namespace skyseal::ui {
 
+class FenceContent;
 class TileLayer;
 
 class MapPainter
@@ -26,7 +27,7 @@ public:
     MapPainter(QPainter &painter, const MapContent &content, const MapViewport &viewport, const QPalette &palette);
 
     /// Everything except the vehicle. The caller fills the background. `moving`: quickly rather than finely.
-    void paintGround(const TileLayer &tiles, UnitSystem units, bool moving);
+    void paintGround(const TileLayer &tiles, const FenceContent &fence, UnitSystem units, bool moving);
     /// All of them; with words beside each if there are several.
     void paintVehicles();
     /// A place that the operator is asked about.

@@ -70,6 +70,7 @@ void MapView::showViewState(const ViewState &view)
 {
     const MapContent::Changes changes = m_content.show(view, m_viewport.metresPerPixel());
     m_groundDirty |= changes.ground;
+    m_groundDirty |= m_fence.show(view);
     if (changes.moved && !m_placed)
         showFirst(*m_content.vehicle());
     if (changes.moved && m_follow && !m_drag) {
@@ -107,6 +108,7 @@ void MapView::clearTrack()
 void MapView::startOver()
 {
     m_content = MapContent();
+    m_fence = FenceContent();
     m_follow = true;
     markGroundDirty();
 }
@@ -219,7 +221,7 @@ void MapView::paintGround()
     m_ground.fill(palette().color(QPalette::Base));
     QPainter painter(&m_ground);
     painter.setFont(font());
-    MapPainter(painter, m_content, m_viewport, palette()).paintGround(m_tiles, m_units, m_drag || m_motion.isMoving());
+    MapPainter(painter, m_content, m_viewport, palette()).paintGround(m_tiles, m_fence, m_units, m_drag || m_motion.isMoving());
 }
 
 void MapView::resizeEvent(QResizeEvent *)

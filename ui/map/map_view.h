@@ -1,9 +1,10 @@
-// The map: north is up, tiles of the chosen source or a graticule, a scale bar, home, mission, the track coloured by suite, and
-// all vehicles. A click selects another one. Drag or the arrow keys move the map, the wheel or + and − zoom, Home follows the
+// The map: north is up, tiles of the chosen source or a graticule, a scale bar, home, fence, mission, the track coloured by suite,
+// and all vehicles. A click selects another one. Drag or the arrow keys move the map, the wheel or + and − zoom, Home follows the
 // vehicle again; while the operator measures, clicks and keys go to MeasureTool. Holds the content, the viewport and a picture of
 // the ground; MapPainter paints.
 #pragma once
 
+#include "ui/map/fence.h"
 #include "ui/map/map_content.h"
 #include "ui/map/map_motion.h"
 #include "ui/map/map_viewport.h"
@@ -38,6 +39,7 @@ public:
     /// Until a zoom or a movement by keys has ended.
     bool isMoving() const { return m_motion.isMoving(); }
     const MapContent &content() const { return m_content; }
+    const FenceContent &fence() const { return m_fence; }
     const MapViewport &viewport() const { return m_viewport; }
     TileLayer &tiles() { return m_tiles; }
     MeasureTool &measure() { return m_measure; }
@@ -86,6 +88,7 @@ private:
     void paintGround();
 
     MapContent m_content;
+    FenceContent m_fence;
     MapViewport m_viewport;
     MapMotion m_motion{m_viewport};
     TileLayer m_tiles;

@@ -28,12 +28,6 @@ bool isGlobal(std::uint8_t frame)
     }
 }
 
-bool hasPlace(const vehicle::MissionItem &item)
-{
-    return isGlobal(item.frame) && std::isfinite(item.latitude) && std::isfinite(item.longitude)
-        && (item.latitude != 0 || item.longitude != 0);
-}
-
 /// Commands that the vehicle executes at or on the way to a place; the others below MAV_CMD_NAV_LAST change nothing of the
 /// route.
 bool isFlownTo(std::uint16_t command)
@@ -130,6 +124,12 @@ void bendSplines(std::vector<RouteStop> &stops)
 }
 
 } // namespace
+
+bool hasPlace(const vehicle::MissionItem &item)
+{
+    return isGlobal(item.frame) && std::isfinite(item.latitude) && std::isfinite(item.longitude)
+        && (item.latitude != 0 || item.longitude != 0);
+}
 
 const RouteStop *MissionRoute::stopOf(int sequence) const
 {

@@ -56,6 +56,9 @@ struct MissionRoute
 /// Whether this kind of autopilot (MAV_AUTOPILOT) keeps home as item 0 of its mission.
 bool keepsHomeFirst(std::uint8_t autopilot);
 
+/// Whether the item names a place on the globe.
+bool hasPlace(const vehicle::MissionItem &item);
+
 /// `home` is where take-offs without a place begin and returns to launch end. With `firstIsHome`, item 0 is home and no stop,
 /// as ArduPilot keeps it.
 MissionRoute routeOf(const std::vector<vehicle::MissionItem> &items, std::optional<QPointF> home, bool firstIsHome);

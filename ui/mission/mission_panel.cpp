@@ -20,7 +20,8 @@
 
 namespace skyseal::ui {
 
-MissionPanel::MissionPanel(StationInterface &station, QWidget *parent) : DockPanel(parent), m_station(station)
+MissionPanel::MissionPanel(StationInterface &station, QWidget *parent)
+    : DockPanel(parent), m_station(station), m_reader(station)
 {
     const auto button = [this](const QString &text, const char *name) {
         auto *made = new QPushButton(text, this);
@@ -64,14 +65,17 @@ MissionPanel::MissionPanel(StationInterface &station, QWidget *parent) : DockPan
     column->addLayout(tools);
     column->addWidget(m_pages, 1);
 
-    connect(m_read, &QPushButton::clicked, this, [this] {
-        say(tr("Reading…"));
-        m_station.perform(m_systemId, vehicle::ReadMission{});
-    });
+    connect(m_read, &QPushButton::clicked, this, &MissionPanel::read);
     connect(m_send, &QPushButton::clicked, this, &MissionPanel::askAndSend);
     connect(m_save, &QPushButton::clicked, this, &MissionPanel::askAndSave);
     connect(&station, &StationInterface::eventOccurred, this, &MissionPanel::handleEvent);
     showViewState({});
+}
+
+void MissionPanel::read()
+{
+    m_reader.read(m_systemId, m_capabilities);
+    say(m_reader.text());
 }
 
 void MissionPanel::say(const QString &line)
@@ -132,15 +136,20 @@ void MissionPanel::saveFile(const QString &file, const MissionModel::Mission &mi
 void MissionPanel::showViewState(const ViewState &view)
 {
     const std::uint8_t systemId = view.vehicle ? view.vehicle->state.systemId : 0;
-    if (systemId != m_systemId && m_systemId != 0)
+    if (systemId != m_systemId && m_systemId != 0) {
         say({}); // it was the result of another vehicle
+        m_reader.forget();
+    }
     m_systemId = systemId;
+    m_capabilities = view.vehicle ? view.vehicle->state.capabilities : 0;
     m_mission = view.vehicle ? view.vehicle->mission : nullptr;
     m_disabledReason = commandsDisabledReason(view);
     for (QPushButton *button : {m_read, m_send}) {
         button->setEnabled(m_disabledReason.isEmpty());
         button->setToolTip(m_disabledReason);
     }
+    if (m_disabledReason.isEmpty())
+        m_read->setToolTip(tr("The mission, and the fence and the rally points where the vehicle has them"));
     const bool hasItems = m_mission && !m_mission->empty();
     m_save->setEnabled(hasItems);
     m_pages->setCurrentIndex(hasItems ? 1 : 0);
@@ -155,9 +164,12 @@ void MissionPanel::showViewState(const ViewState &view)
 void MissionPanel::handleEvent(const engine::Event &event)
 {
     const auto *done = std::get_if<vehicle::MissionResult>(&event);
-    if (!done || done->systemId != m_systemId)
+    if (!done)
         return;
-    say(engine::eventText(event, {}).sentence);
+    if (m_reader.handleResult(*done))
+        say(m_reader.text());
+    else if (done->systemId == m_systemId)
+        say(engine::eventText(event, {}).sentence);
 }
 
 } // namespace skyseal::ui

@@ -1,7 +1,9 @@
-// The mission panel: read the mission from the vehicle, send one from a file, save it to a file.
+// The mission panel: read the mission, the fence and the rally points from the vehicle, send a mission from a file, save it to a
+// file.
 #pragma once
 
 #include "ui/mission/mission_model.h"
+#include "ui/mission/plan_reader.h"
 #include "ui/dock_panel.h"
 #include "ui/view_state.h"
 
@@ -30,10 +32,12 @@ public:
 private:
     void say(const QString &line);
     static QString kinds(); ///< the name filter of file dialogs
+    void read();
     void askAndSend();
     void askAndSave();
 
     StationInterface &m_station;
+    PlanReader m_reader;
     MissionModel m_model;
     MissionModel::Mission m_mission;
     QPushButton *m_read, *m_send, *m_save;
@@ -42,6 +46,7 @@ private:
     QLabel *m_empty;
     QString m_disabledReason; ///< reason why nothing can be sent to the vehicle
     std::uint8_t m_systemId = 0;
+    std::uint64_t m_capabilities = 0; ///< of the vehicle
 };
 
 } // namespace skyseal::ui

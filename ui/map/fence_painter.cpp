@@ -1,0 +1,93 @@
+#include "ui/map/fence_painter.h"
+
+#include "ui/theme/palettes.h"
+
+#include <QtGui/QPainter>
+#include <QtGui/QPainterPath>
+
+#include <algorithm>
+
+namespace skyseal::ui {
+
+namespace {
+
+constexpr double kMark = 8; ///< pixels: half of a mark's height
+
+} // namespace
+
+void FencePainter::paint(const FenceContent &content)
+{
+    for (const FenceArea &area : content.fence().areas)
+        paintArea(area);
+    for (const QPointF &point : content.fence().returnPoints)
+        paintReturnPoint(m_viewport.toPixels(point));
+    for (std::size_t i = 0; i < content.rallyPoints().size(); ++i)
+        paintRallyPoint(m_viewport.toPixels(content.rallyPoints()[i]), i + 1);
+}
+
+/// The label stands on the northernmost point of the line.
+void FencePainter::paintArea(const FenceArea &area)
+{
+    const StateColors &colors = stateColors(m_palette);
+    QPainterPath line;
+    QPointF top;
+    if (area.centre) {
+        const double radius = area.radius * mercator::stretch(area.centre->y()) / m_viewport.metresPerPixel();
+        const QPointF at = m_viewport.toPixels(*area.centre);
+        line.addEllipse(at, radius, radius);
+        top = at - QPointF(0, radius);
+    } else {
+        QPolygonF corners;
+        for (const QPointF &corner : area.corners)
+            corners << m_viewport.toPixels(corner);
+        line.addPolygon(corners);
+        line.closeSubpath();
+        top = *std::ranges::min_element(corners, {}, &QPointF::y);
+    }
+    const QRectF picture(QPointF(), m_viewport.size());
+    if (!line.boundingRect().intersects(picture))
+        return;
+    if (!area.inclusion)
+        m_painter.fillPath(line, QBrush(colors.alarm, Qt::BDiagPattern));
+    const QColor color = area.inclusion ? colors.good : colors.alarm;
+    m_painter.setBrush(Qt::NoBrush);
+    m_painter.setPen(QPen(m_palette.color(QPalette::Base), 5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    m_painter.drawPath(line);
+    m_painter.setPen(QPen(color, 2.5, area.inclusion ? Qt::SolidLine : Qt::DashLine, Qt::FlatCap, Qt::RoundJoin));
+    m_painter.drawPath(line);
+    paintLabel(top, area.inclusion ? tr("Stay inside") : tr("Keep out"));
+}
+
+void FencePainter::paintReturnPoint(const QPointF &at)
+{
+    m_painter.setPen(QPen(stateColors(m_palette).good, 2));
+    m_painter.setBrush(m_palette.color(QPalette::Base));
+    m_painter.drawRect(QRectF(at - QPointF(kMark, kMark), QSizeF(2 * kMark, 2 * kMark)));
+    paintLabel(at + QPointF(0, 2.4 * kMark), tr("Fence return"));
+}
+
+/// A flag on its place.
+void FencePainter::paintRallyPoint(const QPointF &at, std::size_t number)
+{
+    const QPointF top = at - QPointF(0, 2.5 * kMark);
+    m_painter.setPen(QPen(m_palette.color(QPalette::WindowText), 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    m_painter.setBrush(m_palette.color(QPalette::Base));
+    m_painter.drawLine(at, top);
+    m_painter.drawPolygon(QPolygonF{top, top + QPointF(1.8 * kMark, 0.6 * kMark), top + QPointF(0, 1.2 * kMark)});
+    m_painter.drawEllipse(at, 2.5, 2.5);
+    paintLabel(at + QPointF(0, 1.6 * kMark), tr("Rally %1").arg(number));
+}
+
+void FencePainter::paintLabel(const QPointF &middle, const QString &text)
+{
+    const QFontMetricsF metrics(m_painter.font());
+    QRectF place(0, 0, metrics.horizontalAdvance(text) + 8, metrics.height() + 2);
+    place.moveCenter(middle);
+    m_painter.setPen(Qt::NoPen);
+    m_painter.setBrush(m_palette.color(QPalette::Base));
+    m_painter.drawRoundedRect(place, 3, 3);
+    m_painter.setPen(m_palette.color(QPalette::WindowText));
+    m_painter.drawText(place, Qt::AlignCenter, text);
+}
+
+} // namespace skyseal::ui
