@@ -2,7 +2,7 @@
 #include "core/engine/text/event_text.h"
 #include "scripted_snapshots.h"
 #include "tests/support/test_runner.h"
-#include "ui/window/refusal_meter.h"
+#include "ui/refusal_meter.h"
 #include "ui/inspector/field_model.h"
 #include "ui/inspector/inspector_model.h"
 #include "ui/links/client_model.h"

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "ui/charts/session_memory.h"
+#include "ui/refusal_meter.h"
 #include "ui/settings.h"
 #include "ui/view_state.h"
-#include "ui/window/refusal_meter.h"
 
 #include <QtCore/QElapsedTimer>
 #include <QtWidgets/QMainWindow>

@@ -17,8 +17,9 @@ public:
     /// until then, as during a measurement, is no impostor of itself.
     static constexpr double kGrace = 2;
 
-    /// `now` in seconds on any steady clock. The station reports refusals at most once a second and kind.
-    void handleEvent(const engine::Event &event, double now);
+    /// Returns how many frames of the event counted. `now` in seconds on any steady clock. The station reports refusals at most
+    /// once a second and kind.
+    std::uint64_t handleEvent(const engine::Event &event, double now);
     std::uint64_t lastMinute(std::uint8_t systemId, double now) const;
 
 private:
