@@ -52,6 +52,8 @@ public:
 Q_SIGNALS:
     void snapshotReady(std::shared_ptr<const skyseal::engine::Snapshot> snapshot);
     void eventOccurred(skyseal::engine::Event event);
+    /// A part of this program has sent a command to a vehicle by perform().
+    void commandSent(std::uint8_t systemId);
     void replaySnapshotReady(std::shared_ptr<const skyseal::engine::Snapshot> snapshot);
     void replayEventOccurred(skyseal::engine::Event event);
 };

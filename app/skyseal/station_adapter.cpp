@@ -105,7 +105,11 @@ void StationAdapter::setWeakestSuite(crypto::SuiteId weakest)
 
 vehicle::RequestId StationAdapter::perform(std::uint8_t systemId, vehicle::Request request)
 {
-    return m_station ? m_station->perform(systemId, std::move(request)) : vehicle::RequestId{};
+    if (!m_station)
+        return {};
+    if (std::holds_alternative<vehicle::VehicleCommand>(request))
+        Q_EMIT commandSent(systemId);
+    return m_station->perform(systemId, std::move(request));
 }
 
 void StationAdapter::setInspecting(bool inspecting)

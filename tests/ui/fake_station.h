@@ -35,9 +35,10 @@ public:
     void allowPlaintext(std::uint8_t systemId) override { allowedClear.push_back(systemId); }
     vehicle::RequestId perform(std::uint8_t systemId, vehicle::Request request) override
     {
-        if (const auto *command = std::get_if<vehicle::VehicleCommand>(&request))
+        if (const auto *command = std::get_if<vehicle::VehicleCommand>(&request)) {
             commands.emplace_back(systemId, *command);
-        else if (const auto *write = std::get_if<vehicle::WriteParameter>(&request))
+            Q_EMIT commandSent(systemId);
+        } else if (const auto *write = std::get_if<vehicle::WriteParameter>(&request))
             written.emplace_back(write->name, write->value);
         else if (const auto *mission = std::get_if<vehicle::WriteMission>(&request))
             missionWrites.emplace_back(systemId, mission->items);
