@@ -16,6 +16,8 @@ namespace skyseal::ui {
 
 /// Values older than this, in seconds, are shown as stale (the limit of a lost link).
 inline constexpr double kStaleAfterSeconds = 3.5;
+/// A battery with this percentage or less is shown as low.
+inline constexpr double kLowBatteryPercent = 20;
 
 /// The pointers point into `snapshot`, which is null only before the first one.
 struct ViewState

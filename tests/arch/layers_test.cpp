@@ -48,17 +48,27 @@ const QHash<QString, QStringList> &allowedInUi()
     static const QString kTheme = QStringLiteral("theme"), kText = QStringLiteral("text"),
                          kSecurity = QStringLiteral("security"), kSweep = QStringLiteral("sweep");
     static const QStringList kBottom{kTheme, kText};
-    static const QStringList kEverything = kBottom + QStringList{QStringLiteral("charts"),     QStringLiteral("dialogs"),
-                                                                 QStringLiteral("flight"),     QStringLiteral("inspector"),
-                                                                 QStringLiteral("keys"),       QStringLiteral("links"),
-                                                                 QStringLiteral("logs"),       QStringLiteral("map"),
-                                                                 QStringLiteral("messages"),   QStringLiteral("mission"),
-                                                                 QStringLiteral("parameters"), kSecurity,
-                                                                 QStringLiteral("status"),     kSweep};
+    static const QStringList kEverything = kBottom
+        + QStringList{QStringLiteral("alerts"),
+                      QStringLiteral("charts"),
+                      QStringLiteral("dialogs"),
+                      QStringLiteral("flight"),
+                      QStringLiteral("inspector"),
+                      QStringLiteral("keys"),
+                      QStringLiteral("links"),
+                      QStringLiteral("logs"),
+                      QStringLiteral("map"),
+                      QStringLiteral("messages"),
+                      QStringLiteral("mission"),
+                      QStringLiteral("parameters"),
+                      kSecurity,
+                      QStringLiteral("status"),
+                      kSweep};
     static const QHash<QString, QStringList> kAllowed{
         {QString(), kBottom}, // the base files
         {kTheme, {}},
         {kText, {kTheme}},
+        {QStringLiteral("alerts"), kBottom},
         {QStringLiteral("dialogs"), kBottom},
         {QStringLiteral("flight"), kBottom},
         {QStringLiteral("inspector"), kBottom},

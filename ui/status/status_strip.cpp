@@ -23,7 +23,6 @@ using engine::Security;
 
 namespace {
 
-constexpr double kLowBatteryPercent = 20;
 const QString kDot = QStringLiteral(" · ");
 
 } // namespace

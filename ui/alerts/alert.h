@@ -1,0 +1,48 @@
+// One thing that the operator should notice now, as a value.
+#pragma once
+
+#include <QtCore/QString>
+
+#include <compare>
+#include <cstdint>
+
+namespace skyseal::ui {
+
+enum class AlertKind : std::uint8_t {
+    LinkLost,
+    Failsafe,
+    LowBattery,
+    ForgedFrames,
+    ReplayedFrames,
+    NotRecording,
+    CountersNotStored, ///< of handshakes, here
+    AgentNotStoring,   ///< counters of handshakes, beside the vehicle
+    KeysCloned,
+    ModeChanged,
+    UnknownAgent,
+    SuiteSwitch
+};
+
+enum class AlertSeverity : std::uint8_t { Information, Warning, Severe };
+
+/// There is one alert of each kind and vehicle.
+struct AlertId
+{
+    AlertKind kind{};
+    std::uint8_t systemId = 0; ///< 0: of no vehicle
+    auto operator<=>(const AlertId &) const = default;
+};
+
+struct Alert
+{
+    AlertId id;
+    AlertSeverity severity{};
+    QString text;            ///< a few words, with the count
+    QString details;         ///< a sentence
+    std::uint64_t count = 1; ///< frames, or repetitions
+    double since = 0;        ///< seconds on the clock of the list
+    bool ongoing = false;    ///< a state that lasts; otherwise an event
+    bool operator==(const Alert &) const = default;
+};
+
+} // namespace skyseal::ui

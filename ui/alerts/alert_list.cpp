@@ -1,0 +1,387 @@
+#include "ui/alerts/alert_list.h"
+
+#include "core/engine/station/snapshot.h"
+#include "core/engine/text/event_text.h"
+#include "core/engine/text/state_text.h"
+#include "core/link/address_text.h"
+#include "core/mavlink/enums.h"
+#include "ui/text/units.h"
+#include "ui/text/vehicle_text.h"
+
+#include <QtCore/QCoreApplication>
+
+#include <algorithm>
+#include <utility>
+
+namespace skyseal::ui {
+
+namespace {
+
+/// The translation context of this file.
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(skyseal::ui::AlertList)
+};
+
+constexpr double kVeryLowBatteryPercent = 10;
+constexpr double kBatteryRise = 3;     ///< percent above the limit that end the alert, against a value that swings
+constexpr double kFailsafeTextAge = 5; ///< seconds before the failsafe
+constexpr std::uint64_t kWorseFactor = 10;
+
+QString ageText(double seconds)
+{
+    return seconds < 60 ? Text::tr("%1 s").arg(number(seconds, 0)) : durationText(seconds);
+}
+
+QString framesText(std::uint64_t count, const QString &one, const QString &many)
+{
+    return count == 1 ? one : many.arg(grouped(count));
+}
+
+} // namespace
+
+void AlertList::showView(const ViewState &live, double now)
+{
+    if (!live.snapshot)
+        return;
+    if (m_snapshot && live.snapshot->number < m_snapshot->number)
+        startOver(); // another station, as that of the demo
+    m_snapshot = live.snapshot;
+    m_inSweep = live.inSweep;
+    ++m_round;
+    for (const engine::VehicleSnapshot &vehicle : m_snapshot->vehicles)
+        showVehicle(vehicle, now);
+    showAttacks(*m_snapshot, now);
+    showStorage(*m_snapshot, now);
+    std::erase_if(m_entries, [this](const auto &one) { return one.second.alert.ongoing && one.second.round != m_round; });
+    expire(now);
+}
+
+void AlertList::startOver()
+{
+    *this = AlertList();
+}
+
+void AlertList::showVehicle(const engine::VehicleSnapshot &vehicle, double now)
+{
+    const vehicle::VehicleState &state = vehicle.state;
+    const std::uint8_t id = state.systemId;
+    if (state.messageAge > kStaleAfterSeconds)
+        raiseState({{AlertKind::LinkLost, id},
+                    AlertSeverity::Severe,
+                    Text::tr("Link lost %1").arg(ageText(state.messageAge)),
+                    Text::tr("Nothing has been received from the vehicle since. The last received values are shown.")},
+                   now);
+    const auto status = state.systemStatus;
+    if (status == mavlink::MAV_STATE_CRITICAL || status == mavlink::MAV_STATE_EMERGENCY
+        || status == mavlink::MAV_STATE_FLIGHT_TERMINATION) {
+        const QString title = status == mavlink::MAV_STATE_CRITICAL ? Text::tr("Failsafe")
+            : status == mavlink::MAV_STATE_EMERGENCY                ? Text::tr("Emergency")
+                                                                    : Text::tr("Flight terminated");
+        const auto said = m_failsafeTexts.find(id);
+        const QString reason = said == m_failsafeTexts.end() ? QString() : said->second.text;
+        raiseState({{AlertKind::Failsafe, id},
+                    AlertSeverity::Severe,
+                    reason.isEmpty() ? title : Text::tr("%1: %2").arg(title, reason),
+                    Text::tr("The autopilot reports an abnormal state. Messages may name the reason.")},
+                   now);
+    } else if (const auto said = m_failsafeTexts.find(id);
+               said != m_failsafeTexts.end() && now - said->second.time > kFailsafeTextAge) {
+        m_failsafeTexts.erase(said);
+    }
+    const auto known = m_entries.find({AlertKind::LowBattery, id});
+    const bool wasLow = known != m_entries.end();
+    const bool wasVeryLow = wasLow && known->second.alert.severity == AlertSeverity::Severe;
+    if (state.batteryPercent <= kLowBatteryPercent + (wasLow ? kBatteryRise : 0)) {
+        const bool veryLow = state.batteryPercent <= kVeryLowBatteryPercent + (wasVeryLow ? kBatteryRise : 0);
+        const QString text = veryLow ? Text::tr("Battery very low: %1 %") : Text::tr("Battery low: %1 %");
+        raiseState({{AlertKind::LowBattery, id},
+                    veryLow ? AlertSeverity::Severe : AlertSeverity::Warning,
+                    text.arg(number(state.batteryPercent, 0)),
+                    Text::tr("As the vehicle reports it.")},
+                   now);
+    }
+    showMode(vehicle, now);
+}
+
+void AlertList::showMode(const engine::VehicleSnapshot &vehicle, double now)
+{
+    const std::uint8_t id = vehicle.state.systemId;
+    if (vehicle.state.mode.empty())
+        return;
+    const std::string before = std::exchange(m_modes[id], vehicle.state.mode);
+    if (before.empty() || before == vehicle.state.mode)
+        return;
+    const auto commanded = m_commands.find(id);
+    if (commanded != m_commands.end() && now - commanded->second <= kOwnCommand)
+        return;
+    raiseEvent({{AlertKind::ModeChanged, id},
+                AlertSeverity::Warning,
+                Text::tr("Mode %1 → %2, not from here").arg(engine::qt(before), engine::qt(vehicle.state.mode)),
+                Text::tr("The mode changed without a command from this station: by the autopilot itself, by the remote control "
+                         "or by another station.")},
+               now);
+}
+
+/// Forged frames are records with a wrong tag, and frames outside the session with the system id of this vehicle.
+void AlertList::showAttacks(const engine::Snapshot &snapshot, double now)
+{
+    std::map<std::uint8_t, Attack> attacks;
+    for (const engine::SessionSnapshot &session : snapshot.sessions) {
+        Attack &attack = attacks[vehicleOf(session.info.session)];
+        attack.forged += session.stats.rx.forged;
+        attack.forgedLastMinute += session.forgedLastMinute;
+        attack.replayed += session.stats.rx.replayed;
+        if (engine::isAttacked(session))
+            attack.replayedLastMinute += session.replayedLastMinute;
+    }
+    for (const auto &[id, tally] : m_tallies)
+        attacks.try_emplace(id.systemId);
+    for (const auto &[systemId, attack] : attacks) {
+        const AlertId forged{AlertKind::ForgedFrames, systemId}, replayed{AlertKind::ReplayedFrames, systemId};
+        const bool refuses = m_refusals.lastMinute(systemId, now) > 0;
+        const QString details = Text::tr("All of them were refused. The secure link panel counts them.");
+        if (const auto count = countUp(forged, attack.forged, attack.forgedLastMinute, attack.forgedLastMinute > 0 || refuses))
+            raiseState({forged, AlertSeverity::Warning,
+                        framesText(*count, Text::tr("One forged frame"), Text::tr("%1 forged frames")), details, *count},
+                       now);
+        if (const auto count = countUp(replayed, attack.replayed, attack.replayedLastMinute, attack.replayedLastMinute > 0))
+            raiseState({replayed, AlertSeverity::Warning,
+                        framesText(*count, Text::tr("One replayed frame"), Text::tr("%1 replayed frames")), details, *count},
+                       now);
+    }
+}
+
+/// Returns the count of an attack that lasts; forgets it otherwise.
+std::optional<std::uint64_t> AlertList::countUp(AlertId id, std::uint64_t total, std::uint64_t lastMinute, bool lasts)
+{
+    if (!lasts) {
+        m_tallies.erase(id);
+        return std::nullopt;
+    }
+    Tally &tally = m_tallies[id];
+    const std::uint64_t before = std::exchange(tally.total, total).value_or(total - std::min(total, lastMinute));
+    tally.count += total >= before ? total - before : std::min(total, lastMinute); // less: of another session
+    return tally.count > 0 ? std::optional(tally.count) : std::nullopt;
+}
+
+void AlertList::showStorage(const engine::Snapshot &snapshot, double now)
+{
+    if (!snapshot.recording.problem.empty()) {
+        const engine::RecordingSnapshot &recording = snapshot.recording;
+        const engine::Event event = engine::RecordingProblem{recording.file, recording.problem};
+        raiseState({{AlertKind::NotRecording},
+                    AlertSeverity::Warning,
+                    Text::tr("Not recording: %1").arg(engine::qt(recording.problem)),
+                    engine::eventText(event, m_names).sentence},
+                   now);
+    }
+    if (!snapshot.storageProblem.empty()) {
+        const engine::Event event = engine::CounterStorage{snapshot.storageProblem};
+        raiseState({{AlertKind::CountersNotStored},
+                    AlertSeverity::Warning,
+                    Text::tr("Counters not stored: %1").arg(engine::qt(snapshot.storageProblem)),
+                    engine::eventText(event, m_names).sentence},
+                   now);
+    }
+    std::erase_if(m_notStoring, [&](channel::SessionId session) {
+        return std::ranges::none_of(snapshot.sessions, [&](const auto &one) { return one.info.session == session; });
+    });
+    for (const channel::SessionId session : m_notStoring) {
+        const engine::Event event = channel::PeerStorageChanged{session, true};
+        raiseState({{AlertKind::AgentNotStoring, vehicleOf(session)},
+                    AlertSeverity::Warning,
+                    Text::tr("%1: its disk may be full").arg(peerText(session)),
+                    engine::eventText(event, m_names).sentence},
+                   now);
+    }
+}
+
+void AlertList::handleEvent(const engine::Event &event, double now)
+{
+    m_names.note(event);
+    handleRefusal(event, now);
+    if (const auto *result = std::get_if<vehicle::CommandResult>(&event)) {
+        noteCommand(result->systemId, now); // a slow vehicle changes its mode as late as it answers
+    } else if (const auto *received = std::get_if<vehicle::TextReceived>(&event)) {
+        const QString text = engine::qt(received->text.text);
+        if (text.contains(QLatin1String("failsafe"), Qt::CaseInsensitive))
+            m_failsafeTexts[received->systemId] = {text, now};
+    } else if (const auto *done = std::get_if<channel::SwitchDone>(&event)) {
+        handleSwitch(*done, event, now);
+    } else if (const auto *storage = std::get_if<channel::PeerStorageChanged>(&event)) {
+        if (storage->failed)
+            m_notStoring.insert(storage->session);
+        else
+            m_notStoring.erase(storage->session);
+    } else if (const auto *down = std::get_if<channel::SessionDown>(&event)) {
+        m_notStoring.erase(down->session);
+        if (down->reason == channel::DownReason::Cloned)
+            raiseEvent({{AlertKind::KeysCloned, vehicleOf(down->session)},
+                        AlertSeverity::Severe,
+                        Text::tr("%1: keys in use twice").arg(peerText(down->session)),
+                        engine::eventText(event, m_names).sentence},
+                       now);
+    } else if (const auto *refused = std::get_if<channel::HandshakeRefused>(&event)) {
+        if (refused->reason == channel::RefusalReason::UnknownPeer)
+            raiseEvent(
+                {{AlertKind::UnknownAgent},
+                 AlertSeverity::Warning,
+                 Text::tr("Unknown agent at %1").arg(engine::qt(link::toText(refused->path.remote))),
+                 Text::tr("%1. Security → Keys and peers pairs the two").arg(engine::eventText(event, m_names).sentence)},
+                now);
+    }
+}
+
+void AlertList::handleRefusal(const engine::Event &event, double now)
+{
+    const std::uint64_t frames = m_refusals.handleEvent(event, now);
+    if (frames == 0)
+        return;
+    const auto *clear = std::get_if<engine::PlaintextRefused>(&event);
+    const std::uint8_t systemId = clear ? clear->systemId : std::get<engine::SystemRefused>(event).systemId;
+    m_tallies[{AlertKind::ForgedFrames, systemId}].count += frames;
+}
+
+void AlertList::handleSwitch(const channel::SwitchDone &done, const engine::Event &event, double now)
+{
+    const bool failed = done.failure != channel::SwitchFailure::None;
+    if (m_inSweep || (done.rekey && !failed))
+        return; // a sweep switches all the time, and fresh keys are routine
+    const QString suite = engine::suiteText(done.to);
+    raiseEvent({{AlertKind::SuiteSwitch, vehicleOf(done.session)},
+                failed ? AlertSeverity::Warning : AlertSeverity::Information,
+                !failed          ? Text::tr("Switched to %1").arg(suite)
+                    : done.rekey ? Text::tr("Keys not changed: %1").arg(engine::switchFailureText(done.failure))
+                                 : Text::tr("Not switched to %1").arg(suite),
+                engine::eventText(event, m_names).sentence},
+               now);
+}
+
+std::uint8_t AlertList::vehicleOf(channel::SessionId session) const
+{
+    if (!m_snapshot)
+        return 0;
+    const auto heard = std::ranges::find_if(m_snapshot->vehicles, [&](const auto &one) { return one.session == session; });
+    return heard == m_snapshot->vehicles.end() ? std::uint8_t(0) : heard->state.systemId;
+}
+
+QString AlertList::peerText(channel::SessionId session) const
+{
+    const std::string name = m_names.of(session);
+    return name.empty() ? Text::tr("The agent") : engine::qt(name);
+}
+
+void AlertList::raiseState(Alert alert, double now)
+{
+    const auto [at, isNew] = m_entries.try_emplace(alert.id);
+    Entry &entry = at->second;
+    const bool worse = !isNew && alert.severity > entry.alert.severity;
+    alert.since = isNew ? now : entry.alert.since;
+    alert.ongoing = true;
+    entry.alert = std::move(alert);
+    entry.heard = now;
+    entry.round = m_round;
+    if (entry.dismissed) {
+        if (entry.alert.severity <= entry.dismissedAs && entry.alert.count / kWorseFactor < entry.dismissedAt)
+            return;
+        entry.dismissed = false;
+        raise(entry.alert.id);
+    } else if (isNew || worse) {
+        raise(entry.alert.id);
+    }
+}
+
+void AlertList::raiseEvent(Alert alert, double now)
+{
+    expire(now);
+    const auto [at, isNew] = m_entries.try_emplace(alert.id);
+    Entry &entry = at->second;
+    entry.heard = now;
+    if (entry.dismissed && entry.alert.text == alert.text)
+        return; // the same report again
+    const bool goesOn = !isNew && !entry.dismissed;
+    alert.since = goesOn ? entry.alert.since : now;
+    alert.count = goesOn ? entry.alert.count + 1 : 1;
+    entry.alert = std::move(alert);
+    entry.dismissed = false;
+    raise(entry.alert.id);
+}
+
+void AlertList::raise(AlertId id)
+{
+    if (m_raised.size() < kMostRaised && std::ranges::find(m_raised, id) == m_raised.end())
+        m_raised.push_back(id);
+}
+
+void AlertList::expire(double now)
+{
+    std::erase_if(m_entries, [now](const auto &one) {
+        const Entry &entry = one.second;
+        if (entry.alert.ongoing)
+            return false;
+        if (entry.dismissed)
+            return now - entry.heard > kReportsRepeat;
+        return entry.alert.severity != AlertSeverity::Severe && now - entry.heard >= kShownFor;
+    });
+}
+
+void AlertList::dismiss(AlertId id)
+{
+    const auto at = m_entries.find(id);
+    if (at == m_entries.end() || at->second.dismissed)
+        return;
+    // Only an agent that keeps announcing itself is reported again and again; each report of another kind is a new event.
+    if (!at->second.alert.ongoing && id.kind != AlertKind::UnknownAgent) {
+        m_entries.erase(at);
+        return;
+    }
+    at->second.dismissed = true;
+    at->second.dismissedAs = at->second.alert.severity;
+    at->second.dismissedAt = at->second.alert.count;
+}
+
+std::vector<Alert> AlertList::alerts() const
+{
+    std::vector<Alert> out;
+    for (const auto &[id, entry] : m_entries) {
+        if (entry.dismissed)
+            continue;
+        out.push_back(entry.alert);
+        out.back().text = shownText(entry.alert);
+    }
+    std::ranges::stable_sort(out, [](const Alert &a, const Alert &b) {
+        return a.severity != b.severity ? a.severity > b.severity : a.since < b.since;
+    });
+    return out;
+}
+
+std::vector<Alert> AlertList::takeRaised()
+{
+    std::vector<Alert> out;
+    for (const AlertId id : std::exchange(m_raised, {})) {
+        const auto at = m_entries.find(id);
+        if (at == m_entries.end() || at->second.dismissed)
+            continue;
+        out.push_back(at->second.alert);
+        out.back().text = shownText(at->second.alert);
+    }
+    return out;
+}
+
+bool AlertList::hasMomentary() const
+{
+    return std::ranges::any_of(m_entries, [](const auto &one) { return !one.second.alert.ongoing; });
+}
+
+/// The vehicle first, unless it is the only one; then how often an event was repeated.
+QString AlertList::shownText(const Alert &alert) const
+{
+    const QString text = alert.ongoing || alert.count == 1 ? alert.text
+                                                           : Text::tr("%1 (%2 times)").arg(alert.text, grouped(alert.count));
+    const std::uint8_t id = alert.id.systemId;
+    const bool isOnly = m_snapshot && m_snapshot->vehicles.size() == 1 && m_snapshot->vehicles.front().state.systemId == id;
+    return !isOnly && id != 0 ? Text::tr("Vehicle %1: %2").arg(id).arg(text) : text;
+}
+
+} // namespace skyseal::ui
