@@ -39,6 +39,7 @@ Settings loadSettings(const QSettings &store)
     s.theme = static_cast<Theme>(inRange(store, "view/theme", 0, 3, static_cast<int>(s.theme)));
     s.units = static_cast<UnitSystem>(inRange(store, "view/units", 0, 1, static_cast<int>(s.units)));
     s.coordinates = static_cast<CoordinateFormat>(inRange(store, "view/coordinates", 0, 3, static_cast<int>(s.coordinates)));
+    s.speakAlerts = store.value(QStringLiteral("view/speakAlerts"), s.speakAlerts).toBool();
     s.systemId = inRange(store, "station/systemId", 1, 255, s.systemId);
     s.componentId = inRange(store, "station/componentId", 1, 255, s.componentId);
     s.record = store.value(QStringLiteral("log/record"), s.record).toBool();
@@ -66,6 +67,7 @@ void storeSettings(QSettings &store, const Settings &settings)
     store.setValue(QStringLiteral("view/theme"), static_cast<int>(settings.theme));
     store.setValue(QStringLiteral("view/units"), static_cast<int>(settings.units));
     store.setValue(QStringLiteral("view/coordinates"), static_cast<int>(settings.coordinates));
+    store.setValue(QStringLiteral("view/speakAlerts"), settings.speakAlerts);
     store.setValue(QStringLiteral("station/systemId"), settings.systemId);
     store.setValue(QStringLiteral("station/componentId"), settings.componentId);
     store.setValue(QStringLiteral("log/record"), settings.record);

@@ -47,6 +47,7 @@ struct Settings
     Theme theme = Theme::Desktop;
     UnitSystem units = UnitSystem::Metric;
     CoordinateFormat coordinates = CoordinateFormat::Decimal;
+    bool speakAlerts = false;
     int systemId = 255;
     int componentId = mavlink::MAV_COMP_ID_MISSIONPLANNER;
     bool record = true;

@@ -69,7 +69,8 @@ const QHash<QString, QStringList> &allowedInUi()
         {kTheme, {}},
         {kText, {kTheme}},
         {QStringLiteral("alerts"), kBottom},
-        {QStringLiteral("dialogs"), kBottom},
+        {QStringLiteral("dialogs"),
+         kBottom + QStringList{QStringLiteral("alerts")}}, // the settings say whether these can speak
         {QStringLiteral("flight"), kBottom},
         {QStringLiteral("inspector"), kBottom},
         {QStringLiteral("keys"), kBottom},

@@ -1,10 +1,12 @@
 // The settings dialog by keys: every mnemonic leads to a field.
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
+#include "ui/alerts/speech.h"
 #include "ui/dialogs/settings_dialog.h"
 #include "ui/settings.h"
 
 #include <QtTest/QTest>
+#include <QtWidgets/QCheckBox>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
 
@@ -53,6 +55,19 @@ private Q_SLOTS:
         QCOMPARE(dialog.settings().coordinates, CoordinateFormat::Utm);
         QTest::keyClick(dialog.focusWidget(), Qt::Key_Down);
         QCOMPARE(dialog.settings().coordinates, CoordinateFormat::Mgrs);
+    }
+
+    void speechIsOffUnlessItIsChosen()
+    {
+        QVERIFY(!Settings().speakAlerts);
+        SettingsDialog dialog{Settings()};
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&dialog, test::kDeadlineMs));
+        auto *box = dialog.findChild<QCheckBox *>(QStringLiteral("settingSpeak"));
+        QCOMPARE(box->isEnabled(), isDesktopVoiceBuilt());
+        box->setFocus();
+        QTest::keyClick(box, Qt::Key_Space);
+        QCOMPARE(dialog.settings().speakAlerts, isDesktopVoiceBuilt());
     }
 
     void noTextIsCut()

@@ -2,6 +2,7 @@
 
 #include "core/base/research.h"
 #include "core/link/link_url.h"
+#include "ui/alerts/speech.h"
 #include "ui/theme/form_pieces.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/suite_style.h"
@@ -85,6 +86,12 @@ QWidget *SettingsDialog::makeView()
     form->addRow(tr("&Colours"), m_theme);
     form->addRow(tr("&Units"), m_units);
     form->addRow(tr("Coordi&nates"), m_coordinates);
+    m_speak = named(new QCheckBox(tr("Speak &alerts"), box), "settingSpeak", tr("Speak alerts"));
+    m_speak->setChecked(m_start.speakAlerts);
+    m_speak->setEnabled(isDesktopVoiceBuilt());
+    form->addRow(QString(), m_speak);
+    if (!isDesktopVoiceBuilt())
+        form->addRow(QString(), smallPrint(tr("This build of Skyseal has no speech: it lacks speech-dispatcher."), box));
     return box;
 }
 
@@ -186,6 +193,7 @@ Settings SettingsDialog::settings() const
     out.theme = static_cast<Theme>(m_theme->currentData().toInt());
     out.units = static_cast<UnitSystem>(m_units->currentData().toInt());
     out.coordinates = static_cast<CoordinateFormat>(m_coordinates->currentData().toInt());
+    out.speakAlerts = m_speak->isChecked();
     out.systemId = m_systemId->value();
     out.componentId = m_componentId->value();
     out.defaultLink = m_link->text();
