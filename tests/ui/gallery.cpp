@@ -134,6 +134,32 @@ void addFence(engine::VehicleSnapshot &vehicle)
         placeNorthEast(MAV_CMD_NAV_RALLY_POINT, 75, -100, 0), placeNorthEast(MAV_CMD_NAV_RALLY_POINT, -60, 105, 0)});
 }
 
+/// States that are alerts, each from another moment on.
+void addAlerts(engine::Snapshot &snapshot)
+{
+    vehicle::VehicleState &vehicle = snapshot.vehicles.front().state;
+    engine::SessionSnapshot &session = snapshot.sessions.front();
+    if (snapshot.time > 20)
+        vehicle.batteryPercent = 18;
+    if (snapshot.time > 30) {
+        snapshot.security = engine::Security::UnderAttack;
+        session.forgedLastMinute = session.stats.rx.forged = 87;
+    }
+    if (snapshot.time > 40)
+        vehicle.mode = "RTL";
+    if (snapshot.time > 46)
+        vehicle.messageAge = 4.2;
+}
+
+void notifyAlerts(FakeStation &station)
+{
+    station.notify(engine::PlaintextRefused{9, "192.0.2.66:40000", 522, {}});
+    channel::HandshakeRefused stranger;
+    stranger.path.remote = {{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xff, 0xff, 192, 0, 2, 7}, 14560};
+    stranger.reason = channel::RefusalReason::UnknownPeer;
+    station.notify(stranger);
+}
+
 /// Vehicle 2 in the same session, 3 not sealed, 4 silent, 5 next to it.
 void addVehicles(engine::Snapshot &snapshot)
 {
@@ -264,9 +290,13 @@ void play(FakeStation &station, MainWindow &window, const QString &state)
                 addVehicles(snapshot);
             if (state == QLatin1String("lost") && t > 46)
                 snapshot.vehicles.front().state.messageAge = 12.6;
+            if (state == QLatin1String("alerts"))
+                addAlerts(snapshot);
             station.show(snapshot);
         }
     }
+    if (state == QLatin1String("alerts"))
+        notifyAlerts(station);
     if (state == QLatin1String("impostor")) {
         station.notify(engine::PlaintextRefused{1, "192.0.2.66:40000", 522, {}});
         station.show(sealedSnapshot(49, suites[3], 3));

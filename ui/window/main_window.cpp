@@ -20,6 +20,7 @@
 #include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/icons.h"
+#include "ui/window/map_alerts.h"
 #include "ui/window/map_menu.h"
 #include "ui/window/panel_table.h"
 #include "ui/window/problem_reports.h"
@@ -129,6 +130,7 @@ void MainWindow::makeCentre(const ProgramFacts &facts)
 
 void MainWindow::makeMenus(const ProgramFacts &facts)
 {
+    const auto *alerts = new MapAlerts(m_station, *m_selection, *m_dialogs, *m_map, m_settings);
     MenuTargets targets{.window = *this,
                         .station = m_station,
                         .selection = *m_selection,
@@ -138,6 +140,7 @@ void MainWindow::makeMenus(const ProgramFacts &facts)
                         .docks = *m_docks,
                         .workspaces = *m_workspaces,
                         .map = *m_map,
+                        .goToAlerts = alerts->goToAction(),
                         .version = facts.version,
                         .openSweep = [this] { openSweep(); },
                         .startDemo = {},

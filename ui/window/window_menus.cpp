@@ -193,6 +193,7 @@ Menu viewMenu(const MenuTargets &on)
          .text = Text::tr("&Follow the vehicle"),
          .trigger = [on] { on.map.followVehicle(); },
          .shortcut = Qt::CTRL | Qt::Key_Home},
+        {.action = on.goToAlerts},
         {.id = QStringLiteral("actionZoomIn"),
          .text = Text::tr("Zoom &in"),
          .trigger = [on] { on.map.zoomBy(1.5); },

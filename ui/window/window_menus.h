@@ -4,6 +4,7 @@
 
 #include "ui/window/menu_table.h"
 
+class QAction;
 class QMainWindow;
 
 namespace skyseal::ui {
@@ -29,6 +30,7 @@ struct MenuTargets
     WindowDocks &docks;
     Workspaces &workspaces;
     MapView &map;
+    QAction *goToAlerts;
     QString version;
     std::function<void()> openSweep;
     std::function<void()> startDemo; ///< empty: there is no demo to start
