@@ -17,7 +17,7 @@ void StatusTextJoiner::handleChunk(TimePoint now, std::uint8_t component, std::u
     if (!sameText)
         finish();
     if (id == 0) {
-        push({severity, std::string(text)});
+        push({severity, std::string(text), component});
         return;
     }
     if (!m_pending)
@@ -52,7 +52,7 @@ void StatusTextJoiner::finish()
 {
     if (!m_pending)
         return;
-    push({m_pending->severity, std::move(m_pending->text)});
+    push({m_pending->severity, std::move(m_pending->text), m_pending->component});
     m_pending.reset();
 }
 

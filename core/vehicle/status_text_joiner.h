@@ -18,6 +18,7 @@ struct JoinedText
 {
     std::uint8_t severity = mavlink::MAV_SEVERITY_INFO;
     std::string text;
+    std::uint8_t component = 0;
 };
 
 /// One text is under way per component at most; lost chunks show as "…".

@@ -106,6 +106,8 @@ struct TelemetryReaders
 
     static void read(const mavlink::SysStatus &m, Context &c)
     {
+        if (m.onboard_control_sensors_present & mavlink::MAV_SYS_STATUS_PREARM_CHECK)
+            c.state.preArmOk = (m.onboard_control_sensors_health & mavlink::MAV_SYS_STATUS_PREARM_CHECK) != 0;
         c.state.cpuLoad = m.load * 0.1;
         if (m.voltage_battery != kNo16)
             c.state.batteryVoltage = m.voltage_battery * 1e-3;

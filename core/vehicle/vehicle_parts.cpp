@@ -51,7 +51,7 @@ bool Vehicle::Parts::offerToClients(TimePoint now, const mavlink::Frame &frame)
 void Vehicle::Parts::handleDeadline(TimePoint now)
 {
     joiner.handleDeadline(now);
-    takeTexts();
+    takeTexts(now);
     for (MicroProtocol *client : context.clients)
         client->handleDeadline(now);
 }
@@ -82,6 +82,8 @@ void Vehicle::Parts::handleHeartbeat(TimePoint now, const mavlink::Frame &frame)
     state.customMode = m.custom_mode;
     state.systemStatus = m.system_status;
     state.armed = (m.base_mode & mavlink::MAV_MODE_FLAG_SAFETY_ARMED) != 0;
+    if (state.armed)
+        preArm.clear();
     home.update(state);
     flightTimer.update(now, state.armed, state.altitudeRelative);
     for (MicroProtocol *client : context.clients)
@@ -92,13 +94,16 @@ void Vehicle::Parts::handleStatusText(TimePoint now, const mavlink::Frame &frame
 {
     const auto m = unpack<mavlink::Statustext>(frame);
     joiner.handleChunk(now, frame.componentId(), m.severity, m.id, m.chunk_seq, mavlink::textOf(m.text));
-    takeTexts();
+    takeTexts(now);
 }
 
 void Vehicle::Parts::handleTelemetry(TimePoint now, const mavlink::Frame &frame)
 {
     VehicleState &state = context.state;
+    const bool checksPassed = state.preArmOk.value_or(false);
     const TelemetryUpdate update = telemetry.handle(frame, state);
+    if (!checksPassed && state.preArmOk.value_or(false))
+        preArm.clear(); // reasons that it says later, at an attempt, count
     if (update.home)
         home.handleHomePosition(*update.home, state);
     if (update.restarted)
@@ -111,10 +116,12 @@ void Vehicle::Parts::handleTelemetry(TimePoint now, const mavlink::Frame &frame)
     }
 }
 
-void Vehicle::Parts::takeTexts()
+void Vehicle::Parts::takeTexts(TimePoint now)
 {
     while (auto text = joiner.poll()) {
         const StatusText entry{++lastTextNumber, text->severity, std::move(text->text), lastWall};
+        if (text->component == context.addressing.component && !context.state.armed)
+            preArm.handleText(now, entry.text);
         for (MicroProtocol *client : context.clients)
             client->handleText(entry);
         if (texts.size() == kMaxTexts)

@@ -11,6 +11,7 @@
 #include "core/vehicle/log_client.h"
 #include "core/vehicle/mission_client.h"
 #include "core/vehicle/parameter_client.h"
+#include "core/vehicle/pre_arm_reasons.h"
 #include "core/vehicle/status_text_joiner.h"
 #include "core/vehicle/stream_requester.h"
 #include "core/vehicle/telemetry.h"
@@ -36,6 +37,7 @@ struct Vehicle::Parts
     std::deque<StatusText> texts; ///< the last kMaxTexts, for the state
     HeartbeatMonitor monitor;
     FlightTimer flightTimer;
+    PreArmReasons preArm;
 
     // The clients, one row each. Every frame is offered to them in this order.
     StreamRequester streams;
@@ -52,7 +54,7 @@ private:
     void handleHeartbeat(TimePoint now, const mavlink::Frame &frame);
     void handleStatusText(TimePoint now, const mavlink::Frame &frame);
     void handleTelemetry(TimePoint now, const mavlink::Frame &frame);
-    void takeTexts();
+    void takeTexts(TimePoint now);
 
     Telemetry telemetry;
     HomeTracker home;

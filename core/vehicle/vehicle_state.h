@@ -63,6 +63,8 @@ struct VehicleState
     std::vector<std::string> modes; ///< that can be asked for
     std::uint8_t systemStatus = 0;  ///< MAV_STATE
     bool armed = false;
+    std::optional<bool> preArmOk;           ///< whether its checks pass (SYS_STATUS); nullopt: the vehicle does not say
+    std::vector<std::string> preArmReasons; ///< for which it would not arm, as it says them; see PreArmReasons
 
     double roll = kUnknown, pitch = kUnknown, yaw = kUnknown;                ///< radians
     double rollSpeed = kUnknown, pitchSpeed = kUnknown, yawSpeed = kUnknown; ///< radians a second
