@@ -23,6 +23,7 @@
 #include <QtGui/QPainter>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QMenu>
+#include <QtWidgets/QPushButton>
 
 using namespace skyseal;
 using namespace skyseal::ui;
@@ -48,6 +49,16 @@ engine::Snapshot replaySnapshot(double time)
     out.links.front().url = "tlog:/logs/2026-05-02 field.tlog";
     out.links.front().recording = true;
     return out;
+}
+
+/// On the ground, with reasons against arming.
+void refuseArming(vehicle::VehicleState &state)
+{
+    state.armed = false;
+    state.mode = "LOITER";
+    state.altitudeRelative = state.groundSpeed = state.climb = state.throttle = state.roll = state.pitch = 0;
+    state.preArmOk = false;
+    state.preArmReasons = {"Compass not calibrated", "GPS 1: Bad fix", "Battery 1 below minimum arming voltage"};
 }
 
 /// A file of drawn tiles around the place of the flight, each with its number.
@@ -284,6 +295,8 @@ void play(FakeStation &station, MainWindow &window, const QString &state)
                 snapshot.security = engine::Security::Nothing;
                 snapshot.vehicles.front().ended = engine::EndedSession{"air-1", channel::DownReason::Revoked, 12.6};
             }
+            if (state == QLatin1String("disarmed") || state == QLatin1String("prearm"))
+                refuseArming(snapshot.vehicles.front().state);
             if (state == QLatin1String("served"))
                 addClients(snapshot);
             if (state == QLatin1String("several"))
@@ -314,6 +327,8 @@ void play(FakeStation &station, MainWindow &window, const QString &state)
         station.notify(vehicle::CommandResult{vehicle::RequestId{1}, 1, vehicle::CommandOutcome::Refused, 4,
                                               "failed: the vehicle is not landed, and a forced disarm was not requested"});
     }
+    if (state == QLatin1String("prearm"))
+        window.findChild<QPushButton *>(QStringLiteral("preArmButton"))->click();
     if (state == QLatin1String("demo"))
         window.setDemo(true);
     if (state.startsWith(QLatin1String("map")))

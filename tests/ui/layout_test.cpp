@@ -266,7 +266,7 @@ private Q_SLOTS:
             return out;
         };
         const auto before = places();
-        QCOMPARE(before.size(), std::size_t(5));
+        QCOMPARE(before.size(), std::size_t(8));
         auto *commands = m_window->findChild<VehicleCommands *>();
         commands->send(1, vehicle::TakeOff{10});
         const QString reason = QStringLiteral(

@@ -1,102 +1,231 @@
-#include "ui/flight/vehicle_actions.h"
+#include "ui/flight/action_bar.h"
 
-#include "core/engine/station/vehicle_snapshot.h"
+#include "core/engine/station/snapshot.h"
 #include "ui/flight/altitude_box.h"
+#include "ui/flight/emergency_stop.h"
+#include "ui/flight/mode_chooser.h"
+#include "ui/flight/pre_arm_button.h"
+#include "ui/flight/vehicle_name.h"
 #include "ui/result_label.h"
+#include "ui/text/action_permits.h"
 #include "ui/text/command_permits.h"
-#include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
-#include <QtCore/QSignalBlocker>
-#include <QtWidgets/QComboBox>
-#include <QtWidgets/QGridLayout>
+#include <QtCore/QEvent>
+#include <QtGui/QPainter>
+#include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QVBoxLayout>
+
+#include <algorithm>
 
 namespace skyseal::ui {
 
-VehicleActions::VehicleActions(VehicleCommands &commands, QWidget *parent) : QWidget(parent), m_commands(commands)
+namespace {
+constexpr int kResultWidth = 22 * kGrid; ///< pixels, the least
+}
+
+ActionBar::ActionBar(VehicleCommands &commands, QWidget *parent)
+    : QWidget(parent), m_commands(commands), m_arm(new HoldButton(tr("Arm"), this)), m_preArm(new PreArmButton(commands, this)),
+      m_altitude(new AltitudeBox(this))
 {
-    m_arm = new HoldButton(tr("Arm"), this);
+    setObjectName(QStringLiteral("actionBar"));
+    setAccessibleName(tr("Actions"));
     m_arm->setObjectName(QStringLiteral("armButton"));
-    m_takeOff = new HoldButton(tr("Take off"), this);
-    m_takeOff->setObjectName(QStringLiteral("takeOffButton"));
-    m_land = new HoldButton(tr("Land"), this);
-    m_land->setObjectName(QStringLiteral("landButton"));
-    m_return = new HoldButton(tr("RTL"), this);
-    m_return->setObjectName(QStringLiteral("returnButton"));
-    m_setMode = new HoldButton(tr("Set mode"), this);
-    m_setMode->setObjectName(QStringLiteral("setModeButton"));
-    for (HoldButton *button : {m_arm, m_takeOff, m_land, m_return, m_setMode})
-        button->setAccessibleName(button->text());
-    m_modes = new QComboBox(this);
-    m_modes->setObjectName(QStringLiteral("modeBox"));
-    m_modes->setAccessibleName(tr("Flight mode to set"));
-    m_modes->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_modes->setMinimumContentsLength(8);
-    connect(m_modes, &QComboBox::currentIndexChanged, this, [this] { m_modeEdited = true; });
-    m_altitude = new AltitudeBox(this);
     m_altitude->setObjectName(QStringLiteral("takeOffAltitude"));
     m_altitude->setMetres(commands.takeOffAltitude());
     connect(m_altitude, &AltitudeBox::metresChanged, &commands, &VehicleCommands::setTakeOffAltitude);
     connect(&commands, &VehicleCommands::takeOffAltitudeChanged, m_altitude, &AltitudeBox::setMetres);
+    addTarget("takeOffButton", tr("Take off"), tr("Take off"), [this] { return vehicle::TakeOff{m_altitude->metres()}; });
+    addTarget("startMissionButton", tr("Start mission"), tr("Mission"), [] { return vehicle::StartMission{}; });
+    addTarget("pauseButton", tr("Pause"), tr("Pause"), [] { return vehicle::Loiter{}; });
+    m_targets.back().button->setPurpose(tr("Stops and holds the present place; an aeroplane circles it."));
+    addTarget("landButton", tr("Land"), tr("Land"), [] { return vehicle::Land{}; });
+    addTarget("returnButton", tr("RTL"), tr("RTL"), [] { return vehicle::ReturnToLaunch{}; });
+    m_targets.back().button->setPurpose(tr("Returns to launch and lands there."));
+    m_mode = new ModeChooser(this); // in the order of the tab key
+    m_stop = new EmergencyStop(this);
     m_result = new ResultLabel(this);
     m_result->setObjectName(QStringLiteral("commandResult"));
     m_result->setAccessibleName(tr("Result of the last command"));
 
-    auto *grid = new QGridLayout(this);
-    grid->setContentsMargins(kGrid, kHalfGrid, kGrid, kGrid);
-    grid->setSpacing(kHalfGrid);
-    for (int column = 0; column < 6; ++column)
-        grid->setColumnStretch(column, 1);
-    grid->addWidget(m_arm, 0, 0, 1, 2);
-    grid->addWidget(m_land, 0, 2, 1, 2);
-    grid->addWidget(m_return, 0, 4, 1, 2);
-    grid->addWidget(m_altitude, 1, 0, 1, 3);
-    grid->addWidget(m_takeOff, 1, 3, 1, 3);
-    grid->addWidget(m_modes, 2, 0, 1, 3);
-    grid->addWidget(m_setMode, 2, 3, 1, 3);
-    grid->addWidget(m_result, 3, 0, 1, 6);
-
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(kGrid, kHalfGrid + 1, kGrid, kHalfGrid);
+    column->setSpacing(kHalfGrid);
+    for (QHBoxLayout *&row : m_rows) {
+        row = new QHBoxLayout;
+        row->setSpacing(kHalfGrid);
+        column->addLayout(row);
+    }
     const auto send = [this](const vehicle::VehicleCommand &command) { m_commands.send(m_systemId, command); };
     connect(m_arm, &HoldButton::confirmed, this, [this, send] {
         send(m_armed ? vehicle::VehicleCommand(vehicle::Disarm{}) : vehicle::VehicleCommand(vehicle::Arm{}));
     });
-    connect(m_takeOff, &HoldButton::confirmed, this, [this, send] { send(vehicle::TakeOff{m_altitude->metres()}); });
-    connect(m_land, &HoldButton::confirmed, this, [send] { send(vehicle::Land{}); });
-    connect(m_return, &HoldButton::confirmed, this, [send] { send(vehicle::ReturnToLaunch{}); });
-    connect(m_setMode, &HoldButton::confirmed, this,
-            [this, send] { send(vehicle::SetMode{m_modes->currentText().toStdString()}); });
-    for (HoldButton *button : {m_arm, m_takeOff, m_land, m_return, m_setMode})
+    connect(m_mode, &ModeChooser::confirmed, this, [send](const QString &mode) { send(vehicle::SetMode{mode.toStdString()}); });
+    connect(m_mode, &ModeChooser::modesChanging, this,
+            [this] { endHolds({&m_mode->button()}, tr("the vehicle's modes have changed")); });
+    connect(m_stop, &EmergencyStop::confirmed, this, [send] { send(vehicle::Disarm{.force = true}); });
+    for (HoldButton *button : holdButtons()) {
+        button->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
         connect(button, &HoldButton::aborted, this, [this] { say(tr("Not sent: hold the button to confirm"), true); });
-    connect(&commands, &VehicleCommands::resultReported, this, &VehicleActions::say);
+    }
+    m_arm->setMinimumHeight(kTargetHeight);
+    m_preArm->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
+    m_preArm->setMinimumHeight(kTargetHeight);
+    connect(&commands, &VehicleCommands::resultReported, this, &ActionBar::say);
     showViewState({});
+    arrange();
 }
 
-void VehicleActions::showViewState(const ViewState &view)
+void ActionBar::addTarget(const char *objectName, const QString &word, const QString &brief,
+                          std::function<vehicle::VehicleCommand()> command)
+{
+    auto *button = new HoldButton(word, this);
+    button->setObjectName(QLatin1String(objectName));
+    button->setMinimumHeight(kTargetHeight);
+    connect(button, &HoldButton::confirmed, this, [this, command] { m_commands.send(m_systemId, command()); });
+    m_targets.push_back({button, word, brief, std::move(command)});
+}
+
+std::vector<HoldButton *> ActionBar::holdButtons() const
+{
+    std::vector<HoldButton *> all{m_arm, &m_mode->button(), &m_stop->button()};
+    for (const Target &target : m_targets)
+        all.push_back(target.button);
+    return all;
+}
+
+std::vector<std::vector<ActionBar::Piece>> ActionBar::rowsOf(Shape shape) const
+{
+    const bool brief = shape == Shape::ThreeRows, stacked = shape == Shape::OneRow;
+    const QString vehicle = nameOf(kAnyVehicle, brief);
+    const Piece gap{nullptr, kGrid};
+    const std::vector<Piece> arming{
+        {m_arm, std::max({m_arm->roomFor(tr("Arm")), m_arm->roomFor(tr("Disarm")), m_arm->roomFor(vehicle)})},
+        {m_preArm, m_preArm->leastWidth()}};
+    std::vector<Piece> flight{{m_altitude, m_altitude->sizeHint().width()}};
+    for (const Target &target : m_targets) {
+        const int word = target.button->roomFor(brief ? target.brief : target.word);
+        flight.push_back({target.button, std::max(word, target.button->roomFor(vehicle)), 1});
+    }
+    const Piece mode{m_mode, m_mode->leastWidth(stacked)}, stop{m_stop, m_stop->leastWidth(stacked)};
+    const Piece result{m_result, kResultWidth, 1};
+    const auto join = [](std::initializer_list<std::vector<Piece>> parts) {
+        std::vector<Piece> row;
+        for (const auto &part : parts)
+            row.insert(row.end(), part.begin(), part.end());
+        return row;
+    };
+    switch (shape) {
+    case Shape::OneRow: return {join({arming, {gap}, flight, {gap, mode, gap, stop, gap, result}})};
+    case Shape::TwoRows: return {join({arming, {gap}, flight}), {mode, gap, stop, gap, result}};
+    case Shape::ThreeRows: break;
+    }
+    return {flight, join({arming, {{nullptr, kGrid, 1}, mode}}), {stop, gap, result}};
+}
+
+QString ActionBar::nameOf(int systemId, bool brief)
+{
+    return brief ? tr("veh. %1").arg(systemId) : tr("vehicle %1").arg(systemId);
+}
+
+int ActionBar::leastWidth(Shape shape) const
+{
+    int widest = 0;
+    for (const std::vector<Piece> &row : rowsOf(shape)) {
+        int width = 2 * kGrid + static_cast<int>(row.size() - 1) * kHalfGrid;
+        for (const Piece &piece : row)
+            width += piece.least;
+        widest = std::max(widest, width);
+    }
+    return widest;
+}
+
+void ActionBar::arrange()
+{
+    const Shape shape = width() >= leastWidth(Shape::OneRow) ? Shape::OneRow
+        : width() >= leastWidth(Shape::TwoRows)              ? Shape::TwoRows
+                                                             : Shape::ThreeRows;
+    if (shape == m_shape)
+        return;
+    m_shape = shape;
+    for (QHBoxLayout *row : m_rows)
+        while (const QLayoutItem *item = row->takeAt(0))
+            delete item;
+    m_mode->setStacked(shape == Shape::OneRow);
+    m_stop->setStacked(shape == Shape::OneRow);
+    const auto rows = rowsOf(shape);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        for (const Piece &piece : rows[i]) {
+            if (!piece.widget) {
+                m_rows[i]->addSpacing(piece.least);
+                if (piece.stretch > 0)
+                    m_rows[i]->addStretch(piece.stretch);
+                continue;
+            }
+            piece.widget->setMinimumWidth(piece.least);
+            piece.widget->setMaximumWidth(piece.stretch == 0 ? piece.least : QWIDGETSIZE_MAX);
+            m_rows[i]->addWidget(piece.widget, piece.stretch);
+        }
+    }
+    showNames();
+    layout()->invalidate();
+    setFixedHeight(layout()->minimumSize().height());
+    updateGeometry();
+}
+
+QSize ActionBar::minimumSizeHint() const
+{
+    return {leastWidth(Shape::ThreeRows), height()};
+}
+
+void ActionBar::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    arrange();
+}
+
+void ActionBar::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if ((event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) && m_shape) {
+        m_shape.reset();
+        arrange();
+    }
+}
+
+void ActionBar::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    painter.fillRect(0, 0, width(), 1, stateColors(palette()).line);
+}
+
+void ActionBar::showViewState(const ViewState &view)
 {
     const bool present = view.vehicle != nullptr;
     const std::uint8_t systemId = present ? view.vehicle->state.systemId : 0;
-    if (systemId != m_systemId && m_systemId != 0)
-        say({}, true); // the result was that of another vehicle
-    if (systemId != m_systemId)
-        endHolds({m_arm, m_takeOff, m_land, m_return, m_setMode}, tr("another vehicle is selected"));
-    m_modeEdited = m_modeEdited && systemId == m_systemId;
-    m_systemId = systemId;
-    m_armed = present && view.vehicle->state.armed;
-    const QString word = m_armed ? tr("Disarm") : tr("Arm");
-    if (m_arm->text() != word) {
-        endHolds({m_arm}, m_armed ? tr("the vehicle has been armed") : tr("the vehicle has been disarmed"));
-        m_arm->setText(word);
-        m_arm->setAccessibleName(word);
+    const bool another = systemId != m_systemId;
+    if (another) {
+        if (m_systemId != 0)
+            say({}, true); // the result was that of another vehicle
+        endHolds(holdButtons(), tr("another vehicle is selected"));
+        m_stop->lock();
     }
-    if (present)
-        showModes(view.vehicle->state.modes, view.vehicle->state.mode);
-    else
-        showModes({}, {});
-    showPermit(view);
+    m_systemId = systemId;
+    m_several = present && view.snapshot->vehicles.size() > 1;
+    const bool armed = present && view.vehicle->state.armed;
+    if (armed != m_armed)
+        endHolds({m_arm}, armed ? tr("the vehicle has been armed") : tr("the vehicle has been disarmed"));
+    m_armed = armed;
+    static const vehicle::VehicleState kNothing;
+    const vehicle::VehicleState &state = present ? view.vehicle->state : kNothing;
+    m_mode->showModes(state.modes, state.mode, another);
+    m_preArm->showViewState(view);
+    showNames();
+    showPermits(view);
 }
 
-void VehicleActions::endHolds(const std::vector<HoldButton *> &buttons, const QString &why)
+void ActionBar::endHolds(const std::vector<HoldButton *> &buttons, const QString &why)
 {
     for (HoldButton *button : buttons) {
         if (!button->isHeld())
@@ -106,15 +235,31 @@ void VehicleActions::endHolds(const std::vector<HoldButton *> &buttons, const QS
     }
 }
 
-void VehicleActions::showPermit(const ViewState &view)
+void ActionBar::showNames()
+{
+    const int named = m_several ? m_systemId : 0;
+    const bool brief = m_shape == Shape::ThreeRows;
+    const auto name = [named, brief](HoldButton &button, const QString &text, const QString &word) {
+        const QString line = named == 0 ? text : text + QLatin1Char('\n') + nameOf(named, brief);
+        button.setCommand(line, spokenCommand(word, named));
+    };
+    const QString arm = m_armed ? tr("Disarm") : tr("Arm");
+    name(*m_arm, arm, arm);
+    for (const Target &target : m_targets)
+        name(*target.button, brief ? target.brief : target.word, target.word);
+    m_mode->nameVehicle(named);
+    m_stop->nameVehicle(named);
+}
+
+void ActionBar::showPermits(const ViewState &view)
 {
     const QString reason = commandsDisabledReason(view);
-    for (HoldButton *button : {m_arm, m_takeOff, m_land, m_return})
-        button->setDisabledReason(nothingCanBeSent(reason));
-    const bool noModes = reason.isEmpty() && m_knownModes.empty();
-    m_setMode->setDisabledReason(noModes ? tr("The modes of this vehicle are not known") : nothingCanBeSent(reason));
+    m_arm->setDisabledReason(nothingCanBeSent(reason));
+    for (const Target &target : m_targets)
+        target.button->setDisabledReason(actionDisabledReason(target.command(), view));
     m_altitude->setEnabled(reason.isEmpty());
-    m_modes->setEnabled(m_setMode->isEnabled());
+    m_mode->setDisabledReason(nothingCanBeSent(reason));
+    m_stop->setDisabledReason(actionDisabledReason(vehicle::Disarm{.force = true}, view));
     // Without a vehicle, the line stays empty.
     const QString line = view.vehicle ? nothingCanBeSent(reason) : QString();
     if (line == m_disabledReason)
@@ -126,31 +271,14 @@ void VehicleActions::showPermit(const ViewState &view)
     m_disabledReason = line;
 }
 
-void VehicleActions::showModes(const std::vector<std::string> &modes, const std::string &current)
-{
-    const QSignalBlocker quiet(m_modes); // the signal is for changes of the operator
-    if (modes != m_knownModes) {
-        endHolds({m_setMode}, tr("the vehicle's modes have changed"));
-        m_knownModes = modes;
-        m_modes->clear();
-        for (const std::string &mode : modes)
-            m_modes->addItem(fromStd(mode));
-        m_modes->setCurrentIndex(modes.empty() ? -1 : 0);
-        m_modeEdited = false;
-    }
-    const int inUse = m_modes->findText(fromStd(current));
-    if (inUse == m_modes->currentIndex())
-        m_modeEdited = false;
-    else if (inUse >= 0 && !m_modeEdited && !m_setMode->isHeld())
-        m_modes->setCurrentIndex(inUse);
-}
-
-void VehicleActions::setUnits(UnitSystem units)
+void ActionBar::setUnits(UnitSystem units)
 {
     m_altitude->setUnits(units);
+    m_shape.reset();
+    arrange();
 }
 
-void VehicleActions::say(const QString &line, bool ok)
+void ActionBar::say(const QString &line, bool ok)
 {
     m_result->showResult(line);
     QPalette colors = palette();

@@ -1,48 +1,94 @@
-// The buttons that command the vehicle, each held to confirm, and the result of the last command.
+// The bar below the map that commands the vehicle: arming with the state of its checks, the flight actions as large targets,
+// the mode, the emergency stop, and the result of the last command. Buttons are held to confirm. The arrangement depends on the
+// bar's width alone, so that nothing moves while flying.
 #pragma once
 
 #include "ui/flight/hold_button.h"
 #include "ui/flight/vehicle_commands.h"
-#include "ui/view_state.h"
 #include "ui/text/units.h"
+#include "ui/view_state.h"
 
 #include <QtWidgets/QWidget>
 
-class QComboBox;
+#include <array>
+#include <functional>
+#include <optional>
+#include <vector>
+
+class QHBoxLayout;
 
 namespace skyseal::ui {
 
 class AltitudeBox;
+class EmergencyStop;
+class ModeChooser;
+class PreArmButton;
 class ResultLabel;
 
-class VehicleActions : public QWidget
+class ActionBar : public QWidget
 {
     Q_OBJECT
 
 public:
-    explicit VehicleActions(VehicleCommands &commands, QWidget *parent = nullptr);
+    static constexpr int kTargetHeight = 44; ///< pixels, the least of a flight action
+
+    explicit ActionBar(VehicleCommands &commands, QWidget *parent = nullptr);
 
     void showViewState(const ViewState &view);
     void setUnits(UnitSystem units);
     void say(const QString &line, bool ok);
 
+    QSize minimumSizeHint() const override;
+    QSize sizeHint() const override { return minimumSizeHint(); }
+
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+    void changeEvent(QEvent *event) override;
+    void paintEvent(QPaintEvent *event) override;
+
 private:
+    enum class Shape : std::uint8_t { OneRow, TwoRows, ThreeRows };
+    /// A flight action.
+    struct Target
+    {
+        HoldButton *button;
+        QString word, brief; ///< brief: where there is little room
+        std::function<vehicle::VehicleCommand()> command;
+    };
+    /// A widget in a row, or a gap if there is none.
+    struct Piece
+    {
+        QWidget *widget;
+        int least; ///< width in pixels
+        int stretch = 0;
+    };
+
+    void addTarget(const char *objectName, const QString &word, const QString &brief,
+                   std::function<vehicle::VehicleCommand()> command);
+    std::vector<std::vector<Piece>> rowsOf(Shape shape) const;
+    int leastWidth(Shape shape) const;
+    void arrange();
+    /// The second line of a button that names the vehicle.
+    static QString nameOf(int systemId, bool brief);
+    std::vector<HoldButton *> holdButtons() const;
     /// Aborts holds whose meaning has changed.
     void endHolds(const std::vector<HoldButton *> &buttons, const QString &why);
-    void showPermit(const ViewState &view);
-    /// Offers the modes of the vehicle and selects the one in use, unless the operator has selected another.
-    void showModes(const std::vector<std::string> &modes, const std::string &current);
+    void showNames();
+    void showPermits(const ViewState &view);
 
     VehicleCommands &m_commands;
-    HoldButton *m_arm, *m_takeOff, *m_land, *m_return, *m_setMode;
-    QComboBox *m_modes;
+    HoldButton *m_arm;
+    PreArmButton *m_preArm;
     AltitudeBox *m_altitude;
+    std::vector<Target> m_targets;
+    ModeChooser *m_mode;
+    EmergencyStop *m_stop;
     ResultLabel *m_result;
-    std::vector<std::string> m_knownModes;
+    std::array<QHBoxLayout *, 3> m_rows{};
+    std::optional<Shape> m_shape;
     QString m_disabledReason; ///< reason why commands cannot be sent, as shown in the result line
     std::uint8_t m_systemId = 0;
-    bool m_armed = false;
-    bool m_modeEdited = false; ///< the selected mode is the operator's choice, which the vehicle is not in
+    bool m_armed = false, m_several = false;
 };
 
 } // namespace skyseal::ui

@@ -1,4 +1,4 @@
-// Asks for an altitude and sends a command with it by a hold button, like the flight panel. It applies to the vehicle that was
+// Asks for an altitude and sends a command with it by a hold button, like the action bar. It applies to the vehicle that was
 // selected when it opened.
 #pragma once
 

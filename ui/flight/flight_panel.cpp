@@ -23,18 +23,13 @@ double degrees(double radians)
 
 } // namespace
 
-FlightPanel::FlightPanel(VehicleCommands &commands, QWidget *parent)
-    : DockPanel(parent), m_horizon(new Horizon(this)), m_values(new ValuesPanel(this)),
-      m_actions(new VehicleActions(commands, this))
+FlightPanel::FlightPanel(QWidget *parent) : DockPanel(parent), m_horizon(new Horizon(this)), m_values(new ValuesPanel(this))
 {
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    m_horizon->setMaximumHeight(320);
     column->addWidget(m_horizon, 1);
     column->addWidget(m_values);
-    column->addWidget(m_actions);
-    column->addStretch(0);
 }
 
 void FlightPanel::onSnapshot(const ViewState &view)
@@ -57,7 +52,6 @@ void FlightPanel::onSnapshot(const ViewState &view)
 void FlightPanel::showViewState(const ViewState &view)
 {
     m_values->showViewState(view);
-    m_actions->showViewState(view);
 }
 
 void FlightPanel::applySettings(const Settings &settings)
@@ -65,7 +59,6 @@ void FlightPanel::applySettings(const Settings &settings)
     m_units = settings.units;
     m_horizon->setUnits(m_units);
     m_values->setUnits(m_units);
-    m_actions->setUnits(m_units);
 }
 
 } // namespace skyseal::ui

@@ -1,7 +1,6 @@
-// The left dock: horizon, values and the buttons that move the vehicle.
+// The left dock: horizon and values.
 #pragma once
 
-#include "ui/flight/vehicle_actions.h"
 #include "ui/dock_panel.h"
 #include "ui/view_state.h"
 #include "ui/text/units.h"
@@ -16,9 +15,9 @@ class FlightPanel : public DockPanel
     Q_OBJECT
 
 public:
-    explicit FlightPanel(VehicleCommands &commands, QWidget *parent = nullptr);
+    explicit FlightPanel(QWidget *parent = nullptr);
 
-    /// The horizon follows every snapshot, numbers and buttons are renewed less often.
+    /// The horizon follows every snapshot, numbers are renewed less often.
     void onSnapshot(const ViewState &view) override;
     void showViewState(const ViewState &view) override;
     void applySettings(const Settings &settings) override;
@@ -27,7 +26,6 @@ public:
 private:
     Horizon *m_horizon;
     ValuesPanel *m_values;
-    VehicleActions *m_actions;
     UnitSystem m_units = UnitSystem::Metric;
 };
 

@@ -1,6 +1,7 @@
 #include "ui/flight/hold_button.h"
 
 #include "ui/held_keys.h"
+#include "ui/theme/grid.h"
 
 #include <QtGui/QKeyEvent>
 #include <QtGui/QMouseEvent>
@@ -10,9 +11,10 @@
 
 namespace skyseal::ui {
 
-HoldButton::HoldButton(const QString &text, QWidget *parent) : QPushButton(text, parent)
+HoldButton::HoldButton(const QString &text, QWidget *parent, int holdMs) : QPushButton(text, parent), m_holdMs(holdMs)
 {
-    setAccessibleDescription(tr("Hold for half a second to confirm; Escape aborts"));
+    setAccessibleDescription(holdMs == kHoldMs ? tr("Hold for half a second to confirm; Escape aborts")
+                                               : tr("Hold for %1 s to confirm; Escape aborts").arg(holdMs / 1000.0));
     setDisabledReason({});
     setAutoDefault(false);
     m_ticker.setInterval(16);
@@ -25,10 +27,38 @@ HoldButton::HoldButton(const QString &text, QWidget *parent) : QPushButton(text,
 
 void HoldButton::setDisabledReason(const QString &sentence)
 {
+    if (!sentence.isEmpty() && parentWidget() && window()->focusWidget() == this)
+        parentWidget()->setFocus(Qt::OtherFocusReason);
     setEnabled(sentence.isEmpty());
-    const QString tip = sentence.isEmpty() ? tr("Hold to confirm (mouse, Space or Enter); Esc aborts") : sentence;
+    const QString hold = tr("Hold to confirm (mouse, Space or Enter); Esc aborts");
+    const QString tip = !sentence.isEmpty() ? sentence : m_purpose.isEmpty() ? hold : m_purpose + QLatin1Char('\n') + hold;
     if (toolTip() != tip)
         setToolTip(tip);
+}
+
+void HoldButton::setCommand(const QString &text, const QString &spoken)
+{
+    if (this->text() != text)
+        setText(text);
+    if (accessibleName() != spoken) // a screen reader would say it again
+        setAccessibleName(spoken);
+}
+
+void HoldButton::setPurpose(const QString &sentence)
+{
+    m_purpose = sentence;
+    if (isEnabled())
+        setDisabledReason({}); // the tool tip
+}
+
+int HoldButton::roomFor(const QString &text) const
+{
+    return fontMetrics().size(Qt::TextShowMnemonic, text).width() + 2 * kGrid;
+}
+
+QSize HoldButton::sizeHint() const
+{
+    return {roomFor(text()), QPushButton::sizeHint().height()};
 }
 
 void HoldButton::begin(int key)
@@ -55,7 +85,7 @@ void HoldButton::abort()
 
 void HoldButton::tick()
 {
-    m_progress = std::min(1.0, static_cast<double>(m_since.elapsed()) / kHoldMs);
+    m_progress = std::min(1.0, static_cast<double>(m_since.elapsed()) / m_holdMs);
     update();
     if (m_progress < 1.0)
         return;

@@ -1,6 +1,7 @@
 // A button for commands that move a vehicle: it acts only after it was held for half a second, by mouse, Space or Enter.
 // Releasing early, leaving the button, losing the focus or pressing Esc aborts. A hold begins with a fresh press: a key that
-// was down before does nothing.
+// was down before does nothing. A button that is disabled while it has the focus leaves it to its parent, not to the next
+// button, which the operator's next key would press.
 #pragma once
 
 #include "ui/command_guard.h"
@@ -18,8 +19,13 @@ class HoldButton : public QPushButton
 public:
     static constexpr int kHoldMs = 500;
 
-    explicit HoldButton(const QString &text, QWidget *parent = nullptr);
+    /// `holdMs`: how long it must be held, in milliseconds.
+    explicit HoldButton(const QString &text, QWidget *parent = nullptr, int holdMs = kHoldMs);
 
+    /// Shows the command as `text`, and says it to screen readers as `spoken`.
+    void setCommand(const QString &text, const QString &spoken);
+    /// Says what the button does, at the beginning of its tool tip while it is enabled. A whole sentence.
+    void setPurpose(const QString &sentence);
     /// Disables the button with this sentence as its tool tip; enables it if the sentence is empty.
     void setDisabledReason(const QString &sentence);
     /// Returns the progress of the hold, 0 … 1; 0 if the button is not held.
@@ -27,6 +33,11 @@ public:
     bool isHeld() const { return m_ticker.isActive(); }
     /// Aborts a hold because the meaning of the button has changed.
     void abort();
+
+    /// Width in pixels that the button needs for a text.
+    int roomFor(const QString &text) const;
+    /// As wide as its text needs: the usual least width of buttons has no room in a row of many.
+    QSize sizeHint() const override;
 
 Q_SIGNALS:
     void confirmed();
@@ -49,6 +60,8 @@ private:
     void begin(int key);
     void tick();
 
+    const int m_holdMs;
+    QString m_purpose;
     QTimer m_ticker;
     QElapsedTimer m_since;
     double m_progress = 0;

@@ -1,5 +1,5 @@
-// Sends commands to the selected vehicle and reports the results as text ("Arm: denied: …"). Shared by the buttons of the
-// flight panel and the Vehicle menu. Lives on the GUI thread.
+// Sends commands to the selected vehicle and reports the results as text ("Arm: denied: …"). Shared by the action bar and the
+// menus. Lives on the GUI thread.
 #pragma once
 
 #include "ui/settings.h"
@@ -30,7 +30,7 @@ public:
     void send(std::uint8_t systemId, const vehicle::VehicleCommand &command);
     void handleEvent(const engine::Event &event);
 
-    /// Altitude of the next take-off in metres above home, shared by panel and menu.
+    /// Altitude of the next take-off in metres above home, shared by bar and menu.
     double takeOffAltitude() const { return m_takeOffAltitude; }
     void setTakeOffAltitude(double metres);
 

@@ -52,7 +52,7 @@ QString commandText(const vehicle::VehicleCommand &command)
 {
     return std::visit(
         Overloaded{[](const vehicle::Arm &) { return Text::tr("Arm"); },
-                   [](const vehicle::Disarm &) { return Text::tr("Disarm"); },
+                   [](const vehicle::Disarm &c) { return c.force ? Text::tr("Emergency stop") : Text::tr("Disarm"); },
                    [](const vehicle::TakeOff &c) { return Text::tr("Take off to %1 m").arg(number(c.altitude, 0)); },
                    [](const vehicle::Land &) { return Text::tr("Land"); },
                    [](const vehicle::ReturnToLaunch &) { return Text::tr("Return to launch"); },
@@ -69,7 +69,10 @@ QString commandText(const vehicle::VehicleCommand &command)
                    [](const vehicle::SetCurrentMissionItem &c) { return Text::tr("Mission item %1").arg(c.index); },
                    [](const vehicle::StartMission &) { return Text::tr("Start the mission"); },
                    [](const vehicle::Reboot &) { return Text::tr("Restart the autopilot"); },
-                   [](const vehicle::RawCommand &c) { return Text::tr("Command %1").arg(c.command); }},
+                   [](const vehicle::RawCommand &c) {
+                       return c.command == mavlink::MAV_CMD_RUN_PREARM_CHECKS ? Text::tr("Pre-arm checks")
+                                                                              : Text::tr("Command %1").arg(c.command);
+                   }},
         command);
 }
 

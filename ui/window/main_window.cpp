@@ -5,6 +5,7 @@
 #include "core/link/link_url.h"
 #include "ui/charts/diagnostics_panel.h"
 #include "ui/confirm_box.h"
+#include "ui/flight/action_bar.h"
 #include "ui/flight/vehicle_commands.h"
 #include "ui/links/link_dialog.h"
 #include "ui/links/links_panel.h"
@@ -125,6 +126,11 @@ void MainWindow::makeCentre(const ProgramFacts &facts)
     ground->addWidget(m_empty, 0, 0, Qt::AlignCenter);
     column->addWidget(banner);
     column->addLayout(ground, 1);
+    auto *actions = new ActionBar(*m_commands, centre);
+    actions->setUnits(m_settings.units);
+    connect(this, &MainWindow::settingsChanged, actions, [actions](const Settings &now) { actions->setUnits(now.units); });
+    connect(m_selection, &ViewSelection::numbersDue, actions, &ActionBar::showViewState);
+    column->addWidget(actions);
     setCentralWidget(centre);
 }
 

@@ -20,9 +20,9 @@ namespace skyseal::ui {
 
 namespace {
 
-DockPanel *makeFlight(const PanelContext &context, QWidget *parent)
+DockPanel *makeFlight(const PanelContext &, QWidget *parent)
 {
-    return new FlightPanel(context.commands, parent);
+    return new FlightPanel(parent);
 }
 
 DockPanel *makeSecureLink(const PanelContext &context, QWidget *parent)

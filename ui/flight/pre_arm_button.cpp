@@ -1,0 +1,59 @@
+#include "ui/flight/pre_arm_button.h"
+
+#include "ui/flight/pre_arm_dialog.h"
+#include "ui/modeless.h"
+#include "ui/text/pre_arm_text.h"
+#include "ui/theme/grid.h"
+#include "ui/theme/palettes.h"
+
+namespace skyseal::ui {
+
+PreArmButton::PreArmButton(VehicleCommands &commands, QWidget *parent) : QPushButton(parent), m_commands(commands)
+{
+    setObjectName(QStringLiteral("preArmButton"));
+    setAutoDefault(false);
+    connect(this, &QPushButton::clicked, this, &PreArmButton::openList);
+    showViewState({});
+}
+
+int PreArmButton::leastWidth() const
+{
+    return fontMetrics().horizontalAdvance(widestPreArmText()) + 2 * kGrid;
+}
+
+void PreArmButton::showViewState(const ViewState &view)
+{
+    m_view = view;
+    const QString text = preArmText(view);
+    if (this->text() != text) {
+        setText(text);
+        setAccessibleName(text);
+    }
+    const QString tip = preArmSentence(view) + QLatin1Char('\n') + tr("Opens the list of the reasons.");
+    if (toolTip() != tip)
+        setToolTip(tip);
+    const StateColors &colors = stateColors(palette());
+    const PreArm state = preArmOf(view);
+    QPalette own;
+    if (state == PreArm::Refused)
+        own.setColor(QPalette::ButtonText, colors.warning);
+    else if (state == PreArm::Ok)
+        own.setColor(QPalette::ButtonText, colors.good);
+    else if (state == PreArm::Unknown)
+        own.setColor(QPalette::ButtonText, colors.dim);
+    setPalette(own);
+    Q_EMIT viewChanged(view);
+}
+
+void PreArmButton::openList()
+{
+    if (raiseOpen<PreArmDialog>(*window()))
+        return;
+    auto *dialog = new PreArmDialog(m_commands, window());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(this, &PreArmButton::viewChanged, dialog, &PreArmDialog::showViewState);
+    dialog->showViewState(m_view);
+    showModeless(*dialog);
+}
+
+} // namespace skyseal::ui

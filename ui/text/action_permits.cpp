@@ -1,0 +1,70 @@
+#include "ui/text/action_permits.h"
+
+#include "core/engine/station/vehicle_snapshot.h"
+#include "core/vehicle/command_plan.h"
+#include "core/vehicle/flight_modes.h"
+#include "ui/text/command_permits.h"
+#include "ui/text/vehicle_text.h"
+
+#include <QtCore/QCoreApplication>
+
+namespace skyseal::ui {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(skyseal::ui::ActionPermits)
+};
+
+/// The reasons of the window. Commands without a row have none.
+class Reasons
+{
+public:
+    explicit Reasons(const ViewState &view)
+        : m_view(view), m_vehicle(*view.vehicle), m_kind{m_vehicle.state.type, m_vehicle.state.autopilot}
+    {}
+
+    template<typename Command> QString operator()(const Command &) const { return {}; }
+    QString operator()(const vehicle::Disarm &) const { return disarmed(); }
+    QString operator()(const vehicle::Land &) const { return disarmed(); }
+    QString operator()(const vehicle::ReturnToLaunch &) const { return disarmed(); }
+    QString operator()(const vehicle::Loiter &) const { return movesDisabledReason(m_view); }
+
+    QString operator()(const vehicle::StartMission &) const
+    {
+        const std::size_t home = m_kind.isArduPilot() ? 1 : 0; // ArduPilot's item 0
+        if (m_vehicle.mission && m_vehicle.mission->size() <= home)
+            return Text::tr("the vehicle has no mission");
+        return m_kind.isPx4() ? QString() : disarmed(); // PX4 arms by itself
+    }
+
+private:
+    QString disarmed() const
+    {
+        const bool heard = m_vehicle.state.heartbeatAge <= kStaleAfterSeconds;
+        return heard && !m_vehicle.state.armed ? Text::tr("the vehicle is disarmed") : QString();
+    }
+
+    const ViewState &m_view;
+    const engine::VehicleSnapshot &m_vehicle;
+    vehicle::VehicleKind m_kind;
+};
+
+} // namespace
+
+QString actionDisabledReason(const vehicle::VehicleCommand &command, const ViewState &view)
+{
+    const QString nothing = commandsDisabledReason(view);
+    if (!nothing.isEmpty())
+        return nothingCanBeSent(nothing);
+    QString reason = std::visit(Reasons(view), command);
+    if (reason.isEmpty()) {
+        // What the client would refuse to send: take-off in another mode, and commands that the vehicle lacks.
+        if (const auto plan = vehicle::planCommand(command, view.vehicle->state, {}); !plan)
+            reason = fromStd(plan.error());
+    }
+    return reason.isEmpty() ? QString() : Text::tr("Not now: %1").arg(reason);
+}
+
+} // namespace skyseal::ui
