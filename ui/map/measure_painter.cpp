@@ -36,10 +36,10 @@ void MeasurePainter::paint(const MeasureTool &tool, const std::optional<LatLong>
         paintPoint(all[i]);
     if (pointed)
         paintCross(all.last());
-    for (qsizetype i = 1; i < set; ++i)
-        paintLeg(all[i - 1], all[i], legText(tool.legs()[static_cast<std::size_t>(i - 1)], units), !wayOn && i + 1 == set);
     if (wayOn)
-        paintLeg(all[set - 1], all[set], legText(geodesicBetween(tool.points().back(), *pointed), units), true);
+        paintNextLeg(all.last(), legText(geodesicBetween(tool.points().back(), *pointed), units));
+    for (qsizetype i = set - 1; i > 0; --i)
+        paintLeg(all[i - 1], all[i], legText(tool.legs()[static_cast<std::size_t>(i - 1)], units), !wayOn && i + 1 == set);
     paintTotal(measuredText(tool, units));
 }
 
@@ -88,38 +88,70 @@ void MeasurePainter::paintCross(const QPointF &at)
 /// Beside the middle of the leg, unless it is shorter than its text.
 void MeasurePainter::paintLeg(const QPointF &from, const QPointF &to, const QString &text, bool always)
 {
-    const QFontMetricsF metrics(m_painter.font());
-    const double width = metrics.horizontalAdvance(text) + 2 * kGrid, height = metrics.height() + kHalfGrid;
+    QRectF place = captionFor(text);
     const QPointF way = to - from;
     const double length = std::hypot(way.x(), way.y());
-    if (!always && length < width)
+    if (!always && length < place.width())
         return;
     // Aside from the line by half the text, upwards or to the right.
     QPointF aside = length > 0 ? QPointF(way.y(), -way.x()) / length : QPointF(0, -1);
     if (aside.y() > 0)
         aside = -aside;
-    const QPointF middle = (from + to) / 2 + QPointF(aside.x() * (width / 2 + kGrid), aside.y() * (height / 2 + kGrid));
-    QRectF place(0, 0, width, height);
-    place.moveCenter(middle);
-    paintCaption(place, {text});
+    place.moveCenter((from + to) / 2
+                     + QPointF(aside.x() * (place.width() / 2 + kGrid), aside.y() * (place.height() / 2 + kGrid)));
+    paintCaption(place, text);
 }
 
-/// At the top, where neither the coordinates of the grid nor the arrow to the north stand.
+/// Beside the cross, and within the picture.
+void MeasurePainter::paintNextLeg(const QPointF &cross, const QString &text)
+{
+    QRectF place = captionFor(text);
+    place.moveTopLeft(cross + QPointF(1.5 * kGrid, 1.5 * kGrid));
+    if (place.right() > m_viewport.size().width())
+        place.moveRight(cross.x() - 1.5 * kGrid);
+    if (place.bottom() > m_viewport.size().height())
+        place.moveBottom(cross.y() - 1.5 * kGrid);
+    paintCaption(place, text);
+}
+
+/// At the top, between the corner and the arrow to the north; the help wraps where the map is narrow.
 void MeasurePainter::paintTotal(const QString &total)
 {
-    QFont strong = m_painter.font();
+    const QFont usual = m_painter.font();
+    QFont strong = usual;
     strong.setBold(true);
     const QString help = tr("Click or Return sets a point, Backspace removes the last, Esc ends");
-    const QFontMetricsF metrics(strong);
-    const double room = m_viewport.size().width() - 12 * kGrid;
-    const double width = std::min(std::max(metrics.horizontalAdvance(total), metrics.horizontalAdvance(help)) + 2 * kGrid,
-                                  room);
-    const QRectF place((m_viewport.size().width() - width) / 2, 3 * kGrid, width, 2 * metrics.height() + kGrid);
-    paintCaption(place, {total, QFontMetricsF(m_painter.font()).elidedText(help, Qt::ElideRight, width - kGrid)});
+    const QFontMetricsF bold(strong), metrics(usual);
+    const double room = std::max(m_viewport.size().width() - 14 * kGrid, 20.0 * kGrid);
+    const QRectF lines = metrics.boundingRect(QRectF(0, 0, room, 1000), Qt::AlignHCenter | Qt::TextWordWrap, help);
+    const double width = std::max(bold.horizontalAdvance(total), lines.width()) + 2 * kGrid;
+    const QRectF place((m_viewport.size().width() - width) / 2, 3 * kGrid, width, bold.height() + lines.height() + kGrid);
+    paintGround(place);
+    m_painter.setFont(strong);
+    m_painter.drawText(place.adjusted(0, kHalfGrid, 0, 0), Qt::AlignHCenter | Qt::AlignTop, total);
+    m_painter.setFont(usual);
+    m_painter.drawText(place.adjusted(kGrid, 0, -kGrid, -kHalfGrid), Qt::AlignHCenter | Qt::AlignBottom | Qt::TextWordWrap,
+                       help);
 }
 
-/// Text that can be read on any ground; of two lines, the first is bold.
-void MeasurePainter::paintCaption(const QRectF &place, const QStringList &lines)
+QRectF MeasurePainter::captionFor(const QString &text) const
+{
+    const QFontMetricsF metrics(m_painter.font());
+    return {0, 0, metrics.horizontalAdvance(text) + 2 * kGrid, metrics.height() + kHalfGrid};
+}
+
+/// Where it would overlap another one, the newer one stands alone.
+void MeasurePainter::paintCaption(const QRectF &place, const QString &text)
+{
+    if (std::ranges::any_of(m_taken, [&place](const QRectF &other) { return other.intersects(place); }))
+        return;
+    m_taken.push_back(place);
+    paintGround(place);
+    m_painter.drawText(place, Qt::AlignCenter, text);
+}
+
+/// On which text can be read, whatever is below.
+void MeasurePainter::paintGround(const QRectF &place)
 {
     QColor ground = m_palette.color(QPalette::Base);
     ground.setAlpha(225);
@@ -127,16 +159,6 @@ void MeasurePainter::paintCaption(const QRectF &place, const QStringList &lines)
     m_painter.setBrush(ground);
     m_painter.drawRoundedRect(place, 3, 3);
     m_painter.setPen(m_palette.color(QPalette::WindowText));
-    const double height = place.height() / static_cast<double>(lines.size());
-    const QFont usual = m_painter.font();
-    for (qsizetype i = 0; i < lines.size(); ++i) {
-        QFont font = usual;
-        font.setBold(lines.size() > 1 && i == 0);
-        m_painter.setFont(font);
-        m_painter.drawText(QRectF(place.left(), place.top() + height * static_cast<double>(i), place.width(), height),
-                           Qt::AlignCenter, lines[i]);
-    }
-    m_painter.setFont(usual);
 }
 
 } // namespace skyseal::ui

@@ -30,12 +30,16 @@ private:
     void paintLeg(const QPointF &from, const QPointF &to, const QString &text, bool always);
     void paintPoint(const QPointF &at);
     void paintCross(const QPointF &at);
+    void paintNextLeg(const QPointF &cross, const QString &text);
     void paintTotal(const QString &total);
-    void paintCaption(const QRectF &place, const QStringList &lines);
+    QRectF captionFor(const QString &text) const; ///< its size
+    void paintCaption(const QRectF &place, const QString &text);
+    void paintGround(const QRectF &place);
 
     QPainter &m_painter;
     const MapViewport &m_viewport;
     const QPalette &m_palette;
+    std::vector<QRectF> m_taken; ///< by captions of legs
 };
 
 } // namespace skyseal::ui
