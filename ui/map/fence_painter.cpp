@@ -1,5 +1,6 @@
 #include "ui/map/fence_painter.h"
 
+#include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
 #include <QtGui/QPainter>
@@ -11,7 +12,8 @@ namespace skyseal::ui {
 
 namespace {
 
-constexpr double kMark = 8; ///< pixels: half of a mark's height
+constexpr double kMark = 8;       ///< pixels: half of a mark's height
+constexpr double kLabelRoom = 48; ///< pixels: half of a label's width, about
 
 } // namespace
 
@@ -25,7 +27,7 @@ void FencePainter::paint(const FenceContent &content)
         paintRallyPoint(m_viewport.toPixels(content.rallyPoints()[i]), i + 1);
 }
 
-/// The label stands on the northernmost point of the line.
+/// The label stands on the northernmost point of the line, or next to it within the picture.
 void FencePainter::paintArea(const FenceArea &area)
 {
     const StateColors &colors = stateColors(m_palette);
@@ -55,7 +57,10 @@ void FencePainter::paintArea(const FenceArea &area)
     m_painter.drawPath(line);
     m_painter.setPen(QPen(color, 2.5, area.inclusion ? Qt::SolidLine : Qt::DashLine, Qt::FlatCap, Qt::RoundJoin));
     m_painter.drawPath(line);
-    paintLabel(top, area.inclusion ? tr("Stay inside") : tr("Keep out"));
+    const QRectF labels = picture.adjusted(kLabelRoom, kGrid, -kLabelRoom, -kGrid);
+    paintLabel({std::clamp(top.x(), labels.left(), std::max(labels.left(), labels.right())),
+                std::clamp(top.y(), labels.top(), std::max(labels.top(), labels.bottom()))},
+               area.inclusion ? tr("Stay inside") : tr("Keep out"));
 }
 
 void FencePainter::paintReturnPoint(const QPointF &at)
