@@ -54,12 +54,12 @@ private Q_SLOTS:
     void itemsMakeAreas()
     {
         constexpr auto kOut = MAV_CMD_NAV_FENCE_POLYGON_VERTEX_EXCLUSION;
-        const Fence fence = fenceOf({corner(47, 8, 3), corner(47, 9, 3), corner(48, 9, 3), // one triangle, and another one
-                                     corner(1, 1, 3), corner(1, 2, 3), corner(2, 2, 3), corner(5, 5, 4, kOut),
-                                     corner(5, 6, 4, kOut), corner(6, 6, 4, kOut), corner(6, 5, 4, kOut),
-                                     fenceItem(MAV_CMD_NAV_FENCE_CIRCLE_INCLUSION, 150, 47, 8),
-                                     fenceItem(MAV_CMD_NAV_FENCE_CIRCLE_EXCLUSION, 20, 47.1, 8.1),
-                                     fenceItem(MAV_CMD_NAV_FENCE_RETURN_POINT, 0, 47.2, 8.2)});
+        const FenceShapes fence = fenceOf(
+            {corner(47, 8, 3), corner(47, 9, 3), corner(48, 9, 3), // one triangle, and another one
+             corner(1, 1, 3), corner(1, 2, 3), corner(2, 2, 3), corner(5, 5, 4, kOut), corner(5, 6, 4, kOut),
+             corner(6, 6, 4, kOut), corner(6, 5, 4, kOut), fenceItem(MAV_CMD_NAV_FENCE_CIRCLE_INCLUSION, 150, 47, 8),
+             fenceItem(MAV_CMD_NAV_FENCE_CIRCLE_EXCLUSION, 20, 47.1, 8.1),
+             fenceItem(MAV_CMD_NAV_FENCE_RETURN_POINT, 0, 47.2, 8.2)});
         QCOMPARE(fence.areas.size(), std::size_t(5));
         QCOMPARE(fence.areas[0].corners.size(), qsizetype(3));
         QVERIFY(fence.areas[0].inclusion && !fence.areas[0].centre);
@@ -94,7 +94,7 @@ private Q_SLOTS:
     void itemsThatMakeNoAreaAreLeftOut()
     {
         QFETCH(std::vector<vehicle::MissionItem>, items);
-        const Fence fence = fenceOf(items);
+        const FenceShapes fence = fenceOf(items);
         QVERIFY(fence.areas.empty() && fence.returnPoints.empty());
     }
 

@@ -33,8 +33,8 @@ private Q_SLOTS:
     }
     void cleanup() { tearDown(); }
 
-    /// The lengths follow from the ellipsoid alone: a degree of the equator is a·π/180, a quadrant of a meridian 10,001,965.729 m
-    /// (NGA.STND.0036). The long way is the example of GeographicLib, JFK to LHR, by PROJ 9.1.1's geod.
+    /// The lengths follow from the ellipsoid alone: a degree of the equator is a·π/180, a quadrant of a meridian
+    /// 10,001,965.729 m (NGA.STND.0036). The long way is the example of GeographicLib, JFK to LHR, by PROJ 9.1.1's geod.
     void lengthsAndBearings_data()
     {
         QTest::addColumn<double>("fromLatitude");

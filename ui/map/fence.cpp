@@ -43,9 +43,9 @@ bool isWhole(const FenceArea &area, const vehicle::MissionItem &first)
 
 } // namespace
 
-Fence fenceOf(const std::vector<vehicle::MissionItem> &items)
+FenceShapes fenceOf(const std::vector<vehicle::MissionItem> &items)
 {
-    Fence out;
+    FenceShapes out;
     for (std::size_t i = 0; i < items.size(); ++i) {
         const vehicle::MissionItem &item = items[i];
         if (isCorner(item)) {
@@ -83,7 +83,7 @@ bool FenceContent::show(const ViewState &view)
         return false;
     m_fenceItems = fence;
     m_rallyItems = rally;
-    m_fence = fence ? fenceOf(*fence) : Fence();
+    m_fence = fence ? fenceOf(*fence) : FenceShapes();
     m_rallyPoints = rally ? rallyPointsOf(*rally) : std::vector<QPointF>();
     return true;
 }

@@ -22,14 +22,14 @@ struct FenceArea
     double radius = 0;                  ///< of a circle, metres on the ground
 };
 
-struct Fence
+struct FenceShapes
 {
     std::vector<FenceArea> areas;
     std::vector<QPointF> returnPoints; ///< where the vehicle flies after it left the fence
 };
 
 /// Items without a place, and polygons with fewer corners than they name or than three, are left out.
-Fence fenceOf(const std::vector<vehicle::MissionItem> &items);
+FenceShapes fenceOf(const std::vector<vehicle::MissionItem> &items);
 std::vector<QPointF> rallyPointsOf(const std::vector<vehicle::MissionItem> &items);
 
 /// Both of the selected vehicle, as last read.
@@ -39,12 +39,12 @@ public:
     /// Returns true if anything changed.
     bool show(const ViewState &view);
 
-    const Fence &fence() const { return m_fence; }
+    const FenceShapes &fence() const { return m_fence; }
     const std::vector<QPointF> &rallyPoints() const { return m_rallyPoints; }
 
 private:
     vehicle::MissionItems m_fenceItems, m_rallyItems;
-    Fence m_fence;
+    FenceShapes m_fence;
     std::vector<QPointF> m_rallyPoints;
 };
 

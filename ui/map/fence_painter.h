@@ -1,5 +1,5 @@
-// Paints the fence and the rally points: areas to stay in with a solid line, areas to keep out of with a dashed line and hatching,
-// each with its words.
+// Paints the fence and the rally points: areas to stay in with a solid line, areas to keep out of with a dashed line and
+// hatching, each with its words.
 #pragma once
 
 #include "ui/map/fence.h"

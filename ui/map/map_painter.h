@@ -1,5 +1,5 @@
-// Paints the content of the map: the ground (graticule, tiles, fence, mission, track, home, scale bar), and the vehicle above it. Made
-// for one paint event.
+// Paints the content of the map: the ground (graticule, tiles, fence, mission, track, home, scale bar), and the vehicle above
+// it. Made for one paint event.
 #pragma once
 
 #include "ui/map/graticule.h"

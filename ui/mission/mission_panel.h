@@ -1,5 +1,5 @@
-// The mission panel: read the mission, the fence and the rally points from the vehicle, send a mission from a file, save it to a
-// file.
+// The mission panel: read the mission, the fence and the rally points from the vehicle, send a mission from a file, save it to
+// a file.
 #pragma once
 
 #include "ui/mission/mission_model.h"

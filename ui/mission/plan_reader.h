@@ -20,8 +20,8 @@ public:
     /// `station` must outlive this.
     explicit PlanReader(StationInterface &station) : m_station(station) {}
 
-    /// Begins with the mission. `capabilities`: MAV_PROTOCOL_CAPABILITY of the vehicle, 0 while they are not known. Does nothing
-    /// while it reads.
+    /// Begins with the mission. `capabilities`: MAV_PROTOCOL_CAPABILITY of the vehicle, 0 while they are not known. Does
+    /// nothing while it reads.
     void read(std::uint8_t systemId, std::uint64_t capabilities);
     void forget() { m_pending.clear(); }
     bool isReading() const { return !m_pending.empty(); }

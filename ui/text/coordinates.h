@@ -9,8 +9,8 @@ namespace skyseal::ui {
 enum class CoordinateFormat : int { Decimal, DegreesMinutesSeconds, Utm, Mgrs };
 
 /// A place in degrees (WGS84) for the window: "−35.363261 149.165230" (about 0.1 m), "35°21'47.7" S 149°09'54.8" E",
-/// "55 south 696719 mE 6084520 mN" (to the nearest metre), or "55H FA 96719 84519" (the square metre that has the place). A dash
-/// if there is no such place.
+/// "55 south 696719 mE 6084520 mN" (to the nearest metre), or "55H FA 96719 84519" (the square metre that has the place).
+/// A dash if there is no such place.
 QString coordinatesText(double latitude, double longitude, CoordinateFormat format);
 /// The same for the clipboard, as other programs read it: "-35.363261, 149.165230", "55s 696719 6084520" or "55HFA9671984519".
 QString coordinatesToCopy(double latitude, double longitude, CoordinateFormat format);
