@@ -22,7 +22,8 @@ public:
     /// Numbers and lists: up to 5 times a second, and at once when an alarm changes.
     virtual void showViewState(const ViewState & /*view*/) {}
     virtual void applySettings(const Settings & /*settings*/) {}
-    /// The dock's height in pixels, for panels that scroll as a whole: a panel can hide what matters least before it has to scroll.
+    /// The dock's height in pixels, for panels that scroll as a whole: a panel can hide what matters least before it has to
+    /// scroll.
     virtual void fitHeight(int /*height*/) {}
     /// Whether its dock scrolls the whole panel; a panel of lists or charts scrolls or fits those itself.
     virtual bool scrollsAsAWhole() const { return false; }
