@@ -88,7 +88,8 @@ void Options::addFlag(const char *name, const char *help)
 
 void Options::addValue(const char *name, const char *placeholder, const char *help, const char *preset)
 {
-    declare({QLatin1String(name), QString::fromUtf8(help), QLatin1String(placeholder), QLatin1String(preset)});
+    const QString stated = *preset ? QStringLiteral(" Default: %1.").arg(QLatin1String(preset)) : QString();
+    declare({QLatin1String(name), QString::fromUtf8(help) + stated, QLatin1String(placeholder), QLatin1String(preset)});
 }
 
 void Options::declare(const QCommandLineOption &option)

@@ -24,6 +24,7 @@ public:
     Options(QString name, const QString &description);
 
     void addFlag(const char *name, const char *help);
+    /// `preset`: the value without the option; the help ends with it.
     void addValue(const char *name, const char *placeholder, const char *help, const char *preset = "");
     /// An option whose value is a link URL. Its help ends with the forms of the link types that `accepted` admits (all when
     /// it is null); url() and urls() refuse the others.
