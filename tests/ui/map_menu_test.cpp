@@ -236,8 +236,7 @@ private Q_SLOTS:
         m_map = find<MapView>("map");
         const LatLong place = placeAt({120, 90});
         QMenu *menu = openMenu({120, 90});
-        QCOMPARE(menu->actions().first()->text(),
-                 coordinatesText(place.latitude, place.longitude, CoordinateFormat::Mgrs));
+        QCOMPARE(menu->actions().first()->text(), coordinatesText(place.latitude, place.longitude, CoordinateFormat::Mgrs));
         choose(menu, "mapCopy");
         EVENTUALLY_EQUAL(QGuiApplication::clipboard()->text(),
                          coordinatesToCopy(place.latitude, place.longitude, CoordinateFormat::Mgrs));
