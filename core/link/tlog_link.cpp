@@ -1,11 +1,11 @@
 #include "core/link/tlog_link.h"
 
 #include "core/link/steady_now.h"
+#include "core/log/open_log.h"
 #include "core/mavlink/dialect.h"
 #include "core/mavlink/frame.h"
 
 #include <algorithm>
-#include <filesystem>
 
 namespace skyseal::link {
 
@@ -39,15 +39,12 @@ void TlogLink::open()
     if (state() != LinkState::Closed && state() != LinkState::Failed && state() != LinkState::Ended)
         return;
     const std::string &path = url().path();
-    // Opening a pipe or a directory succeeds, but reading from it would block or fail.
-    std::error_code error;
-    const bool isFile = std::filesystem::is_regular_file(path, error);
-    m_file = std::ifstream(path, std::ios::binary);
-    if (!isFile || !m_file) {
-        const std::string why = error ? error.message() : isFile ? "permission denied" : "it is not a file";
-        setState(LinkState::Failed, {LinkErrorCode::FileUnreadable, path, why});
+    auto file = tlog::openLog(path);
+    if (!file) {
+        setState(LinkState::Failed, {LinkErrorCode::FileUnreadable, path, file.error()});
         return;
     }
+    m_file = std::move(*file);
     m_reader = std::make_unique<tlog::LogReader>(m_file, mavlink::Dialect::builtin());
     m_frames->hasAhead = false;
     m_firstTime.reset();

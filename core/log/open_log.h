@@ -1,0 +1,15 @@
+// Opens a recording for reading.
+#pragma once
+
+#include "core/base/result.h"
+
+#include <fstream>
+#include <string>
+
+namespace skyseal::tlog {
+
+/// Returns the open file, or the reason in words why it cannot be read, e.g. "No such file or directory". Folders and pipes
+/// are refused: reading from them would fail or block.
+Result<std::ifstream, std::string> openLog(const std::string &path);
+
+} // namespace skyseal::tlog
