@@ -1,6 +1,7 @@
 // Any bytes as a datagram, as a stream in portions, and as a recording. What comes out must cover what went in, and every
-// valid frame must be told as JSON and encode again to its own bytes.
+// valid frame must be told as JSON and encode again to its own bytes. The index of the recording must be sound.
 #include "core/log/decode.h"
+#include "core/log/log_index.h"
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/message_json.h"
 #include "core/mavlink/payload_builder.h"
@@ -55,6 +56,26 @@ void encodeAgain(const Frame &frame)
                 && std::equal(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(compared), again.begin()));
 }
 
+/// Every position of an index lies on its time line, in order, and its lists are bounded.
+void indexAgain(ByteView bytes)
+{
+    std::istringstream input(std::string(asText(bytes)));
+    const tlog::LogIndex index = tlog::indexOf(input);
+    const auto isOnLine = [&](const tlog::LogSpan &span) {
+        return Duration::zero() <= span.from && span.from <= span.to && span.to <= index.length;
+    };
+    for (const tlog::LogSpan &gap : index.gaps)
+        require(isOnLine(gap) && gap.to - gap.from > tlog::LogIndex::kGap);
+    for (const tlog::ArmedSpan &armed : index.armed)
+        require(isOnLine(armed.span));
+    for (const tlog::ModeChange &mode : index.modes)
+        require(isOnLine({mode.at, mode.at}));
+    require(index.gaps.size() <= tlog::LogIndex::kListed && index.armed.size() <= tlog::LogIndex::kListed);
+    require(index.modes.size() <= tlog::LogIndex::kListed && index.vehicles.size() <= 255);
+    require(index.first || (index.length == Duration::zero() && index.gaps.empty()));
+    require(index.frames + index.damaged <= bytes.size());
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
@@ -94,5 +115,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
 
     std::istringstream input(std::string(asText(bytes)));
     tlog::decode(input, Dialect::builtin(), {}, [](std::string_view) { return true; });
+    indexAgain(bytes);
     return 0;
 }

@@ -1,0 +1,101 @@
+#include "core/log/log_index.h"
+
+#include "core/mavlink/autopilot_heartbeat.h"
+#include "core/mavlink/enums.h"
+
+#include <limits>
+#include <utility>
+
+namespace skyseal::tlog {
+
+namespace {
+
+/// True if the two heartbeats show the same mode. The base mode counts only if there is no custom mode; its bit for arming is
+/// no part of the mode.
+bool isSameMode(const ModeChange &a, const ModeChange &b)
+{
+    const auto usesCustom = [](const ModeChange &mode) {
+        return (mode.baseMode & mavlink::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED) != 0;
+    };
+    const auto base = [](const ModeChange &mode) { return mode.baseMode & ~mavlink::MAV_MODE_FLAG_SAFETY_ARMED; };
+    if (usesCustom(a) != usesCustom(b) || a.type != b.type || a.autopilot != b.autopilot)
+        return false;
+    return usesCustom(a) ? a.customMode == b.customMode : base(a) == base(b);
+}
+
+} // namespace
+
+LogIndexer::LogIndexer(std::istream &input) : m_reader(input, mavlink::Dialect::builtin()) {}
+
+template<typename T> void LogIndexer::list(std::vector<T> &entries, const T &entry)
+{
+    if (entries.size() < LogIndex::kListed)
+        entries.push_back(entry);
+    else
+        ++m_index.omitted;
+}
+
+bool LogIndexer::read(std::size_t most)
+{
+    for (; most > 0; --most) {
+        const auto item = m_reader.next();
+        if (!item)
+            return true;
+        if (item->bytes.empty()) {
+            ++m_index.damaged;
+            continue;
+        }
+        const Duration before = m_time.position(), at = m_time.note(item->time);
+        if (at - before > LogIndex::kGap)
+            list(m_index.gaps, {before, at});
+        ++m_index.frames;
+        if (item->frame && item->frame->messageId() == mavlink::Heartbeat::kId)
+            takeHeartbeat(*item->frame, at);
+    }
+    return false;
+}
+
+void LogIndexer::takeHeartbeat(const mavlink::Frame &frame, Duration at)
+{
+    const auto message = mavlink::Heartbeat::decode(frame.payload());
+    HeardVehicle &vehicle = m_heard[frame.systemId()];
+    if (!vehicle.known && (frame.systemId() == 0 || !mavlink::isAutopilot(message)))
+        return;
+    if (vehicle.known && frame.componentId() != vehicle.component)
+        return;
+    const ModeChange mode{at, frame.systemId(), message.type, message.autopilot, message.base_mode, message.custom_mode};
+    const bool armed = (message.base_mode & mavlink::MAV_MODE_FLAG_SAFETY_ARMED) != 0;
+    if (!vehicle.known)
+        m_index.vehicles.push_back(frame.systemId());
+    if (!vehicle.known || !isSameMode(mode, vehicle.mode))
+        list(m_index.modes, mode);
+    if (armed && !vehicle.armed)
+        vehicle.armedAt = at;
+    else if (!armed && vehicle.armed)
+        list(m_index.armed, {{vehicle.armedAt, at}, frame.systemId()});
+    vehicle.known = true;
+    vehicle.component = frame.componentId();
+    vehicle.mode = mode;
+    vehicle.armed = armed;
+}
+
+LogIndex LogIndexer::take()
+{
+    m_index.first = m_time.first();
+    m_index.length = m_time.position();
+    for (const std::uint8_t systemId : m_index.vehicles) {
+        HeardVehicle &vehicle = m_heard[systemId];
+        if (std::exchange(vehicle.armed, false))
+            list(m_index.armed, {{vehicle.armedAt, m_index.length}, systemId});
+    }
+    return std::move(m_index);
+}
+
+LogIndex indexOf(std::istream &input)
+{
+    LogIndexer indexer(input);
+    indexer.read(std::numeric_limits<std::size_t>::max());
+    return indexer.take();
+}
+
+} // namespace skyseal::tlog

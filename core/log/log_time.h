@@ -1,0 +1,30 @@
+// The time line of a recording: from the recorded times of its entries to positions since its beginning, which never decrease.
+#pragma once
+
+#include "core/base/clock.h"
+
+#include <optional>
+
+namespace skyseal::tlog {
+
+class LogTime
+{
+public:
+    /// A longer step forward is no pause in the recording but a clock that was set, or a damaged time.
+    static constexpr std::chrono::hours kLongestStep{24};
+
+    /// Takes the time of the next entry and returns its position. An entry without a time has the position of the one before
+    /// it. When the clock was set, back or far forward, no time passes.
+    Duration note(std::optional<WallTime> time);
+
+    /// Of the last entry.
+    Duration position() const { return m_position; }
+    /// Recorded time of the first entry that has one; nullopt before it, and in a file without times.
+    std::optional<WallTime> first() const { return m_first; }
+
+private:
+    std::optional<WallTime> m_first, m_last;
+    Duration m_position{};
+};
+
+} // namespace skyseal::tlog
