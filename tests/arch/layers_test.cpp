@@ -48,22 +48,14 @@ const QHash<QString, QStringList> &allowedInUi()
     static const QString kTheme = QStringLiteral("theme"), kText = QStringLiteral("text"),
                          kSecurity = QStringLiteral("security"), kSweep = QStringLiteral("sweep");
     static const QStringList kBottom{kTheme, kText};
-    static const QStringList kEverything = kBottom
-        + QStringList{QStringLiteral("alerts"),
-                      QStringLiteral("charts"),
-                      QStringLiteral("dialogs"),
-                      QStringLiteral("flight"),
-                      QStringLiteral("inspector"),
-                      QStringLiteral("keys"),
-                      QStringLiteral("links"),
-                      QStringLiteral("logs"),
-                      QStringLiteral("map"),
-                      QStringLiteral("messages"),
-                      QStringLiteral("mission"),
-                      QStringLiteral("parameters"),
-                      kSecurity,
-                      QStringLiteral("status"),
-                      kSweep};
+    static const QStringList kEverything = kBottom + QStringList{QStringLiteral("alerts"),    QStringLiteral("charts"),
+                                                                 QStringLiteral("dialogs"),   QStringLiteral("flight"),
+                                                                 QStringLiteral("inspector"), QStringLiteral("keys"),
+                                                                 QStringLiteral("links"),     QStringLiteral("logs"),
+                                                                 QStringLiteral("map"),       QStringLiteral("messages"),
+                                                                 QStringLiteral("mission"),   QStringLiteral("parameters"),
+                                                                 QStringLiteral("replay"),    kSecurity,
+                                                                 QStringLiteral("status"),    kSweep};
     static const QHash<QString, QStringList> kAllowed{
         {QString(), kBottom}, // the base files
         {kTheme, {}},
@@ -79,6 +71,7 @@ const QHash<QString, QStringList> &allowedInUi()
         {QStringLiteral("messages"), kBottom},
         {QStringLiteral("mission"), kBottom},
         {QStringLiteral("parameters"), kBottom},
+        {QStringLiteral("replay"), kBottom},
         {QStringLiteral("status"), kBottom},
         {kSecurity, kBottom},
         {QStringLiteral("tiles"), {}},
@@ -219,6 +212,7 @@ void LayersTest::roomsOfTheEngine()
         {kCommon, {}},
         {QStringLiteral("gateway"), {kCommon}},
         {kStation, {kCommon, QStringLiteral("gateway")}},
+        {QStringLiteral("replay"), {kCommon, kStation}},
         {kAgent, {kCommon}},
         {kText, {kCommon, QStringLiteral("gateway"), kStation, kAgent}},
         {QStringLiteral("headless"), {kCommon, QStringLiteral("gateway"), kStation, kAgent, kText}},

@@ -10,6 +10,7 @@
 #include "core/engine/station/metrics_sample.h"
 #include "core/engine/station/probe.h"
 #include "core/engine/station/recording_snapshot.h"
+#include "core/engine/station/replay_status.h"
 #include "core/engine/station/security.h"
 #include "core/engine/station/session_snapshot.h"
 #include "core/engine/station/unanswering_agent.h"
@@ -51,6 +52,7 @@ struct Snapshot
     std::uint64_t eventsDropped = 0;    ///< events that a hung reader did not receive, see OutputQueue
     MavlinkTotals mavlink;              ///< since the start, all links
     ChannelTotals channel;              ///< since the start, including ended sessions
+    std::optional<ReplayStatus> replay; ///< set if this is the picture of a replay
     std::shared_ptr<const Probe> probe; ///< null unless it was requested, see Station::requestProbe()
 };
 

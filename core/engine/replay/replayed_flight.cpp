@@ -1,0 +1,127 @@
+#include "core/engine/replay/replayed_flight.h"
+
+#include "core/engine/station/snapshot.h"
+
+#include <algorithm>
+
+namespace skyseal::engine {
+
+namespace {
+
+/// Position 0 as a time for the vehicles; their clock has no meaningful zero.
+constexpr TimePoint kBeginning{std::chrono::hours(1)};
+constexpr Duration kSampleEvery = std::chrono::milliseconds(250); // as a station
+/// Nothing more happens after so much silence: every vehicle is lost. A gap of days costs no time.
+constexpr Duration kQuietAfter = std::chrono::seconds(10);
+/// Deadlines are handled at least this far apart, as by a timer of the system.
+constexpr Duration kTimerStep = std::chrono::milliseconds(1);
+
+constexpr LinkId kLink{1};
+
+} // namespace
+
+ReplayedFlight::ReplayedFlight(std::istream &input, Notify notify)
+    : m_reader(input, mavlink::Dialect::builtin()), m_notify(std::move(notify)), m_fleet(m_config)
+{}
+
+bool ReplayedFlight::advance(Duration to, std::size_t most)
+{
+    if (to < m_position)
+        return true;
+    while (m_next || readNext()) {
+        passTime(std::min(m_next->at, to));
+        if (m_next->at > to) {
+            m_position = to;
+            return true;
+        }
+        if (most-- == 0)
+            return false;
+        take(*m_next);
+        m_next.reset();
+    }
+    m_over = true;
+    m_position = m_frameAt;
+    return true;
+}
+
+/// Damaged spots are counted; frames of unknown messages are not for the vehicles, but time passes.
+bool ReplayedFlight::readNext()
+{
+    while (const auto item = m_reader.next()) {
+        if (item->bytes.empty()) {
+            ++m_damaged;
+            continue;
+        }
+        m_next = NextEntry{*item, m_log.note(item->time)};
+        return true;
+    }
+    return false;
+}
+
+void ReplayedFlight::take(const NextEntry &entry)
+{
+    m_position = m_frameAt = entry.at;
+    m_nextSample = std::max(m_nextSample, entry.at - entry.at % kSampleEvery); // none in the silence before
+    if (entry.item.time)
+        m_wall = entry.item.time;
+    ++m_frames;
+    m_bytes += entry.item.bytes.size();
+    if (!entry.item.frame)
+        return;
+    const mavlink::Frame &frame = *entry.item.frame;
+    if (frame.systemId() == m_config.systemId && frame.componentId() == m_config.componentId)
+        return; // the station's own, which is recorded as well
+    const TimePoint now = kBeginning + entry.at;
+    if (const auto found = m_fleet.take(now, m_wall.value_or(WallTime{}), kLink, frame, std::nullopt))
+        m_notify(*found);
+    if (vehicle::Vehicle *vehicle = m_fleet.find(frame.systemId()))
+        drain(*vehicle);
+}
+
+/// The readings and deadlines up to and including `until`.
+void ReplayedFlight::passTime(Duration until)
+{
+    const Duration last = std::min(until, m_frameAt + kQuietAfter);
+    for (Duration next = nextDeadline(); next <= last; next = nextDeadline()) {
+        const TimePoint now = kBeginning + next;
+        m_deadlineAt = next;
+        m_fleet.vehicles().handleDeadline(now);
+        if (next >= m_nextSample) {
+            m_fleet.sample(now, m_notify);
+            m_nextSample += kSampleEvery;
+        }
+        for (auto &[systemId, vehicle] : m_fleet.vehicles().all())
+            drain(vehicle);
+    }
+}
+
+Duration ReplayedFlight::nextDeadline() const
+{
+    const TimePoint vehicles = m_fleet.vehicles().nextDeadline();
+    const TimePoint next = std::min(kBeginning + m_nextSample, vehicles);
+    return std::max({next < kBeginning ? Duration::zero() : next - kBeginning, m_deadlineAt + kTimerStep, m_frameAt});
+}
+
+void ReplayedFlight::drain(vehicle::Vehicle &vehicle)
+{
+    while (vehicle.pollOutgoing()) {}
+    Fleet::publishEvents(vehicle, false, m_notify);
+}
+
+void ReplayedFlight::describe(Snapshot &out, LinkSnapshot link) const
+{
+    const TimePoint now = kBeginning + m_position;
+    for (const auto &[systemId, vehicle] : m_fleet.vehicles().all())
+        out.vehicles.push_back(m_fleet.describe(now, vehicle));
+    out.inspector = m_fleet.inspector().rows(now);
+    out.mavlink = m_fleet.totals();
+    out.mavlink.badCrc = m_damaged;
+    out.security = securityOf(out);
+    link.id = kLink;
+    link.rxBytes = m_bytes;
+    link.rxDatagrams = m_frames;
+    link.badCrc = m_damaged;
+    out.links.push_back(std::move(link));
+}
+
+} // namespace skyseal::engine
