@@ -4,6 +4,7 @@
 
 #include "core/base/result.h"
 #include "core/engine/gateway/serve_config.h"
+#include "core/engine/replay/replay_command.h"
 #include "core/engine/station/event.h"
 #include "core/engine/station/mavsec_settings.h"
 #include "core/engine/station/snapshot_ptr.h"
@@ -47,6 +48,8 @@ public:
     /// Replays a recording beside the station, which goes on unchanged: nothing of the recording meets its peers, vehicles and
     /// links. Ends the replay before. Fails if the URL is not that of a recording.
     virtual Result<void, InputError> startReplay(const std::string &url) = 0;
+    /// Without a replay it has no effect.
+    virtual void controlReplay(const engine::ReplayCommand &command) = 0;
     virtual void endReplay() = 0;
 
 Q_SIGNALS:

@@ -115,9 +115,10 @@ vehicle::RequestId StationAdapter::perform(std::uint8_t systemId, vehicle::Reque
 void StationAdapter::setInspecting(bool inspecting)
 {
     m_inspecting = inspecting;
-    for (const auto *station : {&m_station, &m_replay})
-        if (*station)
-            (*station)->setInspecting(inspecting);
+    if (m_station)
+        m_station->setInspecting(inspecting);
+    if (m_replay)
+        m_replay->setInspecting(inspecting);
 }
 
 void StationAdapter::setRecording(bool recording)
@@ -131,7 +132,6 @@ std::optional<channel::PublicKey> StationAdapter::publicKey() const
     return m_station ? m_station->publicKey() : std::nullopt;
 }
 
-/// A station of its own, without keys and peers: what was sealed was recorded in clear, and belongs to the past.
 Result<void, InputError> StationAdapter::startReplay(const std::string &url)
 {
     const auto parsed = link::LinkUrl::parse(url);
@@ -139,19 +139,17 @@ Result<void, InputError> StationAdapter::startReplay(const std::string &url)
         return tl::unexpected(parsed.error());
     if (!parsed->traits().isRecording)
         return tl::unexpected(InputError{"is not a recording", url});
-    m_replay.reset();
-    engine::StationConfig config;
-    config.secure = engine::SecureMode::Off;
-    config.record = false;
-    auto created = Station::create(config);
-    if (!created)
-        return tl::unexpected(created.error());
-    m_replay = std::move(*created);
-    connect(m_replay.get(), &Station::snapshotReady, this, &StationInterface::replaySnapshotReady);
-    connect(m_replay.get(), &Station::eventOccurred, this, &StationInterface::replayEventOccurred);
+    m_replay = std::make_unique<engine::Replay>(*parsed);
+    connect(m_replay.get(), &engine::Replay::snapshotReady, this, &StationInterface::replaySnapshotReady);
+    connect(m_replay.get(), &engine::Replay::eventOccurred, this, &StationInterface::replayEventOccurred);
     m_replay->setInspecting(m_inspecting);
-    m_replay->addLink(*parsed);
     return {};
+}
+
+void StationAdapter::controlReplay(const engine::ReplayCommand &command)
+{
+    if (m_replay)
+        m_replay->perform(command);
 }
 
 void StationAdapter::endReplay()

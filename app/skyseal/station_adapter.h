@@ -1,6 +1,7 @@
 // The engine behind the windows' interface. The station can be replaced while the window lives (the demo creates its own keys).
 #pragma once
 
+#include "core/engine/replay/replay.h"
 #include "core/engine/station/station.h"
 #include "ui/station_interface.h"
 
@@ -36,6 +37,7 @@ public:
     void setRecording(bool recording) override;
     std::optional<channel::PublicKey> publicKey() const override;
     Result<void, InputError> startReplay(const std::string &url) override;
+    void controlReplay(const engine::ReplayCommand &command) override;
     void endReplay() override;
 
 Q_SIGNALS:
@@ -48,8 +50,8 @@ private:
     void listen();
 
     std::unique_ptr<engine::Station> m_station; ///< null only after failed()
-    std::unique_ptr<engine::Station> m_replay;  ///< null unless a recording is replayed
-    std::vector<engine::ServeConfig> m_served;  ///< also by the station after an exchange
+    std::unique_ptr<engine::Replay> m_replay;   ///< null unless a recording is replayed
+    std::vector<engine::ServeConfig> m_served; ///< also by the station after an exchange
     bool m_inspecting = false;
 };
 

@@ -53,6 +53,7 @@ public:
         replays.push_back(url);
         return {};
     }
+    void controlReplay(const engine::ReplayCommand &command) override { replayCommands.push_back(command); }
     void endReplay() override { ++replaysEnded; }
 
     void show(const engine::Snapshot &snapshot) { Q_EMIT snapshotReady(std::make_shared<const engine::Snapshot>(snapshot)); }
@@ -66,6 +67,7 @@ public:
     std::vector<std::pair<std::string, engine::MavsecSettings>> mavsecLinks;
     std::vector<std::string> addedLinks;
     std::vector<std::string> replays;
+    std::vector<engine::ReplayCommand> replayCommands;
     int replaysEnded = 0;
     std::vector<engine::ServeConfig> served; ///< the newest request
     std::vector<LinkId> removedLinks;

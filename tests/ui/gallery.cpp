@@ -41,16 +41,6 @@ void addClients(engine::Snapshot &snapshot)
     snapshot.clients.push_back({link.url, "127.0.0.1:50124", "none", {96, 12, 0, 0}});
 }
 
-/// What a recording shows.
-engine::Snapshot replaySnapshot(double time)
-{
-    engine::Snapshot out = plainSnapshot(time);
-    out.vehicles.front().state.mode = "AUTO";
-    out.links.front().url = "tlog:/logs/2026-05-02 field.tlog";
-    out.links.front().recording = true;
-    return out;
-}
-
 /// On the ground, with reasons against arming.
 void refuseArming(vehicle::VehicleState &state)
 {
@@ -340,8 +330,8 @@ void play(FakeStation &station, MainWindow &window, const QString &state)
         moveTo(*map, map->rect().center());
     if (state == QLatin1String("replay")) {
         window.startReplay(QStringLiteral("tlog:/logs/2026-05-02 field.tlog"));
-        for (double t = 0; t < 40; t += 0.5)
-            station.showReplay(replaySnapshot(t));
+        for (double t = 280; t < 320; t += 0.5)
+            station.showReplay(replayedSnapshot(t));
         engine::Snapshot lost = sealedSnapshot(50);
         lost.vehicles.front().state.messageAge = 12.6;
         station.show(lost);

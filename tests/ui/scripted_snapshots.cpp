@@ -1,5 +1,7 @@
 #include "scripted_snapshots.h"
 
+#include "core/log/log_index.h"
+
 #include <cmath>
 #include <numbers>
 
@@ -188,6 +190,35 @@ engine::Snapshot sealedSnapshot(double time, SuiteId suite, std::uint32_t epoch)
     snapshot.vehicles.front().session = session.info.session;
     snapshot.sessions.push_back(std::move(session));
     return snapshot;
+}
+
+engine::Snapshot replayedSnapshot(double position)
+{
+    using namespace std::chrono_literals;
+    static const auto index = [] {
+        auto out = std::make_shared<tlog::LogIndex>();
+        out->first = WallTime(std::chrono::seconds(1'777'716'000));
+        out->length = 900s;
+        out->frames = 54'000;
+        out->vehicles = {1};
+        const std::pair<Duration, std::uint32_t> modes[] = {{0s, 0}, {55s, 4}, {80s, 3}, {640s, 6}, {760s, 9}};
+        for (const auto &[at, mode] : modes)
+            out->modes.push_back({at, 1, mavlink::MAV_TYPE_QUADROTOR, mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA, 1, mode});
+        out->armed.push_back({{60s, 815s}, 1});
+        out->gaps.push_back({400s, 455s});
+        return out;
+    }();
+    engine::Snapshot out = plainSnapshot(position);
+    out.vehicles.front().state.mode = "AUTO";
+    out.links.front().url = "tlog:/logs/2026-05-02 field.tlog";
+    out.links.front().recording = true;
+    engine::ReplayStatus status;
+    status.position = std::chrono::duration_cast<Duration>(std::chrono::duration<double>(position));
+    status.time = *index->first + std::chrono::floor<std::chrono::microseconds>(status.position);
+    status.playing = true;
+    status.index = index;
+    out.replay = status;
+    return out;
 }
 
 std::vector<engine::MetricsSample> samplesOf(std::uint64_t firstNumber, double fromTime, double toTime, SuiteId suite,

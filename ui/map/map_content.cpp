@@ -32,6 +32,12 @@ bool MapContent::showMission(const engine::VehicleSnapshot &vehicle, bool homeMo
     return true;
 }
 
+/// Seconds on the clock of the vehicle, which a replay may let run faster or slower.
+static double flightSeconds(const engine::Snapshot &snapshot)
+{
+    return snapshot.replay ? seconds(snapshot.replay->position) : snapshot.time;
+}
+
 /// True if nothing can have flown there since the last position: the vehicle was restarted, or its estimate was reset.
 bool MapContent::isJump(const QPointF &now, double time) const
 {
@@ -65,11 +71,11 @@ MapContent::Changes MapContent::show(const ViewState &view, double metresPerPixe
     changes.ground |= showMission(*view.vehicle, homeMoved);
     if (state.position.known()) {
         const QPointF now = mercator::project({state.position.latitude, state.position.longitude});
-        if (isStale() || isJump(now, view.snapshot->time))
+        if (isStale() || isJump(now, flightSeconds(*view.snapshot)))
             m_track.interrupt();
         if (!isStale()) {
             m_lastKnown = now;
-            m_positionAt = view.snapshot->time;
+            m_positionAt = flightSeconds(*view.snapshot);
             changes.ground |= m_track.append(now, m_suite);
         }
         if (!m_vehicle || (now - *m_vehicle).manhattanLength() > metresPerPixel * 0.5) {

@@ -107,9 +107,14 @@ void MapView::clearTrack()
 
 void MapView::startOver()
 {
+    m_follow = true;
+    forgetFlight();
+}
+
+void MapView::forgetFlight()
+{
     m_content = MapContent();
     m_fence = FenceContent();
-    m_follow = true;
     markGroundDirty();
 }
 

@@ -29,6 +29,8 @@ public:
     void clearTrack();
     /// Another source of vehicles is shown: forgets everything of the one before.
     void startOver();
+    /// Forgets what the vehicle flew, and stays where it is.
+    void forgetFlight();
     void setUnits(UnitSystem units);
     void setCoordinateFormat(CoordinateFormat format);
     void setSource(const MapSource &source) { m_tiles.setSource(source); }

@@ -12,6 +12,7 @@
 #include "ui/links/problem_banner.h"
 #include "ui/map/empty_state.h"
 #include "ui/map/map_view.h"
+#include "ui/replay/replay_bar.h"
 #include "ui/security/allow_plain.h"
 #include "ui/security/suite_actions.h"
 #include "ui/status/status_strip.h"
@@ -50,13 +51,20 @@ namespace {
 constexpr int kSweepHeight = 320; ///< pixels: room for a row of each suite
 constexpr QSize kFirstSize(1280, 800);
 constexpr QSize kFrame(16, 48); ///< pixels: about what a window manager adds
+
+/// True if the second picture of a replay does not continue the first one.
+bool isAfterSeek(const engine::Snapshot &before, const engine::Snapshot &after)
+{
+    return before.replay && after.replay && (before.replay->seeking || before.replay->seeks != after.replay->seeks);
+}
 } // namespace
 
 MainWindow::MainWindow(StationInterface &station, QSettings &store, const ProgramFacts &facts, QWidget *parent)
     : QMainWindow(parent), m_station(station), m_store(store), m_settings(loadSettings(store)),
       m_selection(new ViewSelection(this)), m_suites(new SuiteActions(station, this)),
       m_commands(new VehicleCommands(station, this)),
-      m_dialogs(new WindowDialogs(*this, *m_commands, m_settings, facts.recordFolder)), m_demoAvailable(facts.demoAvailable)
+      m_dialogs(new WindowDialogs(*this, *m_commands, m_settings, facts.recordFolder)),
+      m_demoAvailable(facts.demoAvailable)
 {
     m_clock.start();
     setObjectName(QStringLiteral("mainWindow"));
@@ -98,6 +106,7 @@ void MainWindow::makeBars()
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(m_source);
+    column->addWidget(m_source->replayBar());
     auto *line = new QHBoxLayout;
     line->setSpacing(0);
     line->addWidget(new WorkspaceTabs(*m_workspaces, rows));
@@ -213,10 +222,13 @@ void MainWindow::connectParts()
 void MainWindow::connectSources()
 {
     connect(&m_station, &StationInterface::replaySnapshotReady, this, [this](const SnapshotPtr &snapshot) {
+        if (m_selection->isReplaying() && isAfterSeek(*view().snapshot, *snapshot))
+            m_map->forgetFlight();
         m_selection->setReplaySnapshot(snapshot);
         if (m_selection->isReplaying())
             m_source->showReplay(view());
     });
+    connect(m_source->replayBar(), &ReplayBar::commandRequested, &m_station, &StationInterface::controlReplay);
     connect(m_selection, &ViewSelection::liveChanged, m_source, &SourceBar::showLive);
     connect(m_source, &SourceBar::endRequested, this, [this] {
         if (m_source->source() == SourceBar::Source::Replay)

@@ -1,6 +1,7 @@
 #include "ui/window/source_bar.h"
 
 #include "core/engine/station/snapshot.h"
+#include "ui/replay/replay_bar.h"
 #include "ui/text/lock_face.h"
 #include "ui/text/units.h"
 #include "ui/text/vehicle_text.h"
@@ -23,7 +24,7 @@ const QColor kGround(0xf2, 0xc1, 0x00), kInk(0x10, 0x10, 0x10), kAlarm(0xa8, 0x0
 
 } // namespace
 
-SourceBar::SourceBar(QWidget *parent) : QFrame(parent)
+SourceBar::SourceBar(QWidget *parent) : QFrame(parent), m_replay(new ReplayBar(parent))
 {
     setObjectName(QStringLiteral("sourceBar"));
     setAutoFillBackground(true);
@@ -63,15 +64,21 @@ void SourceBar::showSource(Source source, const QString &name)
     m_end->setAccessibleName(m_end->text());
     paintSource();
     setVisible(source != Source::Live);
+    m_replay->startOver();
+    m_replay->setEnabled(true);
+    m_replay->setVisible(source == Source::Replay);
 }
 
 void SourceBar::showReplay(const ViewState &replay)
 {
+    if (replay.snapshot->replay)
+        m_replay->showStatus(*replay.snapshot->replay);
     const auto &links = replay.snapshot->links;
     const bool over = !links.empty() && std::ranges::all_of(links, [](const engine::LinkSnapshot &link) {
         return link.phase == engine::LinkPhase::Finished || link.phase == engine::LinkPhase::Closed;
     });
     const auto failed = std::ranges::find(links, engine::LinkPhase::Failed, &engine::LinkSnapshot::phase);
+    m_replay->setEnabled(failed == links.end());
     const QString title = failed != links.end() ? tr("REPLAY: %1 · %2").arg(m_name, fromStd(failed->problem))
         : over                                  ? tr("REPLAY: %1 · finished").arg(m_name)
                                                 : tr("REPLAY: %1").arg(m_name);

@@ -11,6 +11,8 @@ class QPushButton;
 
 namespace skyseal::ui {
 
+class ReplayBar;
+
 class SourceBar : public QFrame
 {
     Q_OBJECT
@@ -18,8 +20,11 @@ class SourceBar : public QFrame
 public:
     enum class Source { Live, Replay, Demo };
 
+    /// Also makes the bar of the controls of a replay, as another child of `parent`.
     explicit SourceBar(QWidget *parent = nullptr);
 
+    /// Visible during a replay; it stands below this bar.
+    ReplayBar *replayBar() const { return m_replay; }
     Source source() const { return m_source; }
     void showSource(Source source, const QString &name = {});
     /// The live link, during a replay.
@@ -42,6 +47,7 @@ private:
     QString m_name;
     QLabel *m_title, *m_state;
     QPushButton *m_end;
+    ReplayBar *m_replay;
     bool m_alarm = false;
 };
 
