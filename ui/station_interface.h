@@ -4,6 +4,7 @@
 
 #include "core/base/result.h"
 #include "core/engine/gateway/serve_config.h"
+#include "core/engine/replay/recording_info.h"
 #include "core/engine/replay/replay_command.h"
 #include "core/engine/station/event.h"
 #include "core/engine/station/mavsec_settings.h"
@@ -51,6 +52,10 @@ public:
     /// Without a replay it has no effect.
     virtual void controlReplay(const engine::ReplayCommand &command) = 0;
     virtual void endReplay() = 0;
+    /// Lists the recordings in a folder: recordingsListed() follows, then recordingRead() for each that was not read before.
+    /// Ends an earlier listing.
+    virtual void listRecordings(const std::string &folder) = 0;
+    virtual void stopListing() = 0;
 
 Q_SIGNALS:
     void snapshotReady(std::shared_ptr<const skyseal::engine::Snapshot> snapshot);
@@ -59,6 +64,8 @@ Q_SIGNALS:
     void commandSent(std::uint8_t systemId);
     void replaySnapshotReady(std::shared_ptr<const skyseal::engine::Snapshot> snapshot);
     void replayEventOccurred(skyseal::engine::Event event);
+    void recordingsListed(std::vector<skyseal::engine::RecordingInfo> recordings);
+    void recordingRead(skyseal::engine::RecordingInfo recording);
 };
 
 } // namespace skyseal::ui

@@ -8,6 +8,8 @@ using engine::Station;
 
 StationAdapter::StationAdapter(std::unique_ptr<Station> station) : m_station(std::move(station))
 {
+    connect(&m_recordings, &RecordingList::listed, this, &StationInterface::recordingsListed);
+    connect(&m_recordings, &RecordingList::read, this, &StationInterface::recordingRead);
     listen();
 }
 

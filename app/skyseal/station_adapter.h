@@ -1,6 +1,7 @@
 // The engine behind the windows' interface. The station can be replaced while the window lives (the demo creates its own keys).
 #pragma once
 
+#include "app/skyseal/recording_list.h"
 #include "core/engine/replay/replay.h"
 #include "core/engine/station/station.h"
 #include "ui/station_interface.h"
@@ -39,6 +40,8 @@ public:
     Result<void, InputError> startReplay(const std::string &url) override;
     void controlReplay(const engine::ReplayCommand &command) override;
     void endReplay() override;
+    void listRecordings(const std::string &folder) override { m_recordings.list(folder); }
+    void stopListing() override { m_recordings.stop(); }
 
 Q_SIGNALS:
     /// A new station could not be created; the old one is deleted.
@@ -51,6 +54,7 @@ private:
 
     std::unique_ptr<engine::Station> m_station; ///< null only after failed()
     std::unique_ptr<engine::Replay> m_replay;   ///< null unless a recording is replayed
+    RecordingList m_recordings;
     std::vector<engine::ServeConfig> m_served; ///< also by the station after an exchange
     bool m_inspecting = false;
 };

@@ -55,6 +55,8 @@ public:
     }
     void controlReplay(const engine::ReplayCommand &command) override { replayCommands.push_back(command); }
     void endReplay() override { ++replaysEnded; }
+    void listRecordings(const std::string &folder) override { listedFolders.push_back(folder); }
+    void stopListing() override { ++listingsStopped; }
 
     void show(const engine::Snapshot &snapshot) { Q_EMIT snapshotReady(std::make_shared<const engine::Snapshot>(snapshot)); }
     void notify(const engine::Event &event) { Q_EMIT eventOccurred(event); }
@@ -69,6 +71,8 @@ public:
     std::vector<std::string> replays;
     std::vector<engine::ReplayCommand> replayCommands;
     int replaysEnded = 0;
+    std::vector<std::string> listedFolders;
+    int listingsStopped = 0;
     std::vector<engine::ServeConfig> served; ///< the newest request
     std::vector<LinkId> removedLinks;
     std::vector<std::pair<channel::SessionId, crypto::SuiteId>> switches;

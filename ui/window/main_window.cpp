@@ -63,7 +63,7 @@ MainWindow::MainWindow(StationInterface &station, QSettings &store, const Progra
     : QMainWindow(parent), m_station(station), m_store(store), m_settings(loadSettings(store)),
       m_selection(new ViewSelection(this)), m_suites(new SuiteActions(station, this)),
       m_commands(new VehicleCommands(station, this)),
-      m_dialogs(new WindowDialogs(*this, *m_commands, m_settings, facts.recordFolder)),
+      m_dialogs(new WindowDialogs(*this, station, *m_commands, m_settings, facts.recordFolder)),
       m_demoAvailable(facts.demoAvailable)
 {
     m_clock.start();

@@ -13,9 +13,9 @@
 #include "ui/map/map_view.h"
 #include "ui/map/region_dialog.h"
 #include "ui/modeless.h"
+#include "ui/replay/recordings_dialog.h"
 #include "ui/view_state.h"
 
-#include <QtWidgets/QFileDialog>
 #include <QtWidgets/QMessageBox>
 
 namespace skyseal::ui {
@@ -32,8 +32,10 @@ template<typename Dialog, typename... Arguments> Dialog *make(Arguments &&...arg
 
 } // namespace
 
-WindowDialogs::WindowDialogs(QWidget &window, VehicleCommands &commands, const Settings &settings, QString recordFolder)
-    : QObject(&window), m_window(window), m_commands(commands), m_settings(settings), m_recordFolder(std::move(recordFolder))
+WindowDialogs::WindowDialogs(QWidget &window, StationInterface &station, VehicleCommands &commands, const Settings &settings,
+                             QString recordFolder)
+    : QObject(&window), m_window(window), m_station(station), m_commands(commands), m_settings(settings),
+      m_recordFolder(std::move(recordFolder))
 {}
 
 void WindowDialogs::setKeyring(KeyringInterface &keyring, PairingInterface *pairing)
@@ -53,10 +55,11 @@ void WindowDialogs::openLink()
 
 void WindowDialogs::openReplay()
 {
-    auto *dialog = make<QFileDialog>(&m_window, tr("Replay a log"), m_recordFolder,
-                                     tr("Telemetry logs (*.tlog);;All files (*)"));
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, this, &WindowDialogs::replayAccepted);
+    if (raiseOpen<RecordingsDialog>(m_window))
+        return;
+    const QString folder = m_settings.recordFolder.isEmpty() ? m_recordFolder : m_settings.recordFolder;
+    auto *dialog = make<RecordingsDialog>(m_station, folder, &m_window);
+    connect(dialog, &RecordingsDialog::fileChosen, this, &WindowDialogs::replayAccepted);
     showModeless(*dialog);
 }
 

@@ -14,6 +14,7 @@ class KeyringInterface;
 class LinkDialog;
 class MapView;
 class PairingInterface;
+class StationInterface;
 class VehicleCommands;
 struct ViewState;
 
@@ -22,9 +23,10 @@ class WindowDialogs : public QObject
     Q_OBJECT
 
 public:
-    /// `commands` and `settings` must outlive this; `window` becomes the parent of the dialogs. Recordings are looked for in
-    /// `recordFolder`.
-    WindowDialogs(QWidget &window, VehicleCommands &commands, const Settings &settings, QString recordFolder);
+    /// `station`, `commands` and `settings` must outlive this; `window` becomes the parent of the dialogs. Recordings are
+    /// looked for in `recordFolder`, unless the settings name a folder.
+    WindowDialogs(QWidget &window, StationInterface &station, VehicleCommands &commands, const Settings &settings,
+                  QString recordFolder);
 
     /// Without a keyring, openKeys() does nothing; without pairing, the dialog of keys does not offer it. Both must outlive
     /// this.
@@ -52,6 +54,7 @@ Q_SIGNALS:
 
 private:
     QWidget &m_window;
+    StationInterface &m_station;
     VehicleCommands &m_commands;
     const Settings &m_settings;
     QString m_recordFolder;

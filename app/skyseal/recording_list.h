@@ -1,0 +1,50 @@
+// Lists the recordings of a folder for the window: first their names, then what each contains, the newest first. A thread for
+// files reads them, one after the other; what was read of a file is kept while its size and time stay the same. Lives on the
+// GUI thread.
+#pragma once
+
+#include "app/common/file_thread.h"
+#include "core/engine/replay/recording_info.h"
+
+#include <QtCore/QObject>
+
+#include <atomic>
+#include <deque>
+#include <map>
+#include <tuple>
+#include <vector>
+
+namespace skyseal::app {
+
+class RecordingList : public QObject
+{
+    Q_OBJECT
+
+public:
+    using QObject::QObject;
+    ~RecordingList() override { stop(); }
+
+    /// Ends an earlier listing.
+    void list(const std::string &folder);
+    void stop();
+
+Q_SIGNALS:
+    void listed(std::vector<skyseal::engine::RecordingInfo> recordings);
+    /// One of those that were listed, once it was read.
+    void read(skyseal::engine::RecordingInfo recording);
+
+private:
+    using Key = std::tuple<std::string, std::uint64_t, WallTime>;
+
+    void takeFiles(std::vector<engine::RecordingInfo> files);
+    void readNext();
+    void keep(const engine::RecordingInfo &recording);
+    static Key keyOf(const engine::RecordingInfo &recording) { return {recording.path, recording.bytes, recording.modified}; }
+
+    std::map<Key, engine::RecordingInfo> m_known;
+    std::deque<engine::RecordingInfo> m_waiting;
+    std::shared_ptr<std::atomic<bool>> m_stopped; ///< of the listing that runs; null without one
+    FileThread m_thread;
+};
+
+} // namespace skyseal::app

@@ -1,0 +1,142 @@
+// The list of recordings: what it shows while and after they are read, and what the choice of one starts.
+#include "tests/support/eventually.h"
+#include "tests/support/test_runner.h"
+#include "ui/replay/recordings_dialog.h"
+#include "window_rig.h"
+
+#include "core/mavlink/enums.h"
+
+#include <QtTest/QAbstractItemModelTester>
+#include <QtTest/QTest>
+#include <QtWidgets/QFileDialog>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QTreeView>
+
+using namespace skyseal;
+using namespace skyseal::ui;
+using namespace std::chrono_literals;
+
+class RecordingsDialogTest : public QObject, private WindowRig
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        ProgramFacts facts;
+        facts.recordFolder = QStringLiteral("/logs");
+        setUp(facts);
+        QTest::keySequence(m_window.get(), QKeySequence::Open);
+        EVENTUALLY(m_window->findChild<RecordingsDialog *>());
+        m_view = find<QTreeView>("recordingView");
+    }
+    void cleanup() { tearDown(); }
+
+    void foldersRecordingsAreListed()
+    {
+        QCOMPARE(m_station->listedFolders, std::vector<std::string>{"/logs"});
+        QVERIFY(state().contains(QStringLiteral("/logs")));
+        QVERIFY(!find<QPushButton>("recordingReplay")->isEnabled());
+        list({file("old.tlog", 1000s), file("new.tlog", 2000s)});
+        QCOMPARE(text(0, RecordingModel::File), QStringLiteral("new.tlog"));
+        QCOMPARE(text(0, RecordingModel::Vehicle), QStringLiteral("reading…"));
+        QVERIFY(state().startsWith(QStringLiteral("0 of 2")));
+    }
+
+    void recordingIsDescribedOnceItWasRead()
+    {
+        const QAbstractItemModelTester tester(m_view->model());
+        engine::RecordingInfo one = file("a.tlog", 1000s), other = file("b.tlog", 2000s);
+        list({one, other});
+        one.index = indexed(1'600'000'000s, 754s, {1, 2});
+        Q_EMIT m_station->recordingRead(one);
+        other.problem = "permission denied";
+        Q_EMIT m_station->recordingRead(other);
+        const int row = text(0, RecordingModel::File) == QLatin1String("a.tlog") ? 0 : 1;
+        QCOMPARE(row, 1); // stays where it was listed, although the flight began later
+        QCOMPARE(text(row, RecordingModel::Length), QStringLiteral("12:34"));
+        QVERIFY2(text(row, RecordingModel::Date).startsWith(QStringLiteral("2020-09-13")),
+                 qPrintable(text(row, RecordingModel::Date)));
+        QVERIFY(text(row, RecordingModel::Vehicle).contains(QStringLiteral(" 1, ")));
+        QVERIFY(text(1 - row, RecordingModel::Vehicle).contains(QStringLiteral("permission denied")));
+        QVERIFY(state().startsWith(QStringLiteral("2 recordings")));
+    }
+
+    void emptyFolderSaysWhatToDo()
+    {
+        list({});
+        QVERIFY(state().contains(QStringLiteral("Settings")));
+        QVERIFY(!find<QPushButton>("recordingReplay")->isEnabled());
+    }
+
+    void enterReplaysTheSelectedOne()
+    {
+        list({file("old.tlog", 1000s), file("new.tlog", 2000s)});
+        QTest::keyClick(m_view, Qt::Key_Down);
+        QTest::keyClick(m_view, Qt::Key_Return);
+        QCOMPARE(m_station->replays, std::vector<std::string>{"tlog:/logs/old.tlog"});
+        EVENTUALLY(!m_window->findChild<RecordingsDialog *>());
+        QCOMPARE(m_station->listingsStopped, 1);
+    }
+
+    void buttonReplaysTheSelectedOne()
+    {
+        list({file("old.tlog", 1000s), file("new.tlog", 2000s)});
+        QTest::mouseClick(find<QPushButton>("recordingReplay"), Qt::LeftButton);
+        QCOMPARE(m_station->replays, std::vector<std::string>{"tlog:/logs/new.tlog"});
+    }
+
+    void anyFileCanBeChosen()
+    {
+        QTest::mouseClick(find<QPushButton>("recordingOther"), Qt::LeftButton);
+        EVENTUALLY(m_window->findChild<QFileDialog *>());
+        Q_EMIT m_window->findChild<QFileDialog *>()->fileSelected(QStringLiteral("/else/where.tlog"));
+        QCOMPARE(m_station->replays, std::vector<std::string>{"tlog:/else/where.tlog"});
+    }
+
+    /// The selection stays where it is while hundreds of recordings are read.
+    void manyRecordingsAreRead()
+    {
+        std::vector<engine::RecordingInfo> all;
+        for (int i = 0; i < 500; ++i)
+            all.push_back(file("flight-" + std::to_string(1000 + i) + ".tlog", std::chrono::seconds(10'000 - i)));
+        list(all);
+        m_view->setCurrentIndex(m_view->model()->index(7, 0));
+        const QString selected = text(7, RecordingModel::File);
+        for (engine::RecordingInfo &one : all) {
+            one.index = indexed(std::chrono::floor<std::chrono::seconds>(one.modified.time_since_epoch()), 60s, {1});
+            Q_EMIT m_station->recordingRead(one);
+        }
+        QVERIFY(state().startsWith(QStringLiteral("500 recordings")));
+        QCOMPARE(m_view->currentIndex().siblingAtColumn(RecordingModel::File).data().toString(), selected);
+    }
+
+private:
+    static engine::RecordingInfo file(const std::string &name, std::chrono::seconds modified)
+    {
+        engine::RecordingInfo out{"/logs/" + name, name};
+        out.bytes = 1'500'000;
+        out.modified = WallTime(modified);
+        return out;
+    }
+    static std::shared_ptr<const tlog::LogIndex> indexed(std::chrono::seconds first, Duration length,
+                                                         std::vector<std::uint8_t> vehicles)
+    {
+        auto out = std::make_shared<tlog::LogIndex>();
+        out->first = WallTime(first);
+        out->length = length;
+        out->vehicles = std::move(vehicles);
+        for (const std::uint8_t systemId : out->vehicles)
+            out->modes.push_back({{}, systemId, mavlink::MAV_TYPE_QUADROTOR, mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA, 1, 0});
+        return out;
+    }
+    void list(const std::vector<engine::RecordingInfo> &all) { Q_EMIT m_station->recordingsListed(all); }
+    QString state() const { return find<QLabel>("recordingState")->text(); }
+    QString text(int row, int column) const { return m_view->model()->index(row, column).data().toString(); }
+
+    QTreeView *m_view = nullptr;
+};
+
+SKYSEAL_TEST_WIDGETS(RecordingsDialogTest)
+#include "recordings_dialog_test.moc"
