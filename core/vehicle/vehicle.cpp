@@ -30,6 +30,7 @@ VehicleState Vehicle::state(TimePoint now) const
     out.messageAge = seconds(monitor.messageAge(now));
     out.lost = monitor.isLost(now);
     out.flightTime = m_parts->flightTimer.flightTime(now);
+    out.traffic = m_parts->traffic.aircraft(now);
     out.preArmReasons = m_parts->preArm.at(now);
     for (const MicroProtocol *client : m_parts->context.clients) {
         if (const auto progress = client->progress())

@@ -18,6 +18,8 @@ void Vehicle::Parts::handleFrame(TimePoint now, WallTime wall, const mavlink::Fr
     lastWall = wall;
     if (frame.messageId() == mavlink::Statustext::kId)
         handleStatusText(now, frame); // of any component, a camera's for example
+    if (frame.messageId() == mavlink::AdsbVehicle::kId)
+        traffic.handle(now, unpack<mavlink::AdsbVehicle>(frame), context.state.position); // the receiver may be a component
     if (frame.componentId() != context.addressing.component)
         return;
     VehicleState &state = context.state;

@@ -16,6 +16,7 @@
 #include "core/vehicle/stream_requester.h"
 #include "core/vehicle/telemetry.h"
 #include "core/vehicle/time_sync_client.h"
+#include "core/vehicle/traffic.h"
 #include "core/vehicle/vehicle.h"
 
 #include <deque>
@@ -37,6 +38,7 @@ struct Vehicle::Parts
     std::deque<StatusText> texts; ///< the last kMaxTexts, for the state
     HeartbeatMonitor monitor;
     FlightTimer flightTimer;
+    Traffic traffic;
     PreArmReasons preArm;
 
     // The clients, one row each. Every frame is offered to them in this order.

@@ -51,6 +51,19 @@ struct TransferProgress
     std::uint64_t total = 0; ///< 0 while it is not known
 };
 
+/// An aircraft that the vehicle's ADS-B receiver has heard.
+struct Aircraft
+{
+    std::uint32_t address = 0; ///< ICAO, 24 bits
+    std::string callsign;      ///< empty: unknown
+    Position position;
+    double heading = kUnknown;     ///< degrees, 0..360
+    double groundSpeed = kUnknown; ///< metres a second
+    double climb = kUnknown;       ///< metres a second
+    double age = 0;                ///< seconds since the receiver heard it
+    bool simulated = false;
+};
+
 struct VehicleState
 {
     std::uint8_t systemId = 0;
@@ -104,6 +117,7 @@ struct VehicleState
     SequenceCounters sequence;      ///< all components
     std::vector<StatusText> texts;  ///< the last 200
     std::vector<TransferProgress> transfers;
+    std::vector<Aircraft> traffic; ///< in the neighbourhood, see Traffic
 };
 
 } // namespace skyseal::vehicle
