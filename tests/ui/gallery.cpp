@@ -161,6 +161,20 @@ void notifyAlerts(FakeStation &station)
     station.notify(stranger);
 }
 
+/// One that is near, one higher, and one of unknown height and heading.
+void addAircraft(vehicle::VehicleState &state)
+{
+    const double places[][3] = {{70, 60, 80}, {-60, -90, 640}, {20, -150, vehicle::kUnknown}}; // metres north, east and above
+    const char *const names[] = {"SWR12A", "HBZVX", ""};
+    for (std::size_t i = 0; i < std::size(places); ++i) {
+        vehicle::Aircraft aircraft{.address = 0x4b1800u + static_cast<std::uint32_t>(i), .callsign = names[i]};
+        const vehicle::MissionItem place = placeNorthEast(0, places[i][0], places[i][1], 0);
+        aircraft.position = {place.latitude, place.longitude, state.position.altitude + places[i][2]};
+        aircraft.heading = i == 2 ? vehicle::kUnknown : 70.0 + 140.0 * static_cast<double>(i);
+        state.traffic.push_back(aircraft);
+    }
+}
+
 /// Vehicle 2 in the same session, 3 not sealed, 4 silent, 5 next to it.
 void addVehicles(engine::Snapshot &snapshot)
 {
@@ -269,6 +283,8 @@ void play(FakeStation &station, MainWindow &window, const QString &state)
             number += snapshot.samples.size();
             if (state == QLatin1String("route"))
                 snapshot.vehicles.front().mission = routeMission();
+            if (state == QLatin1String("traffic"))
+                addAircraft(snapshot.vehicles.front().state);
             if (state == QLatin1String("fence"))
                 addFence(snapshot.vehicles.front());
             if (state == QLatin1String("switching") && t > 46)

@@ -11,6 +11,7 @@ namespace skyseal::ui {
 enum class AlertKind : std::uint8_t {
     LinkLost,
     Failsafe,
+    AircraftNear,
     LowBattery,
     ForgedFrames,
     ReplayedFrames,

@@ -5,6 +5,7 @@
 #include "core/engine/text/state_text.h"
 #include "core/link/address_text.h"
 #include "core/mavlink/enums.h"
+#include "ui/text/aircraft_text.h"
 #include "ui/text/units.h"
 #include "ui/text/vehicle_text.h"
 
@@ -89,6 +90,14 @@ void AlertList::showVehicle(const engine::VehicleSnapshot &vehicle, double now)
                said != m_failsafeTexts.end() && now - said->second.time > kFailsafeTextAge) {
         m_failsafeTexts.erase(said);
     }
+    if (const auto near = nearestOf(state); near && state.messageAge <= kStaleAfterSeconds)
+        raiseState(
+            {{AlertKind::AircraftNear, id},
+             AlertSeverity::Severe,
+             Text::tr("Aircraft near: %1").arg(near->name),
+             Text::tr("Within 500 m of the vehicle, and less than 150 m above or below it or at an unknown altitude. The "
+                      "map shows it.")},
+            now);
     const auto known = m_entries.find({AlertKind::LowBattery, id});
     const bool wasLow = known != m_entries.end();
     const bool wasVeryLow = wasLow && known->second.alert.severity == AlertSeverity::Severe;

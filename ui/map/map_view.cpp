@@ -2,6 +2,7 @@
 
 #include "ui/map/map_painter.h"
 #include "ui/map/measure_painter.h"
+#include "ui/map/traffic_painter.h"
 
 #include <QtGui/QAction>
 #include <QtGui/QContextMenuEvent>
@@ -71,6 +72,7 @@ void MapView::showViewState(const ViewState &view)
     const MapContent::Changes changes = m_content.show(view, m_viewport.metresPerPixel());
     m_groundDirty |= changes.ground;
     m_groundDirty |= m_fence.show(view);
+    const bool trafficChanged = m_traffic.show(view);
     if (changes.moved && !m_placed)
         showFirst(*m_content.vehicle());
     if (changes.moved && m_follow && !m_drag) {
@@ -81,7 +83,7 @@ void MapView::showViewState(const ViewState &view)
             m_groundDirty = true;
         }
     }
-    if (changes.vehicle || m_groundDirty)
+    if (changes.vehicle || trafficChanged || m_groundDirty)
         update();
 }
 
@@ -115,6 +117,7 @@ void MapView::forgetFlight()
 {
     m_content = MapContent();
     m_fence = FenceContent();
+    m_traffic = TrafficContent();
     markGroundDirty();
 }
 
@@ -199,6 +202,7 @@ void MapView::paintEvent(QPaintEvent *)
     painter.drawPixmap(0, 0, m_ground);
     painter.setRenderHint(QPainter::Antialiasing);
     MapPainter map(painter, m_content, m_viewport, palette());
+    TrafficPainter(painter, m_viewport, palette()).paint(m_traffic, m_units);
     map.paintVehicles();
     if (m_mark)
         map.paintMark(*m_mark);

@@ -10,6 +10,7 @@
 #include "ui/map/map_viewport.h"
 #include "ui/map/measure_tool.h"
 #include "ui/map/tile_layer.h"
+#include "ui/map/traffic.h"
 #include "ui/text/coordinates.h"
 #include "ui/text/units.h"
 
@@ -42,6 +43,7 @@ public:
     bool isMoving() const { return m_motion.isMoving(); }
     const MapContent &content() const { return m_content; }
     const FenceContent &fence() const { return m_fence; }
+    const TrafficContent &traffic() const { return m_traffic; }
     const MapViewport &viewport() const { return m_viewport; }
     TileLayer &tiles() { return m_tiles; }
     MeasureTool &measure() { return m_measure; }
@@ -91,6 +93,7 @@ private:
 
     MapContent m_content;
     FenceContent m_fence;
+    TrafficContent m_traffic;
     MapViewport m_viewport;
     MapMotion m_motion{m_viewport};
     TileLayer m_tiles;
