@@ -16,6 +16,7 @@ namespace {
 constexpr int kTape = 52;
 constexpr int kCompass = 24;
 constexpr double kDegreesShown = 50; ///< over the height of the picture
+constexpr double kTallest = 1.2;     ///< height by width from which a taller picture shows more degrees instead
 
 double rollRadius(const QRectF &area)
 {
@@ -99,7 +100,7 @@ void Horizon::paintWorld(QPainter &painter, const QRectF &area) const
         painter.restore();
         return;
     }
-    const double pixelsPerDegree = area.height() / kDegreesShown;
+    const double pixelsPerDegree = std::min(area.height(), kTallest * area.width()) / kDegreesShown;
     painter.setRenderHint(QPainter::Antialiasing);
     painter.translate(area.center());
     painter.rotate(-m_values.roll);
