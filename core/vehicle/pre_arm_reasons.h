@@ -1,6 +1,6 @@
-// Collects the reasons for which the autopilot would not arm, from its status texts. ArduPilot says "PreArm: …" every 30 s while
-// a check fails and at a refused attempt, and "Arm: …" at an attempt that another check refuses (AP_Arming::check_failed);
-// PX4 says "Preflight Fail: …" and "Arming denied: …".
+// Collects the reasons for which the autopilot would not arm, from its status texts. ArduPilot says "PreArm: …" every 30 s
+// while a check fails and at a refused attempt, and "Arm: …" at an attempt that another check refuses
+// (AP_Arming::check_failed); PX4 says "Preflight Fail: …" and "Arming denied: …".
 #pragma once
 
 #include "core/base/clock.h"

@@ -1,5 +1,5 @@
-// Offers the flight modes of the vehicle, follows the one in use unless the operator has selected another, and sets the selected
-// one when its button is held.
+// Offers the flight modes of the vehicle, follows the one in use unless the operator has selected another, and sets the
+// selected one when its button is held.
 #pragma once
 
 #include "ui/flight/hold_button.h"
