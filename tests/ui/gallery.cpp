@@ -167,7 +167,9 @@ void addAircraft(vehicle::VehicleState &state)
     const double places[][3] = {{70, 60, 80}, {-60, -90, 640}, {20, -150, vehicle::kUnknown}}; // metres north, east and above
     const char *const names[] = {"SWR12A", "HBZVX", ""};
     for (std::size_t i = 0; i < std::size(places); ++i) {
-        vehicle::Aircraft aircraft{.address = 0x4b1800u + static_cast<std::uint32_t>(i), .callsign = names[i]};
+        vehicle::Aircraft aircraft;
+        aircraft.address = 0x4b1800u + static_cast<std::uint32_t>(i);
+        aircraft.callsign = names[i];
         const vehicle::MissionItem place = placeNorthEast(0, places[i][0], places[i][1], 0);
         aircraft.position = {place.latitude, place.longitude, state.position.altitude + places[i][2]};
         aircraft.heading = i == 2 ? vehicle::kUnknown : 70.0 + 140.0 * static_cast<double>(i);

@@ -30,7 +30,7 @@ const std::array<WorkspaceRow, kWorkspaces> &workspaceTable()
         {"fly", QT_TRANSLATE_NOOP("skyseal::ui::Workspaces", "Fly"), 280, 22, 30},
         {"plan", QT_TRANSLATE_NOOP("skyseal::ui::Workspaces", "Plan"), 280, 45, 30},
         {"vehicle", QT_TRANSLATE_NOOP("skyseal::ui::Workspaces", "Vehicle"), 280, 55, 30},
-        {"lab", QT_TRANSLATE_NOOP("skyseal::ui::Workspaces", "Lab"), 280, 22, 55},
+        {"lab", QT_TRANSLATE_NOOP("skyseal::ui::Workspaces", "Lab"), 280, 22, 48},
     }};
     return kRows;
 }
