@@ -99,6 +99,16 @@ private Q_SLOTS:
         QVERIFY(std::isnan(unknown[1].altitude));
     }
 
+    void impossibleAltitudesAreUnknown()
+    {
+        for (const float altitude : {std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(),
+                                     std::numeric_limits<float>::quiet_NaN(), 1e30F}) {
+            auto item = at(1, MAV_CMD_NAV_WAYPOINT, 10);
+            item.altitude = altitude;
+            QVERIFY(std::isnan(profileOf(route({item}), 500).front().altitude));
+        }
+    }
+
     void profileOfASplineIsLongerThanTheLine()
     {
         auto bend = at(2, MAV_CMD_NAV_SPLINE_WAYPOINT, 0);

@@ -2,9 +2,19 @@
 
 #include <QtGui/QPainterPath>
 
+#include <cmath>
+#include <limits>
+
 namespace skyseal::ui {
 
 namespace {
+
+/// An altitude as received may be any number; nothing flies beyond this one.
+double knownOrNothing(double altitude)
+{
+    constexpr double kHighest = 100'000; // metres
+    return std::abs(altitude) <= kHighest ? altitude : std::numeric_limits<double>::quiet_NaN();
+}
 
 /// Metres on the ground from `from` to the stop.
 double legLength(const QPointF &from, const RouteStop &stop)
@@ -29,7 +39,7 @@ std::vector<ProfilePoint> profileOf(const MissionRoute &route, double homeAltitu
         if (i > 0)
             distance += legLength(route.stops[i - 1].at, stop);
         const bool fromSea = stop.reference == RouteStop::Reference::SeaLevel;
-        points.push_back({stop.sequence, distance, fromSea ? stop.altitude - homeAltitude : stop.altitude,
+        points.push_back({stop.sequence, distance, knownOrNothing(fromSea ? stop.altitude - homeAltitude : stop.altitude),
                           stop.reference == RouteStop::Reference::Terrain});
     }
     return points;
