@@ -23,6 +23,7 @@ namespace skyseal::app {
 namespace {
 
 constexpr quint16 kUsualPort = 14550;
+constexpr QSize kLeastPicture(1280, 800); // also on the small screen that is none
 
 const QString kName = QStringLiteral("skyseal");
 
@@ -177,8 +178,10 @@ bool Application::start()
         openLinks();
     if (!m_keyProblem.isEmpty())
         tellKeyProblem();
-    if (!m_options.screenshot.isEmpty())
+    if (!m_options.screenshot.isEmpty()) {
+        m_window->resize(m_window->size().expandedTo(kLeastPicture));
         QTimer::singleShot(qRound(m_options.screenshotAfter * 1000), this, &Application::takeScreenshot);
+    }
     return true;
 }
 
