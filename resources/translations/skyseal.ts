@@ -144,6 +144,13 @@
     </message>
 </context>
 <context>
+    <name>Text</name>
+    <message>
+        <source>%1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>skyseal::app::Application</name>
     <message>
         <source>No sealed links: %1</source>
@@ -957,6 +964,292 @@
     </message>
 </context>
 <context>
+    <name>skyseal::ui::ActionBar</name>
+    <message>
+        <source>Arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Actions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start mission</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mission</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stops and holds the present place; an aeroplane circles it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Land</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RTL</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Returns to launch and lands there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Result of the last command</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle&apos;s modes have changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not sent: hold the button to confirm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disarm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>veh. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vehicle %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another vehicle is selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle has been armed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle has been disarmed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not sent: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::ActionPermits</name>
+    <message>
+        <source>the vehicle has no mission</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle is disarmed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not now: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::AircraftText</name>
+    <message>
+        <source>altitude unknown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · near</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::AlertList</name>
+    <message>
+        <source>Link lost %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing has been received from the vehicle since. The last received values are shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Failsafe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Emergency</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flight terminated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The autopilot reports an abnormal state. Messages may name the reason.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Aircraft near: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Within 500 m of the vehicle, and less than 150 m above or below it or at an unknown altitude. The map shows it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Battery very low: %1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Battery low: %1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the vehicle reports it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mode %1 → %2, not from here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mode changed without a command from this station: by the autopilot itself, by the remote control or by another station.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All of them were refused. The secure link panel counts them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One forged frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 forged frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One replayed frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 replayed frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not recording: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counters not stored: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: its disk may be full</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: keys in use twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unknown agent at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1. Security → Keys and peers pairs the two</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switched to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys not changed: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not switched to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The agent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2 times)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicle %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::AlertRow</name>
+    <message>
+        <source>Dismiss the alert</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alarm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Information</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 since %2: %3. %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dismiss: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dismiss until it begins again or becomes worse (Esc)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dismiss (Esc)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::AlertStack</name>
+    <message>
+        <source>Alerts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>skyseal::ui::AllowPlain</name>
     <message>
         <source>Allow plain MAVLink for vehicle %1…</source>
@@ -997,6 +1290,36 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
     </message>
     <message>
         <source>Above home, %1 to %2%3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::AltitudeDialog</name>
+    <message>
+        <source>%1 · vehicle %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Altitude above home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Altitude above home</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::ChangeAltitudeDialog</name>
+    <message>
+        <source>Change altitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold the button for half a second. The vehicle leaves its mission, and climbs or descends where it is.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1244,6 +1567,25 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
     </message>
 </context>
 <context>
+    <name>skyseal::ui::CommandPalette</name>
+    <message>
+        <source>Find a command</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parts of a name, such as &quot;rtl&quot; or &quot;map source&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>skyseal::ui::CommandPermits</name>
     <message>
         <source>no vehicle</source>
@@ -1271,6 +1613,44 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
     </message>
     <message>
         <source>A link is sealed: the demo would end it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle is disarmed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its position is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this kind of vehicle does not fly</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::ConfirmCommand</name>
+    <message>
+        <source>Vehicle %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::Coordinates</name>
+    <message>
+        <source>north</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>south</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2 %3 mE %4 mN</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1399,6 +1779,10 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
         <source>The bars show only “%1”.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The solid line is “%1”.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::DiagnosticsTools</name>
@@ -1468,6 +1852,33 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
     </message>
     <message>
         <source>Freezes the charts, not the measurement (Space). Drag over a chart or turn the wheel to zoom; a double click, Home or Esc returns to live.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::EmergencyStop</name>
+    <message>
+        <source>Unlock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unlock the emergency stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stops the motors at once. A vehicle in the air falls. Hold for one second.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unlocks the emergency stop for %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Locked: unlock it first</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1574,6 +1985,25 @@ If the agent is yours, pair the two: choose Pair in Keys and peers here and, whi
         <source>%1
 
 No link is sealed until this is resolved. Plain MAVLink is shown, but not sealed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::FencePainter</name>
+    <message>
+        <source>Stay inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fence return</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rally %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1706,6 +2136,10 @@ No link is sealed until this is resolved. Plain MAVLink is shown, but not sealed
     </message>
     <message>
         <source>Hold to confirm (mouse, Space or Enter); Esc aborts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold for %1 s to confirm; Escape aborts</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2378,6 +2812,100 @@ Fingerprint %3</source>
     </message>
 </context>
 <context>
+    <name>skyseal::ui::MapAlerts</name>
+    <message>
+        <source>Go to the a&amp;lerts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No alerts</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::MapMenu</name>
+    <message>
+        <source>Change &amp;altitude…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Loiter at the present position…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop and loiter at the present position?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Point at here…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Point the camera at this place?
+%1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the altitude of home. A copter whose camera cannot pan turns its nose.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Stop pointing…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop pointing the camera at a place?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Measure from here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Copy coordinates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to this place?
+%1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to this place at %1 above home?
+%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mode changes from %1 to %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Go here…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set home to this place?
+%1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RTL flies there. Home keeps its altitude; the height of the ground there is not known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set &amp;home here…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the altitude of home is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2 from the vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>skyseal::ui::MapPainter</name>
     <message>
         <source>N</source>
@@ -2482,7 +3010,11 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Arrow keys move it, plus and minus zoom, Home follows the vehicle</source>
+        <source>%1. Return sets a point in the middle of the map, Backspace removes the last, Escape ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arrow keys move it, plus and minus zoom, Home follows the vehicle, Menu opens the commands for its middle</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2529,6 +3061,36 @@ Fingerprint %3</source>
     </message>
     <message>
         <source>%1 cannot be written</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::MeasurePainter</name>
+    <message>
+        <source>Click or Return sets a point, Backspace removes the last, Esc ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::MeasureTool</name>
+    <message>
+        <source>M&amp;easure on the map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure: set the first point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure: set the next point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 in one leg</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 in %2 legs</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2680,10 +3242,6 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Reading…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Send a mission</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2725,6 +3283,25 @@ Fingerprint %3</source>
     </message>
     <message>
         <source>The mission has not been read from the vehicle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mission, and the fence and the rally points where the vehicle has them</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::ModeChooser</name>
+    <message>
+        <source>Set mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flight mode to set</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The modes of this vehicle are not known</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3210,6 +3787,254 @@ with a pre-shared key</source>
     </message>
 </context>
 <context>
+    <name>skyseal::ui::PlanReader</name>
+    <message>
+        <source>Reading the fence…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading the rally points…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading the mission…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fence: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rally points: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mission items: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::PreArmButton</name>
+    <message>
+        <source>Opens the list of the reasons.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::PreArmDialog</name>
+    <message>
+        <source>Reasons against arming, with what to do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run the pre-arm checks now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pre-arm checks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pre-arm checks · vehicle %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This autopilot runs its checks by itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The vehicle is armed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lets the vehicle run its checks now and say what fails</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::PreArmText</name>
+    <message>
+        <source>Set a mode that can be armed, such as LOITER or GUIDED.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set a mode that can be armed, such as Hold or Position.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press the vehicle&apos;s safety switch until its light stays on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrate the radio: move each stick and switch to both ends.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch on the transmitter and check its receiver.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pull the throttle stick down to its end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrate the compass away from metal.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the vehicle away from metal, cables and magnets; calibrate the compass if it stays.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the vehicle away from metal, cables and magnets.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place the vehicle inside its fence, or correct the fence.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wait for more satellites, under an open sky.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wait for a 3D fix under an open sky; check the GPS cable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wait for the GPS and the EKF, or set a mode that needs no position.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the vehicle still until its estimate has settled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the vehicle still; restart it if the text stays.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the vehicle still; calibrate the accelerometers if it stays.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shield the barometer from wind and light; restart the vehicle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the power supply of the autopilot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Charge or change the battery; check BATT_ARM_VOLT.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check that the SD card is inserted and has room.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Send a mission that suits this vehicle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wait until the terrain data have been loaded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place the vehicle on level ground.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restart the autopilot, and do not fly before the cause is known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wait until the vehicle has noticed that it has landed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the motor and frame parameters, and the ESCs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the power and the cables of the ESCs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correct the parameter that the text names.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pre-arm: unknown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pre-arm: ok</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pre-arm: armed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pre-arm: not ok</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pre-arm: 1 reason</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pre-arm: %1 reasons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No vehicle is connected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The vehicle is silent, so the state of its checks is not known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The vehicle does not say whether its checks pass, and has given no reason against arming.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The vehicle says that all its checks pass.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The vehicle is armed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The vehicle says that a check fails, but has not said which. It repeats its reasons every 30 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The vehicle would not arm. A reason goes when it has not been repeated for 40 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look the text up in the manual of the autopilot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>skyseal::ui::ProblemBanner</name>
     <message>
         <source>Resolve the problem</source>
@@ -3232,6 +4057,32 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>Listen on %1 instead</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::ProfilePanel</name>
+    <message>
+        <source>No vehicle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The vehicle has no mission.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mission has not been read from the vehicle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::ProfileView</name>
+    <message>
+        <source>Altitude profile of the mission</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · highest %2 above home</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3454,6 +4305,96 @@ with a pre-shared key</source>
     </message>
 </context>
 <context>
+    <name>skyseal::ui::RecordingModel</name>
+    <message>
+        <source>reading…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::RecordingsDialog</name>
+    <message>
+        <source>Recordings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Replay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replay the selected recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replay a log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Other file…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replay another file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking into %1…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No recordings in %1. File → Settings switches recording on; &quot;Other file&quot; replays a log from elsewhere.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 read in %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 recordings in %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Telemetry logs (*.tlog);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>skyseal::ui::RegionDialog</name>
     <message>
         <source>Choose a tile server as the map source first</source>
@@ -3588,6 +4529,76 @@ with a pre-shared key</source>
     <name>skyseal::ui::RegionFetch</name>
     <message>
         <source>the server has no tiles there</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::ReplayBar</name>
+    <message>
+        <source>Speed of the replay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position and length of the replay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pause the replay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play the replay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (Space, while the focus is in this bar)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recorded %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::ReplayTimeline</name>
+    <message>
+        <source>Position of the replay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording is being read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 nothing recorded for %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> (vehicle %1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 armed until %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mode %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3921,6 +4932,42 @@ with a pre-shared key</source>
         <source>Research suites (%1) are broken: anyone who records the link may be able to read it. They are provided for comparison, are never chosen automatically, and work only when the vehicle&apos;s agent allows them as well. While one is in use, the link is not confidential.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Coordinates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>decimal degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>degrees, minutes, seconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>UTM (metres in a zone)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MGRS (grid reference)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordi&amp;nates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speak &amp;alerts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speak alerts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This build of Skyseal has no speech: it lacks speech-dispatcher.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::SourceBar</name>
@@ -4064,10 +5111,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fly to the point</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Speed %1 m/s</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4085,6 +5128,38 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>Command %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change altitude to %1 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loiter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Point at here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop pointing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set home here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pre-arm checks</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4569,18 +5644,6 @@ with a pre-shared key</source>
         <source>Hold the button for half a second. The propellers speed up and the vehicle climbs.</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>Cancel</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Altitude above home</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Take off · vehicle %1</source>
-        <translation type="unfinished"></translation>
-    </message>
 </context>
 <context>
     <name>skyseal::ui::TileImage</name>
@@ -4742,69 +5805,6 @@ with a pre-shared key</source>
     </message>
 </context>
 <context>
-    <name>skyseal::ui::VehicleActions</name>
-    <message>
-        <source>Arm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Take off</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Land</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Set mode</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Flight mode to set</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Result of the last command</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Not sent: hold the button to confirm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Disarm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Not sent: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The modes of this vehicle are not known</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>RTL</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>another vehicle is selected</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the vehicle has been armed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the vehicle has been disarmed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the vehicle&apos;s modes have changed</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>skyseal::ui::VehicleCommands</name>
     <message>
         <source>%1: %2</source>
@@ -4824,15 +5824,29 @@ with a pre-shared key</source>
     </message>
 </context>
 <context>
+    <name>skyseal::ui::VehicleMarker</name>
+    <message>
+        <source>Vehicle %1 · %2 s ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicle %1 · not sealed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicle %1 · sealed</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::VehicleName</name>
+    <message>
+        <source>%1, vehicle %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>skyseal::ui::WindowDialogs</name>
-    <message>
-        <source>Replay a log</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Telemetry logs (*.tlog);;All files (*)</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>About Skyseal</source>
         <translation type="unfinished"></translation>
@@ -4883,17 +5897,13 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
         <source>Links</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Altitude profile</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::WindowMenus</name>
-    <message>
-        <source>Vehicle %1: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Confirm</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>&amp;File</source>
         <translation type="unfinished"></translation>
@@ -5096,6 +6106,56 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
     </message>
     <message>
         <source>The &amp;map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>L&amp;oiter…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop and loiter at the present position?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Change altitude…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Find a command…</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::WorkspaceTabs</name>
+    <message>
+        <source>Workspaces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Workspace %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Workspace %1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::Workspaces</name>
+    <message>
+        <source>Fly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lab</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
