@@ -23,7 +23,7 @@ public:
                 begin(bytes.mid(3, 32));
         } else if (bytes.size() >= 22 && (bytes[0] & 0xfc) == 0x50) {
             ++records;
-            note(m_sealed, (toGround ? '>' : '<') + bytes.left(6), bytes);
+            takeRecord(m_ways[toGround], bytes);
         }
     }
 
@@ -31,6 +31,26 @@ public:
     qint64 records = 0;
 
 private:
+    /// What one end has sealed in this session.
+    struct Way
+    {
+        int epoch = 0;                       ///< the newest, of which a record shows the last two bits
+        QHash<QByteArray, size_t> sealed[4]; ///< by the bits of the epoch: hashes of the records, by header
+    };
+
+    void takeRecord(Way &way, const QByteArray &bytes)
+    {
+        const int epoch = bytes[0] & 3;
+        const QByteArray header = bytes.left(6);
+        QHash<QByteArray, size_t> &sealed = way.sealed[epoch];
+        const bool again = sealed.contains(header) && sealed.value(header) == qHash(bytes);
+        if (const int ahead = (epoch - way.epoch) & 3; !again && (ahead == 1 || ahead == 2)) {
+            way.epoch = epoch;
+            sealed.clear(); // those of four epochs ago, under other keys
+        }
+        note(sealed, header, bytes);
+    }
+
     // Of the content only a hash is kept: equal ones say that a message was sent again, which repeats nothing.
     void note(QHash<QByteArray, size_t> &known, const QByteArray &key, const QByteArray &content)
     {
@@ -42,11 +62,12 @@ private:
     {
         ++sessions;
         m_session = session;
-        m_sealed.clear();
+        m_ways[0] = m_ways[1] = {};
     }
 
-    QHash<QByteArray, size_t> m_ephemeral, m_sealed; ///< hashes of what was sent; the second: of this session
-    QByteArray m_session;                            ///< the ephemeral key of its answer
+    QHash<QByteArray, size_t> m_ephemeral; ///< hashes of what was sent
+    Way m_ways[2];                         ///< of this session: to the vehicle, to the ground
+    QByteArray m_session;                  ///< the ephemeral key of its answer
 };
 
 } // namespace skyseal::test

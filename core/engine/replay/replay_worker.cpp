@@ -29,9 +29,9 @@ ReplayWorker::ReplayWorker(const link::LinkUrl &recording) : m_recording(recordi
     connect(this, &ReplayWorker::tasksPosted, this, &ReplayWorker::runTasks, Qt::QueuedConnection);
 }
 
-void ReplayWorker::post(Task task)
+void ReplayWorker::post(const Task &task)
 {
-    if (m_tasks.put(std::move(task)))
+    if (m_tasks.put(task))
         Q_EMIT tasksPosted();
 }
 

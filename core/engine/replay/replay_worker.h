@@ -39,7 +39,7 @@ public:
     explicit ReplayWorker(const link::LinkUrl &recording);
 
     void begin();
-    void post(Task task);
+    void post(const Task &task);
     std::deque<OutputQueue::Item> takeOutput() { return m_output.takeAll(); }
 
 Q_SIGNALS:
