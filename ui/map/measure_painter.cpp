@@ -44,7 +44,7 @@ void MeasurePainter::paint(const MeasureTool &tool, const std::optional<LatLong>
 }
 
 /// Each near the one before it, and the first near the middle of the picture, so that no line goes around the globe.
-QPolygonF MeasurePainter::pixelsOf(std::vector<LatLong> places) const
+QPolygonF MeasurePainter::pixelsOf(const std::vector<LatLong> &places) const
 {
     QPolygonF out;
     double near = m_viewport.centre().x();

@@ -25,7 +25,7 @@ public:
     void paint(const MeasureTool &tool, const std::optional<LatLong> &pointed, UnitSystem units);
 
 private:
-    QPolygonF pixelsOf(std::vector<LatLong> places) const;
+    QPolygonF pixelsOf(const std::vector<LatLong> &places) const;
     void paintLine(const QPolygonF &line, Qt::PenStyle style);
     void paintLeg(const QPointF &from, const QPointF &to, const QString &text, bool always);
     void paintPoint(const QPointF &at);
