@@ -22,8 +22,9 @@ enum class Weakness : std::uint8_t {
     WindowBeforeTag,    ///< the window moves before the tag is verified
     RoamOnForged,       ///< a rejected record moves the session's address
     RoamOnLate,         ///< an authentic record moves the address even when it is not the newest
-    NoTrial,        ///< the session's address stays where one record moved it, although nothing was received from there since
-    TrialByAnyEcho, ///< the trial of an address ends by an echo of what was sent to another address
+    NoTrial,         ///< the session's address stays where one record moved it, although nothing was received from there since
+    ReturnToUnheard, ///< after a trial a session returns to the address of its first message, where its peer was never heard
+    TrialByAnyEcho,  ///< the trial of an address ends by an echo of what was sent to another address
     TrialByRepeatedStamp, ///< the trial of an address ends by an echo that is older by 36 to 72 minutes
     NoHardStop,           ///< an epoch never ends
     KeepOldKeys,          ///< neither the previous epoch nor a session expires

@@ -12,13 +12,14 @@ constexpr Duration kMoveInterval = std::chrono::seconds(1);
 
 } // namespace
 
-PeerPath::PeerPath(const Path &path, TimePoint now, Duration trial)
-    : m_origin(path), m_current(path), m_notified(path), m_moves(kMoveInterval, now), m_trial(trial), m_heardHere(now)
+PeerPath::PeerPath(const Path &path, TimePoint now, Duration trial, bool heard)
+    : m_origin(path), m_current(path), m_notified(path), m_moves(kMoveInterval, now), m_trial(trial), m_heard(heard),
+      m_heardHere(now)
 {}
 
 TimePoint PeerPath::deadline() const
 {
-    TimePoint due = m_former ? m_heardHere + m_trial : kNever;
+    TimePoint due = m_onTrial ? m_heardHere + m_trial : kNever;
     if (m_notified != m_current)
         due = std::min(due, m_moves.next());
     return due;
@@ -29,10 +30,15 @@ TimePoint PeerPath::deadline() const
 void PeerPath::moveTo(const Path &path, TimePoint now, std::uint64_t stamp)
 {
     m_heardHere = now;
-    if (path == m_former)
-        m_former.reset();
-    else if (!m_former && path.carrier != Carrier::Serial) // The former end of a reconnected stream is gone.
-        m_former = m_current;
+    if (path == m_former) {
+        endTrial();
+    } else if (!m_onTrial && path.carrier != Carrier::Serial) { // The former end of a reconnected stream is gone.
+        m_onTrial = true;
+        // Otherwise whoever repeats a first message in the name of another address directs the session's records there.
+        if (m_heard || weakened(Weakness::ReturnToUnheard))
+            m_former = m_current;
+    }
+    m_heard = true;
     m_trialStamp = stamp;
     m_current = path;
 }
@@ -48,15 +54,23 @@ void PeerPath::confirm(const Path &from, std::uint64_t echo)
     const bool isLater = weakened(Weakness::TrialByRepeatedStamp) ? static_cast<std::int32_t>(echo - m_trialStamp) > 0
                                                                   : echo > m_trialStamp;
     if (from == m_current && isLater)
-        m_former.reset();
+        endTrial();
 }
 
-void PeerPath::handleDeadline(TimePoint now)
+bool PeerPath::handleDeadline(TimePoint now)
 {
-    if (!m_former || now < m_heardHere + m_trial)
-        return;
-    if (!weakened(Weakness::NoTrial))
+    if (!m_onTrial || now < m_heardHere + m_trial)
+        return true;
+    const bool returns = m_former.has_value() && !weakened(Weakness::NoTrial);
+    if (returns)
         m_current = *m_former;
+    endTrial();
+    return returns || weakened(Weakness::NoTrial);
+}
+
+void PeerPath::endTrial()
+{
+    m_onTrial = false;
     m_former.reset();
 }
 

@@ -20,8 +20,9 @@ public:
         Path to;
     };
 
-    /// `trial`: time without a record from a path on trial after which the session returns to the former path.
-    PeerPath(const Path &path, TimePoint now, Duration trial);
+    /// `trial`: time without a record from a path on trial after which the session returns to the former path. `heard`: an
+    /// authentic message of the peer came from `path`. A first message proves nothing, since anyone can send a copy of it.
+    PeerPath(const Path &path, TimePoint now, Duration trial, bool heard = true);
 
     const Path &current() const { return m_current; }
     /// Path of the handshake.
@@ -29,7 +30,11 @@ public:
     TimePoint deadline() const;
 
     /// The newest record so far came from the current path.
-    void stay(TimePoint now) { m_heardHere = now; }
+    void stay(TimePoint now)
+    {
+        m_heardHere = now;
+        m_heard = true;
+    }
     // Stamps and echoes are those of the session clock in full: modulo 2^32, an echo that was withheld for 36 minutes would
     // look newer than the move.
 
@@ -39,17 +44,22 @@ public:
     void reportSent(const Path &to, std::uint64_t stamp);
     /// A report from `from` echoes the stamp `echo`. Ends the trial if the peer sent it after receiving a report at this path.
     void confirm(const Path &from, std::uint64_t echo);
-    void handleDeadline(TimePoint now);
+    /// Returns false if a trial has failed and no path is left where the peer was heard before.
+    bool handleDeadline(TimePoint now);
     /// Returns a move of which the owner is to be notified now, at most one a second.
     std::optional<Move> takeMove(TimePoint now);
 
 private:
+    void endTrial();
+
     Path m_origin;
     Path m_current;
     Path m_notified;
     IntervalLimit m_moves;
     Duration m_trial;
-    std::optional<Path> m_former;   ///< the last confirmed path; set while the current one is on trial
+    bool m_heard;                   ///< the current path is one where the peer was heard
+    bool m_onTrial = false;         ///< the current path is
+    std::optional<Path> m_former;   ///< during a trial: the last path that was not on trial, if the peer was heard there
     std::uint64_t m_trialStamp = 0; ///< later stamps were sent to the current path alone
     TimePoint m_heardHere;          ///< newest record from the current path
 };

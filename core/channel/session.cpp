@@ -28,7 +28,8 @@ Session::Session(SessionSetup setup, SessionContext &context, TimePoint now)
     : m_identity(std::move(setup.identity)), m_context(context), m_permissions(permissionsOf(setup, context)),
       m_epochs(std::move(setup.chain), m_identity.initiator, m_permissions.inlineAgreed()),
       m_switch(m_identity.id, m_identity.initiator, context.timing), m_rekeys(context.timing, m_identity.initiator, now),
-      m_reports(now, m_identity.initiator ? now : kNever), m_path(setup.path, now, context.timing.peerSilentAfter),
+      m_reports(now, m_identity.initiator ? now : kNever),
+      m_path(setup.path, now, context.timing.peerSilentAfter, m_identity.initiator),
       m_receiver(m_epochs, opposite(m_identity.direction()), now), m_keepAlives(kLeastInterval, now),
       m_reportRequests(kLeastInterval, now), m_freshness(context.freshness, !m_identity.initiator), m_lastReceived(now)
 {
@@ -133,7 +134,10 @@ void Session::handleDeadline(TimePoint now)
         m_reports.schedule(now + (settled ? std::min(timing.statsEvery, timing.keepAliveAfter) : timing.handshakeRetry));
         sendReport(now, path(), !m_confirmed);
     }
-    m_path.handleDeadline(now);
+    if (!m_path.handleDeadline(now)) {
+        m_finished = DownReason::TimedOut;
+        return;
+    }
     notifyMove(now);
     notifyForgeries(now);
 }

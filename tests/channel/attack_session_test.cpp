@@ -27,6 +27,7 @@ private Q_SLOTS:
     void hijackOfAnAddress();
     void newPortResumesAtOnce();
     void withheldRecordDivertsForSeconds();
+    void repeatedFirstMessageDivertsNothing();
     void answersToOtherAddressesEndNoTrial();
     void jitterReorderingAndDuplicates();
     void deletion_data();
@@ -284,6 +285,43 @@ void AttackSessionTest::withheldRecordDivertsForSeconds()
     pair.link.attacker = nullptr;
     pair.stopTraffic();
     QVERIFY(aliveAndExact(pair));
+}
+
+void AttackSessionTest::repeatedFirstMessageDivertsNothing()
+{
+    // A first message reaches the agent in the name of another address before it comes from the station, which confirms from
+    // its own. Blocked from then on, the station cannot prove its address, and the session must not turn to the other one.
+    constexpr std::uint16_t kVictim = 6666;
+    Pair pair(attackOptions());
+    std::uint64_t in = 0, out = 0;
+    bool blocked = false;
+    pair.link.attacker = [&](TimePoint at, SentDatagram &flight) {
+        if (flight.from == Air && flight.targetPort == kVictim) {
+            out += flight.bytes.size();
+            return false;
+        }
+        if (flight.bytes[0] == 0x59 && in == 0) {
+            SentDatagram copy = flight;
+            copy.sourcePort = kVictim;
+            in = copy.bytes.size();
+            pair.link.inject(at, copy);
+        }
+        return flight.from == Air || !blocked;
+    };
+    pair.every(20ms, [&pair] { pair.sendFrame(Air); });
+    QVERIFY(pair.run(5s, [&] { return !pair.air().all<SessionUp>().empty(); }));
+    QVERIFY(in > 0 && out > 0); // it was answered at the victim's address
+    blocked = true;
+    pair.run(30s);
+    HOLDS(out <= in, "the address of a first message alone gets no records");
+    QCOMPARE(pair.air().all<SessionDown>().size(), std::size_t(1));
+    blocked = false;
+    QVERIFY(pair.run(10s, [&] { return pair.bothUp(); }));
+    pair.run(30s);
+    QVERIFY(out <= in);
+    pair.stopTraffic();
+    pair.run(1s);
+    QVERIFY(pair.bothUp());
 }
 
 void AttackSessionTest::answersToOtherAddressesEndNoTrial()

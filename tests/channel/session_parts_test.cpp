@@ -26,6 +26,7 @@ private Q_SLOTS:
     void chainOfMovesKeepsTheConfirmedPath();
     void echoOfAReportToElsewhereConfirmsNothing();
     void serialPathHasNoTrial();
+    void pathOfAFirstMessageIsNoFormerOne();
     void movesAreReportedOnceASecond();
     void roundTripFromAnEcho();
     void olderReportIsIgnored();
@@ -122,6 +123,28 @@ void SessionPartsTest::serialPathHasNoTrial()
     peer.moveTo(path(2, Carrier::Serial), m_start, 1000);
     peer.handleDeadline(m_start + 1min);
     QVERIFY(peer.current() == path(2, Carrier::Serial));
+}
+
+void SessionPartsTest::pathOfAFirstMessageIsNoFormerOne()
+{
+    PeerPath peer(m_first, m_start, 2500ms, false);
+    QCOMPARE(peer.deadline(), kNever);
+    peer.moveTo(m_second, m_start, 1000);
+    QVERIFY(peer.handleDeadline(m_start + 2499ms));
+    QVERIFY(!peer.handleDeadline(m_start + 2500ms)); // nowhere to return to
+    QVERIFY(peer.current() != m_first);
+
+    PeerPath heard(m_first, m_start, 2500ms, false);
+    heard.stay(m_start);
+    heard.moveTo(m_second, m_start, 1000);
+    QVERIFY(heard.handleDeadline(m_start + 2500ms));
+    QVERIFY(heard.current() == m_first);
+
+    PeerPath proven(m_first, m_start, 2500ms, false);
+    proven.moveTo(m_second, m_start, 1000);
+    proven.confirm(m_second, 2000);
+    QVERIFY(proven.handleDeadline(m_start + 1min));
+    QVERIFY(proven.current() == m_second);
 }
 
 void SessionPartsTest::movesAreReportedOnceASecond()

@@ -46,6 +46,8 @@ inline constexpr Proof kProofs[] = {
     {"RoamOnLate", "attack_session_test", "hijackOfAnAddress", "no late record moves the session"},
     {"RoamOnForged", "attack_session_test", "newPortResumesAtOnce", "the session "},
     {"NoTrial", "attack_session_test", "withheldRecordDivertsForSeconds", "the session goes back to its peer"},
+    {"ReturnToUnheard", "attack_session_test", "repeatedFirstMessageDivertsNothing",
+     "the address of a first message alone gets no records"},
     {"TrialByAnyEcho", "attack_session_test", "answersToOtherAddressesEndNoTrial", "the session goes back to its peer"},
     {"TrialByRepeatedStamp,LifeWithoutReports", "attack_session_test", "echoesOfAnHourAgoEndNoTrial",
      "the session goes back to its peer"},

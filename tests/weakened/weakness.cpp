@@ -39,6 +39,7 @@ constexpr Named kNames[] = {
     {Weakness::RoamOnForged, "RoamOnForged"},
     {Weakness::RoamOnLate, "RoamOnLate"},
     {Weakness::NoTrial, "NoTrial"},
+    {Weakness::ReturnToUnheard, "ReturnToUnheard"},
     {Weakness::TrialByAnyEcho, "TrialByAnyEcho"},
     {Weakness::TrialByRepeatedStamp, "TrialByRepeatedStamp"},
     {Weakness::NoHardStop, "NoHardStop"},
