@@ -61,6 +61,7 @@ public:
     /// `input` must outlive the indexer.
     explicit LogIndexer(std::istream &input);
 
+    void endWhen(const std::atomic<bool> &stopped) { m_reader.endWhen(stopped); } ///< see LogReader
     /// Reads up to `most` further entries; returns true at the end of the recording.
     bool read(std::size_t most);
     /// The index of what was read.

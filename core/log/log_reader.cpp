@@ -125,6 +125,10 @@ bool LogReader::readMore()
         m_end -= m_begin;
         m_begin = 0;
     }
+    if (m_stopped && *m_stopped) {
+        m_ended = true;
+        return false;
+    }
     // Read only what is available without waiting, but at least the byte that peek() returned.
     const std::size_t room = m_buffer.size() - m_end;
     if (room == 0 || m_input.peek() == std::istream::traits_type::eof()) {

@@ -3,6 +3,7 @@
 
 #include "core/log/tlog_scanner.h"
 
+#include <atomic>
 #include <istream>
 
 namespace skyseal::tlog {
@@ -34,6 +35,9 @@ public:
     /// Returns the next frame or damaged spot; nullopt at the end. Contiguous damage is one spot, whatever its length.
     std::optional<LogItem> next();
 
+    /// The stream ends for this reader once `stopped`, which must outlive it, is set by another thread: a single spot of
+    /// damage may be as long as the file.
+    void endWhen(const std::atomic<bool> &stopped) { m_stopped = &stopped; }
     /// Auto until the first item was read.
     LogFormat format() const { return m_format; }
     /// Bytes read so far.
@@ -53,6 +57,7 @@ private:
     std::size_t m_begin = 0, m_end = 0; ///< unread part of the buffer
     std::uint64_t m_windowOffset = 0;   ///< offset of the buffer in the stream
     bool m_ended = false;
+    const std::atomic<bool> *m_stopped = nullptr;
     std::optional<LogItem> m_damage; ///< damaged spot whose end is not known yet
     std::optional<LogItem> m_after;  ///< the item behind the damaged spot
 };

@@ -12,6 +12,8 @@ class LogTime
 public:
     /// A longer step forward is no pause in the recording but a clock that was set, or a damaged time.
     static constexpr std::chrono::hours kLongestStep{24};
+    /// The line ends here, at 20 days, so that no arithmetic on positions overflows; milliseconds of it fit 31 bits.
+    static constexpr std::chrono::hours kLongest{480};
 
     /// Takes the time of the next entry and returns its position. An entry without a time has the position of the one before
     /// it. When the clock was set, back or far forward, no time passes.

@@ -9,6 +9,7 @@
 
 #include <rapidcheck.h>
 
+#include <atomic>
 #include <sstream>
 
 using namespace skyseal;
@@ -55,6 +56,29 @@ class LogIndexTest : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void lineHasAnEnd()
+    {
+        // Each pair of entries steps a day forward, and a damaged time back.
+        LogTime line;
+        Duration last{};
+        for (int i = 0; i < 300'000; ++i) {
+            const Duration at = line.note(kNoon + (i % 2 ? 24h : 0h));
+            QVERIFY(at >= last && at <= LogTime::kLongest);
+            last = at;
+        }
+        QCOMPARE(last, Duration(LogTime::kLongest));
+    }
+
+    void stopEndsDamageWithoutEnd()
+    {
+        std::istringstream input(flight(3) + std::string(10'000'000, '\0') + flight(3));
+        std::atomic<bool> stopped = true;
+        LogIndexer indexer(input);
+        indexer.endWhen(stopped);
+        QVERIFY(indexer.read(1000));
+        QCOMPARE(input.tellg(), std::streampos(0)); // nothing more is read
+    }
+
     void flightHasLengthModesAndTimesArmed()
     {
         const LogIndex index = indexOfText(flight(61));

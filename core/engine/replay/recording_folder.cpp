@@ -47,9 +47,12 @@ RecordingInfo readRecording(RecordingInfo recording, const std::atomic<bool> &st
         return recording;
     }
     tlog::LogIndexer indexer(*file);
+    indexer.endWhen(stopped);
     while (!stopped) {
         if (!indexer.read(kPortion))
             continue;
+        if (stopped)
+            break; // what was read is not all of it
         recording.index = std::make_shared<const tlog::LogIndex>(indexer.take());
         break;
     }

@@ -34,6 +34,7 @@ Replay::Replay(const link::LinkUrl &recording) : d(std::make_unique<Private>())
 
 Replay::~Replay()
 {
+    d->worker->stop();
     d->worker->post(ReplayWorker::End{});
     d->thread.wait();
     d->worker->takeOutput();

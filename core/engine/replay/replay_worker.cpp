@@ -65,6 +65,7 @@ bool ReplayWorker::open()
     m_file = std::move(*file);
     m_indexFile = std::move(*indexed);
     m_indexer = std::make_unique<tlog::LogIndexer>(m_indexFile);
+    m_indexer->endWhen(m_stopped);
     return true;
 }
 
@@ -76,6 +77,7 @@ void ReplayWorker::startOver()
         if (!m_seek)
             publish(std::move(event));
     });
+    m_flight->endWhen(m_stopped);
     m_flight->setInspecting(m_inspecting);
 }
 

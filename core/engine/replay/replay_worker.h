@@ -14,6 +14,7 @@
 #include <QtCore/QObject>
 #include <QtCore/QTimer>
 
+#include <atomic>
 #include <fstream>
 #include <memory>
 #include <optional>
@@ -21,7 +22,7 @@
 
 namespace skyseal::engine {
 
-/// post() and takeOutput() are for the reader's thread, all else runs on the replay's own.
+/// post(), stop() and takeOutput() are for the reader's thread, all else runs on the replay's own.
 class ReplayWorker : public QObject
 {
     Q_OBJECT
@@ -40,6 +41,8 @@ public:
 
     void begin();
     void post(const Task &task);
+    /// From the reader's thread, before End: whatever is being read ends soon.
+    void stop() { m_stopped = true; }
     std::deque<OutputQueue::Item> takeOutput() { return m_output.takeAll(); }
 
 Q_SIGNALS:
@@ -63,6 +66,7 @@ private:
     ReplayStatus status(TimePoint now) const;
 
     const link::LinkUrl m_recording;
+    std::atomic<bool> m_stopped = false;
     Mailbox<Task> m_tasks;
     OutputQueue m_output;
     QTimer *m_timer = nullptr; ///< a child, so that it lives on the thread

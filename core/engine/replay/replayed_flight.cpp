@@ -29,7 +29,8 @@ bool ReplayedFlight::advance(Duration to, std::size_t most)
     if (to < m_position)
         return true;
     while (m_next || readNext()) {
-        passTime(std::min(m_next->at, to));
+        if (!passTime(std::min(m_next->at, to), most))
+            return false;
         if (m_next->at > to) {
             m_position = to;
             return true;
@@ -78,11 +79,16 @@ void ReplayedFlight::take(const NextEntry &entry)
         drain(*vehicle);
 }
 
-/// The readings and deadlines up to and including `until`.
-void ReplayedFlight::passTime(Duration until)
+/// The readings and deadlines up to and including `until`; returns false if they are more than `most`, from which they are
+/// taken. A reading costs about as much as an entry for each vehicle.
+bool ReplayedFlight::passTime(Duration until, std::size_t &most)
 {
     const Duration last = std::min(until, m_frameAt + kQuietAfter);
     for (Duration next = nextDeadline(); next <= last; next = nextDeadline()) {
+        const std::size_t cost = 1 + m_fleet.vehicles().all().size();
+        if (most < cost)
+            return false;
+        most -= cost;
         const TimePoint now = kBeginning + next;
         m_deadlineAt = next;
         m_fleet.vehicles().handleDeadline(now);
@@ -93,6 +99,7 @@ void ReplayedFlight::passTime(Duration until)
         for (auto &[systemId, vehicle] : m_fleet.vehicles().all())
             drain(vehicle);
     }
+    return true;
 }
 
 Duration ReplayedFlight::nextDeadline() const

@@ -23,8 +23,9 @@ public:
     /// `input` must outlive this object and stand at the beginning of the recording. Events are passed to `notify`.
     ReplayedFlight(std::istream &input, Notify notify);
 
-    /// Moves to the position `to`, or to the end if that is before it, but takes no more than `most` entries. Returns true when
-    /// it has arrived.
+    void endWhen(const std::atomic<bool> &stopped) { m_reader.endWhen(stopped); } ///< see LogReader
+    /// Moves to the position `to`, or to the end if that is before it, but takes no more than `most` entries and readings.
+    /// Returns true when it has arrived.
     bool advance(Duration to, std::size_t most);
     Duration position() const { return m_position; }
     /// All of the recording was taken.
@@ -45,7 +46,7 @@ private:
 
     bool readNext();
     void take(const NextEntry &entry);
-    void passTime(Duration until);
+    bool passTime(Duration until, std::size_t &most);
     Duration nextDeadline() const;
     void drain(vehicle::Vehicle &vehicle);
 
