@@ -60,8 +60,8 @@ public:
 Q_SIGNALS:
     void snapshotReady(std::shared_ptr<const skyseal::engine::Snapshot> snapshot);
     void eventOccurred(skyseal::engine::Event event);
-    /// A part of this program has sent a command to a vehicle by perform().
-    void commandSent(std::uint8_t systemId);
+    /// A part of this program has sent a command by perform() for which a vehicle may change its mode.
+    void modeChangeSent(std::uint8_t systemId);
     void replaySnapshotReady(std::shared_ptr<const skyseal::engine::Snapshot> snapshot);
     void replayEventOccurred(skyseal::engine::Event event);
     void recordingsListed(std::vector<skyseal::engine::RecordingInfo> recordings);

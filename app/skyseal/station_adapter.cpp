@@ -109,8 +109,8 @@ vehicle::RequestId StationAdapter::perform(std::uint8_t systemId, vehicle::Reque
 {
     if (!m_station)
         return {};
-    if (std::holds_alternative<vehicle::VehicleCommand>(request))
-        Q_EMIT commandSent(systemId);
+    if (const auto *command = std::get_if<vehicle::VehicleCommand>(&request); command && vehicle::changesMode(*command))
+        Q_EMIT modeChangeSent(systemId);
     return m_station->perform(systemId, std::move(request));
 }
 

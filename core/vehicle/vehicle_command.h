@@ -81,6 +81,15 @@ using VehicleCommand =
     std::variant<Arm, Disarm, TakeOff, Land, ReturnToLaunch, SetMode, GoTo, ChangeAltitude, Loiter, PointAt, StopPointing,
                  SetHome, ChangeSpeed, SetCurrentMissionItem, StartMission, Reboot, RawCommand>;
 
+/// Whether an autopilot may change its mode for it.
+inline bool changesMode(const VehicleCommand &command)
+{
+    return std::holds_alternative<SetMode>(command) || std::holds_alternative<TakeOff>(command)
+        || std::holds_alternative<Land>(command) || std::holds_alternative<ReturnToLaunch>(command)
+        || std::holds_alternative<GoTo>(command) || std::holds_alternative<Loiter>(command)
+        || std::holds_alternative<StartMission>(command);
+}
+
 enum class CommandOutcome : std::uint8_t { Accepted, Refused, TimedOut };
 
 struct CommandResult

@@ -118,6 +118,23 @@ private Q_SLOTS:
         QVERIFY(alerts(3).empty());
     }
 
+    void dismissedOneHidesNoOther()
+    {
+        AlertList list;
+        const auto alerts = [&list, this](double time) {
+            ++m_snapshot.number;
+            list.showView(view(), time);
+            return list.alerts();
+        };
+        own().traffic = {aircraftAt(own(), 400, 0)};
+        QCOMPARE(alerts(1).size(), std::size_t(1));
+        list.dismiss({AlertKind::AircraftNear, own().systemId});
+        QVERIFY(alerts(2).empty());
+        own().traffic.push_back(aircraftAt(own(), 50, 0));
+        own().traffic.back().address += 1;
+        QCOMPARE(alerts(3).size(), std::size_t(1));
+    }
+
 private:
     vehicle::VehicleState &own() { return m_snapshot.vehicles.front().state; }
     ViewState view() const { return viewOf(std::make_shared<const engine::Snapshot>(m_snapshot), 1); }

@@ -148,6 +148,33 @@ private Q_SLOTS:
         QVERIFY(texts().contains(QStringLiteral("30 forged frames")));
     }
 
+    void dismissedFailsafeHidesNoEmergency()
+    {
+        const auto status = [](std::uint8_t value) {
+            return [value](engine::Snapshot &snapshot) { snapshot.vehicles.front().state.systemStatus = value; };
+        };
+        show(1, status(mavlink::MAV_STATE_CRITICAL));
+        m_list.dismiss({AlertKind::Failsafe, 1});
+        m_list.takeRaised();
+        show(2, status(mavlink::MAV_STATE_CRITICAL));
+        QVERIFY(m_list.alerts().empty());
+        show(3, status(mavlink::MAV_STATE_EMERGENCY));
+        QCOMPARE(texts(), QStringList{QStringLiteral("Emergency")});
+        QCOMPARE(m_list.takeRaised().size(), std::size_t(1));
+        show(4, status(mavlink::MAV_STATE_FLIGHT_TERMINATION)); // announced again, although it is shown
+        QCOMPARE(m_list.takeRaised().size(), std::size_t(1));
+    }
+
+    void refusedCommandHidesNoChange()
+    {
+        show(0);
+        m_list.handleEvent(vehicle::CommandResult{vehicle::RequestId{1}, 1, vehicle::CommandOutcome::Accepted}, 1); // arming
+        m_list.noteCommand(1, 2);
+        m_list.handleEvent(vehicle::CommandResult{vehicle::RequestId{2}, 1, vehicle::CommandOutcome::Refused}, 9);
+        show(10, mode("RTL"));
+        QCOMPARE(m_list.alerts().size(), std::size_t(1));
+    }
+
     void swingingBatteryIsOneAlert()
     {
         show(1, battery(20));

@@ -37,7 +37,8 @@ public:
     {
         if (const auto *command = std::get_if<vehicle::VehicleCommand>(&request)) {
             commands.emplace_back(systemId, *command);
-            Q_EMIT commandSent(systemId);
+            if (vehicle::changesMode(*command))
+                Q_EMIT modeChangeSent(systemId);
         } else if (const auto *write = std::get_if<vehicle::WriteParameter>(&request))
             written.emplace_back(write->name, write->value);
         else if (const auto *mission = std::get_if<vehicle::WriteMission>(&request))

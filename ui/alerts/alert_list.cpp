@@ -28,6 +28,7 @@ constexpr double kVeryLowBatteryPercent = 10;
 constexpr double kBatteryRise = 3;     ///< percent above the limit that end the alert, against a value that swings
 constexpr double kFailsafeTextAge = 5; ///< seconds before the failsafe
 constexpr std::uint64_t kWorseFactor = 10;
+constexpr double kSlowestAnswer = 30; ///< seconds
 
 QString ageText(double seconds)
 {
@@ -81,23 +82,25 @@ void AlertList::showVehicle(const engine::VehicleSnapshot &vehicle, double now)
                                                                     : Text::tr("Flight terminated");
         const auto said = m_failsafeTexts.find(id);
         const QString reason = said == m_failsafeTexts.end() ? QString() : said->second.text;
-        raiseState({{AlertKind::Failsafe, id},
-                    AlertSeverity::Severe,
-                    reason.isEmpty() ? title : Text::tr("%1: %2").arg(title, reason),
-                    Text::tr("The autopilot reports an abnormal state. Messages may name the reason.")},
-                   now);
+        Alert failsafe{{AlertKind::Failsafe, id},
+                       AlertSeverity::Severe,
+                       reason.isEmpty() ? title : Text::tr("%1: %2").arg(title, reason),
+                       Text::tr("The autopilot reports an abnormal state. Messages may name the reason.")};
+        failsafe.subject = status;
+        raiseState(std::move(failsafe), now);
     } else if (const auto said = m_failsafeTexts.find(id);
                said != m_failsafeTexts.end() && now - said->second.time > kFailsafeTextAge) {
         m_failsafeTexts.erase(said);
     }
-    if (const auto near = nearestOf(state); near && state.messageAge <= kStaleAfterSeconds)
-        raiseState(
-            {{AlertKind::AircraftNear, id},
-             AlertSeverity::Severe,
-             Text::tr("Aircraft near: %1").arg(near->name),
-             Text::tr("Within 500 m of the vehicle, and less than 150 m above or below it or at an unknown altitude. The "
-                      "map shows it.")},
-            now);
+    if (const auto near = nearestOf(state); near && state.messageAge <= kStaleAfterSeconds) {
+        Alert aircraft{{AlertKind::AircraftNear, id},
+                       AlertSeverity::Severe,
+                       Text::tr("Aircraft near: %1").arg(near->name),
+                       Text::tr("Within 500 m of the vehicle, and less than 150 m above or below it or at an unknown altitude. "
+                                "The map shows it.")};
+        aircraft.subject = near->address;
+        raiseState(std::move(aircraft), now);
+    }
     const auto known = m_entries.find({AlertKind::LowBattery, id});
     const bool wasLow = known != m_entries.end();
     const bool wasVeryLow = wasLow && known->second.alert.severity == AlertSeverity::Severe;
@@ -211,7 +214,10 @@ void AlertList::handleEvent(const engine::Event &event, double now)
     m_names.note(event);
     handleRefusal(event, now);
     if (const auto *result = std::get_if<vehicle::CommandResult>(&event)) {
-        noteCommand(result->systemId, now); // a slow vehicle changes its mode as late as it answers
+        const auto sent = m_commands.find(result->systemId);
+        if (result->outcome == vehicle::CommandOutcome::Accepted && sent != m_commands.end()
+            && now - sent->second < kSlowestAnswer)
+            noteCommand(result->systemId, now); // a slow vehicle changes its mode as late as it answers
     } else if (const auto *received = std::get_if<vehicle::TextReceived>(&event)) {
         const QString text = engine::qt(received->text.text);
         if (text.contains(QLatin1String("failsafe"), Qt::CaseInsensitive))
@@ -285,14 +291,14 @@ void AlertList::raiseState(Alert alert, double now)
 {
     const auto [at, isNew] = m_entries.try_emplace(alert.id);
     Entry &entry = at->second;
-    const bool worse = !isNew && alert.severity > entry.alert.severity;
+    const bool worse = !isNew && (alert.severity > entry.alert.severity || alert.subject != entry.alert.subject);
     alert.since = isNew ? now : entry.alert.since;
     alert.ongoing = true;
     entry.alert = std::move(alert);
     entry.heard = now;
     entry.round = m_round;
     if (entry.dismissed) {
-        if (entry.alert.severity <= entry.dismissedAs && entry.alert.count / kWorseFactor < entry.dismissedAt)
+        if (!worse && entry.alert.severity <= entry.dismissedAs && entry.alert.count / kWorseFactor < entry.dismissedAt)
             return;
         entry.dismissed = false;
         raise(entry.alert.id);

@@ -27,7 +27,7 @@ public:
     void showView(const ViewState &live, double now);
     /// Takes the next event of the station.
     void handleEvent(const engine::Event &event, double now);
-    /// A part of this program has sent a command to this vehicle.
+    /// A part of this program has sent a command that changes the mode of this vehicle.
     void noteCommand(std::uint8_t systemId, double now) { m_commands[systemId] = now; }
     /// Ends momentary alerts that are over; showView() does so as well.
     void expire(double now);

@@ -24,6 +24,7 @@ AircraftSight sightOf(const vehicle::Aircraft &aircraft, const vehicle::Position
     AircraftSight out{.name = engine::fromStd(aircraft.callsign)};
     if (out.name.isEmpty())
         out.name = QStringLiteral("%1").arg(aircraft.address, 6, 16, QLatin1Char('0')).toUpper();
+    out.address = aircraft.address;
     out.metres = vehicle::distanceMetres(aircraft.position, own);
     out.metresAbove = aircraft.position.altitude - own.altitude;
     const bool apartInHeight = std::abs(out.metresAbove) >= kNearMetresInHeight; // false for an unknown height

@@ -14,9 +14,10 @@ inline constexpr double kNearMetres = 500, kNearMetresInHeight = 150;
 /// Where an aircraft is, seen from the vehicle.
 struct AircraftSight
 {
-    QString name;           ///< callsign, or the ICAO address in hexadecimal digits
-    double metres = 0;      ///< on the ground; NaN if one of the places is unknown
-    double metresAbove = 0; ///< above the vehicle; NaN if unknown
+    std::uint32_t address = 0; ///< of ICAO
+    QString name;              ///< callsign, or the ICAO address in hexadecimal digits
+    double metres = 0;         ///< on the ground; NaN if one of the places is unknown
+    double metresAbove = 0;    ///< above the vehicle; NaN if unknown
     bool isNear = false;
 };
 

@@ -43,7 +43,7 @@ MapAlerts::MapAlerts(StationInterface &station, ViewSelection &selection, Window
             showView(view);
     });
     connect(&selection, &ViewSelection::liveChanged, this, &MapAlerts::showView);
-    connect(&station, &StationInterface::commandSent, this,
+    connect(&station, &StationInterface::modeChangeSent, this,
             [this](std::uint8_t systemId) { m_list.noteCommand(systemId, now()); });
     connect(&station, &StationInterface::eventOccurred, this, [this](const engine::Event &event) {
         m_list.handleEvent(event, now());
