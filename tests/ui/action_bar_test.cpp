@@ -59,14 +59,15 @@ private Q_SLOTS:
                 << QString::fromLatin1(state) << QString::fromLatin1(button) << QString::fromLatin1(reason);
         };
         const char *const disarmed = "Not now: the vehicle is disarmed";
-        for (const char *button :
-             {"startMissionButton", "pauseButton", "landButton", "returnButton", "unlockStop", "emergencyStopButton"})
+        for (const char *button : {"startMissionButton", "pauseButton"})
             row("disarmed", button, disarmed);
+        for (const char *button : {"landButton", "returnButton", "unlockStop"}) // anybody can claim that on a plain link
+            row("disarmed", button, "");
         row("disarmed", "takeOffButton", "Not now: take-off needs an armed vehicle, it is disarmed");
         row("disarmed", "armButton", "");
         row("disarmed", "setModeButton", "");
         row("in LOITER", "takeOffButton", "Not now: take-off needs the mode GUIDED, the vehicle is in LOITER");
-        row("without a mission", "startMissionButton", "Not now: the vehicle has no mission");
+        row("without a mission", "startMissionButton", "Not now: the mission read last is empty: read it again");
         row("without a position", "pauseButton", "Not now: its position is not known");
         row("disarmed a while ago", "landButton", ""); // it may have been armed since
         row("disarmed a while ago", "unlockStop", "");

@@ -17,7 +17,8 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::ActionPermits)
 };
 
-/// The reasons of the window. Commands without a row have none.
+/// The reasons of the window. Commands without a row have none: what makes a flight safer, as Land, RTL and the emergency stop,
+/// must not depend on a state that anybody on a plain link may claim, or a confused autopilot.
 class Reasons
 {
 public:
@@ -26,16 +27,13 @@ public:
     {}
 
     template<typename Command> QString operator()(const Command &) const { return {}; }
-    QString operator()(const vehicle::Disarm &) const { return disarmed(); }
-    QString operator()(const vehicle::Land &) const { return disarmed(); }
-    QString operator()(const vehicle::ReturnToLaunch &) const { return disarmed(); }
     QString operator()(const vehicle::Loiter &) const { return movesDisabledReason(m_view); }
 
     QString operator()(const vehicle::StartMission &) const
     {
         const std::size_t home = m_kind.isArduPilot() ? 1 : 0; // ArduPilot's item 0
         if (m_vehicle.mission && m_vehicle.mission->size() <= home)
-            return Text::tr("the vehicle has no mission");
+            return Text::tr("the mission read last is empty: read it again");
         return m_kind.isPx4() ? QString() : disarmed(); // PX4 arms by itself
     }
 
