@@ -106,7 +106,9 @@ struct TelemetryReaders
 
     static void read(const mavlink::SysStatus &m, Context &c)
     {
-        if (m.onboard_control_sensors_present & mavlink::MAV_SYS_STATUS_PREARM_CHECK)
+        // ArduPilot always has the bit among those present, and enabled and healthy only if any check is enabled.
+        c.state.preArmOk.reset();
+        if (m.onboard_control_sensors_present & m.onboard_control_sensors_enabled & mavlink::MAV_SYS_STATUS_PREARM_CHECK)
             c.state.preArmOk = (m.onboard_control_sensors_health & mavlink::MAV_SYS_STATUS_PREARM_CHECK) != 0;
         c.state.cpuLoad = m.load * 0.1;
         if (m.voltage_battery != kNo16)

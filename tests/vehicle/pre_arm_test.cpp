@@ -16,6 +16,7 @@ mavlink::SysStatus checks(bool pass)
 {
     mavlink::SysStatus out;
     out.onboard_control_sensors_present = mavlink::MAV_SYS_STATUS_PREARM_CHECK | mavlink::MAV_SYS_STATUS_SENSOR_GPS;
+    out.onboard_control_sensors_enabled = out.onboard_control_sensors_present;
     if (pass)
         out.onboard_control_sensors_health = mavlink::MAV_SYS_STATUS_PREARM_CHECK;
     return out;
