@@ -11,6 +11,7 @@
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QMenuBar>
+#include <QtWidgets/QMessageBox>
 #include <QtWidgets/QTreeView>
 
 using namespace skyseal;
@@ -70,6 +71,20 @@ private Q_SLOTS:
         QVERIFY(m_station->commands.empty());
         QTest::keyClick(typed(), Qt::Key_Escape);
         EVENTUALLY(!palette());
+    }
+
+    void clickOnAnImpossibleEntryDoesNothing()
+    {
+        m_station->show(sealedSnapshot(1)); // armed
+        openPalette();
+        type(QStringLiteral("vehicle arm"));
+        const int arm = rowOf(QStringLiteral("Vehicle › Arm…"));
+        QVERIFY(!qobject_cast<QStandardItemModel *>(list()->model())->item(arm)->isEnabled());
+        QVERIFY(list()->currentIndex().isValid() && list()->currentIndex().row() != arm);
+        list()->scrollTo(list()->model()->index(arm, 0));
+        QTest::mouseClick(list()->viewport(), Qt::LeftButton, {}, list()->visualRect(list()->model()->index(arm, 0)).center());
+        QVERIFY(palette() && palette()->isVisible());
+        QVERIFY(!m_window->findChild<QMessageBox *>());
     }
 
     void submenusAreFilled()

@@ -1,6 +1,7 @@
 #include "ui/window/command_palette.h"
 
 #include "ui/modeless.h"
+#include "ui/text/plain_tip.h"
 #include "ui/theme/grid.h"
 
 #include <QtGui/QAction>
@@ -79,7 +80,10 @@ CommandPalette::CommandPalette(QMainWindow &window) : QDialog(&window)
     filter({});
     m_typed->setFocus();
     connect(m_typed, &QLineEdit::textChanged, this, &CommandPalette::filter);
-    connect(m_list, &QTreeView::clicked, this, &CommandPalette::choose);
+    connect(m_list, &QTreeView::clicked, this, [this](const QModelIndex &at) {
+        if (at.row() == m_list->currentIndex().row()) // not so for an entry that is disabled
+            choose();
+    });
 }
 
 /// Menus fill themselves and learn what is possible when they are about to be shown.
@@ -105,7 +109,7 @@ void CommandPalette::add(QAction &action, const QString &path)
     note->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     for (QStandardItem *item : {name, note}) {
         item->setEnabled(action.isEnabled());
-        item->setToolTip(reason.isEmpty() ? path : reason);
+        item->setToolTip(plainTip(reason.isEmpty() ? path : reason));
     }
     m_model->appendRow({name, note});
     m_actions.emplace_back(&action);

@@ -3,6 +3,7 @@
 #include "core/engine/station/snapshot.h"
 #include "ui/replay/replay_bar.h"
 #include "ui/text/lock_face.h"
+#include "ui/text/plain_tip.h"
 #include "ui/text/units.h"
 #include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
@@ -59,7 +60,7 @@ void SourceBar::showSource(Source source, const QString &name)
     setState({}, false);
     const bool demo = source == Source::Demo;
     m_title->setText(demo ? tr("DEMO: simulated vehicle, simulated data") : tr("REPLAY: %1").arg(name));
-    m_title->setToolTip(m_title->text());
+    m_title->setToolTip(plainTip(m_title->text()));
     m_end->setText(demo ? tr("End the demo") : tr("Back to live"));
     m_end->setAccessibleName(m_end->text());
     paintSource();
@@ -85,7 +86,7 @@ void SourceBar::showReplay(const ViewState &replay)
     if (m_title->text() == title)
         return;
     m_title->setText(title);
-    m_title->setToolTip(title);
+    m_title->setToolTip(plainTip(title));
 }
 
 void SourceBar::showLive(const ViewState &live)
