@@ -21,10 +21,14 @@ void FencePainter::paint(const FenceContent &content)
 {
     for (const FenceArea &area : content.fence().areas)
         paintArea(area);
+    // A plan may have as many points as its counter can tell; only those in the picture cost something.
+    const QRectF picture = QRectF(QPointF(), m_viewport.size()).adjusted(-kLabelRoom, -kLabelRoom, kLabelRoom, kLabelRoom);
     for (const QPointF &point : content.fence().returnPoints)
-        paintReturnPoint(m_viewport.toPixels(point));
+        if (const QPointF at = m_viewport.toPixels(point); picture.contains(at))
+            paintReturnPoint(at);
     for (std::size_t i = 0; i < content.rallyPoints().size(); ++i)
-        paintRallyPoint(m_viewport.toPixels(content.rallyPoints()[i]), i + 1);
+        if (const QPointF at = m_viewport.toPixels(content.rallyPoints()[i]); picture.contains(at))
+            paintRallyPoint(at, i + 1);
 }
 
 /// The label stands on the northernmost point of the line, or next to it within the picture.

@@ -49,6 +49,8 @@ void ProfilePanel::showViewState(const ViewState &view)
         || (std::isnan(state.home.altitude) && std::isnan(m_homeAltitude));
     if (mission == m_mission && home == m_home && sameAltitude && state.missionCurrent == m_current)
         return;
+    if (!isExposed())
+        return m_mission.reset(); // shown again with the next view
     m_mission = mission;
     m_home = home;
     m_homeAltitude = state.home.altitude;
