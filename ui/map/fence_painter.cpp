@@ -1,5 +1,6 @@
 #include "ui/map/fence_painter.h"
 
+#include "ui/map/map_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
@@ -62,9 +63,10 @@ void FencePainter::paintArea(const FenceArea &area)
     m_painter.setPen(QPen(color, 2.5, area.inclusion ? Qt::SolidLine : Qt::DashLine, Qt::FlatCap, Qt::RoundJoin));
     m_painter.drawPath(line);
     const QRectF labels = picture.adjusted(kLabelRoom, kGrid, -kLabelRoom, -kGrid);
-    paintLabel({std::clamp(top.x(), labels.left(), std::max(labels.left(), labels.right())),
+    paintLabel(m_painter,
+               {std::clamp(top.x(), labels.left(), std::max(labels.left(), labels.right())),
                 std::clamp(top.y(), labels.top(), std::max(labels.top(), labels.bottom()))},
-               area.inclusion ? tr("Stay inside") : tr("Keep out"));
+               area.inclusion ? tr("Stay inside") : tr("Keep out"), m_palette);
 }
 
 void FencePainter::paintReturnPoint(const QPointF &at)
@@ -72,7 +74,7 @@ void FencePainter::paintReturnPoint(const QPointF &at)
     m_painter.setPen(QPen(stateColors(m_palette).good, 2));
     m_painter.setBrush(m_palette.color(QPalette::Base));
     m_painter.drawRect(QRectF(at - QPointF(kMark, kMark), QSizeF(2 * kMark, 2 * kMark)));
-    paintLabel(at + QPointF(0, 2.4 * kMark), tr("Fence return"));
+    paintLabel(m_painter, at + QPointF(0, 2.4 * kMark), tr("Fence return"), m_palette);
 }
 
 /// A flag on its place.
@@ -84,19 +86,7 @@ void FencePainter::paintRallyPoint(const QPointF &at, std::size_t number)
     m_painter.drawLine(at, top);
     m_painter.drawPolygon(QPolygonF{top, top + QPointF(1.8 * kMark, 0.6 * kMark), top + QPointF(0, 1.2 * kMark)});
     m_painter.drawEllipse(at, 2.5, 2.5);
-    paintLabel(at + QPointF(0, 1.6 * kMark), tr("Rally %1").arg(number));
-}
-
-void FencePainter::paintLabel(const QPointF &middle, const QString &text)
-{
-    const QFontMetricsF metrics(m_painter.font());
-    QRectF place(0, 0, metrics.horizontalAdvance(text) + 8, metrics.height() + 2);
-    place.moveCenter(middle);
-    m_painter.setPen(Qt::NoPen);
-    m_painter.setBrush(m_palette.color(QPalette::Base));
-    m_painter.drawRoundedRect(place, 3, 3);
-    m_painter.setPen(m_palette.color(QPalette::WindowText));
-    m_painter.drawText(place, Qt::AlignCenter, text);
+    paintLabel(m_painter, at + QPointF(0, 1.6 * kMark), tr("Rally %1").arg(number), m_palette);
 }
 
 } // namespace skyseal::ui

@@ -28,7 +28,6 @@ private:
     void paintArea(const FenceArea &area);
     void paintReturnPoint(const QPointF &at);
     void paintRallyPoint(const QPointF &at, std::size_t number);
-    void paintLabel(const QPointF &middle, const QString &text);
 
     QPainter &m_painter;
     const MapViewport &m_viewport;

@@ -1,6 +1,7 @@
 #include "ui/map/map_painter.h"
 
 #include "ui/map/fence_painter.h"
+#include "ui/map/map_text.h"
 #include "ui/map/mission_painter.h"
 #include "ui/map/nice_step.h"
 #include "ui/map/tile_painter.h"
@@ -183,7 +184,7 @@ void MapPainter::paintNames(const std::vector<std::pair<QPointF, QString>> &name
         const QRectF place(at.x() - width / 2, at.y() + kNameOffset, width, metrics.height());
         if (std::ranges::any_of(taken, [&place](const QRectF &other) { return other.intersects(place); }))
             continue;
-        paintCaption(place, text);
+        paintCaption(m_painter, place, text, m_palette);
         taken.push_back(place);
     }
 }
@@ -235,7 +236,8 @@ void MapPainter::paintScale(UnitSystem units)
     const auto [text, metres] = scaleBar(60 * scale, units);
     const double length = metres / scale;
     const double right = m_viewport.size().width() - 2.0 * kGrid, y = m_viewport.size().height() - 2.0 * kGrid;
-    paintCaption(QRectF(right - length - kGrid, y - metrics.height() - 10, length + 2 * kGrid, metrics.height() + 14), {});
+    paintPlate(m_painter, {right - length - kGrid, y - metrics.height() - 10, length + 2 * kGrid, metrics.height() + 14},
+               m_palette);
     m_painter.setPen(QPen(m_palette.color(QPalette::WindowText), 1.5));
     m_painter.drawPolyline(
         QPolygonF{QPointF(right - length, y - 5), QPointF(right - length, y), QPointF(right, y), QPointF(right, y - 5)});
@@ -254,7 +256,7 @@ void MapPainter::paintCoordinates(const QString &text)
 {
     const QFontMetricsF metrics(m_painter.font());
     const QRectF place = placeOfCoordinates(m_viewport, metrics, text);
-    paintCaption(place, {});
+    paintPlate(m_painter, place, m_palette);
     drawFigures(m_painter, {place.left() + kGrid, place.top() + kHalfGrid / 2.0 + metrics.ascent()}, text);
 }
 
@@ -289,21 +291,10 @@ void MapPainter::paintAttribution(const TileLayer &tiles)
             continue;
         const QString shown = metrics.elidedText(text, Qt::ElideRight, widest);
         const double height = metrics.height() + kHalfGrid;
-        paintCaption(QRectF(kHalfGrid, bottom - height, metrics.horizontalAdvance(shown) + 2 * kGrid, height), shown);
+        paintCaption(m_painter, {kHalfGrid, bottom - height, metrics.horizontalAdvance(shown) + 2 * kGrid, height}, shown,
+                     m_palette);
         bottom -= height + kHalfGrid;
     }
-}
-
-/// Text that can be read on any ground.
-void MapPainter::paintCaption(const QRectF &place, const QString &text)
-{
-    QColor ground = m_palette.color(QPalette::Base);
-    ground.setAlpha(200);
-    m_painter.setPen(Qt::NoPen);
-    m_painter.setBrush(ground);
-    m_painter.drawRoundedRect(place, 3, 3);
-    m_painter.setPen(m_palette.color(QPalette::WindowText));
-    m_painter.drawText(place, Qt::AlignCenter, text);
 }
 
 } // namespace skyseal::ui

@@ -48,7 +48,6 @@ private:
     void paintNorth();
     void paintAttribution(const TileLayer &tiles);
     void paintNames(const std::vector<std::pair<QPointF, QString>> &names);
-    void paintCaption(const QRectF &place, const QString &text);
 
     QPainter &m_painter;
     const MapContent &m_content;

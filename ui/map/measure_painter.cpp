@@ -1,5 +1,6 @@
 #include "ui/map/measure_painter.h"
 
+#include "ui/map/map_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
@@ -99,7 +100,7 @@ void MeasurePainter::paintLeg(const QPointF &from, const QPointF &to, const QStr
         aside = -aside;
     place.moveCenter((from + to) / 2
                      + QPointF(aside.x() * (place.width() / 2 + kGrid), aside.y() * (place.height() / 2 + kGrid)));
-    paintCaption(place, text);
+    paintFreeCaption(place, text);
 }
 
 /// Beside the cross, and within the picture.
@@ -111,7 +112,7 @@ void MeasurePainter::paintNextLeg(const QPointF &cross, const QString &text)
         place.moveRight(cross.x() - 1.5 * kGrid);
     if (place.bottom() > m_viewport.size().height())
         place.moveBottom(cross.y() - 1.5 * kGrid);
-    paintCaption(place, text);
+    paintFreeCaption(place, text);
 }
 
 /// At the top, between the corner and the arrow to the north; the help wraps where the map is narrow.
@@ -126,7 +127,7 @@ void MeasurePainter::paintTotal(const QString &total)
     const QRectF lines = metrics.boundingRect(QRectF(0, 0, room, 1000), Qt::AlignHCenter | Qt::TextWordWrap, help);
     const double width = std::max(bold.horizontalAdvance(total), lines.width()) + 2 * kGrid;
     const QRectF place((m_viewport.size().width() - width) / 2, 3 * kGrid, width, bold.height() + lines.height() + kGrid);
-    paintGround(place);
+    paintPlate(m_painter, place, m_palette);
     m_painter.setFont(strong);
     m_painter.drawText(place.adjusted(0, kHalfGrid, 0, 0), Qt::AlignHCenter | Qt::AlignTop, total);
     m_painter.setFont(usual);
@@ -141,24 +142,12 @@ QRectF MeasurePainter::captionFor(const QString &text) const
 }
 
 /// Where it would overlap another one, the newer one stands alone.
-void MeasurePainter::paintCaption(const QRectF &place, const QString &text)
+void MeasurePainter::paintFreeCaption(const QRectF &place, const QString &text)
 {
     if (std::ranges::any_of(m_taken, [&place](const QRectF &other) { return other.intersects(place); }))
         return;
     m_taken.push_back(place);
-    paintGround(place);
-    m_painter.drawText(place, Qt::AlignCenter, text);
-}
-
-/// On which text can be read, whatever is below.
-void MeasurePainter::paintGround(const QRectF &place)
-{
-    QColor ground = m_palette.color(QPalette::Base);
-    ground.setAlpha(225);
-    m_painter.setPen(Qt::NoPen);
-    m_painter.setBrush(ground);
-    m_painter.drawRoundedRect(place, 3, 3);
-    m_painter.setPen(m_palette.color(QPalette::WindowText));
+    paintCaption(m_painter, place, text, m_palette);
 }
 
 } // namespace skyseal::ui

@@ -33,8 +33,7 @@ private:
     void paintNextLeg(const QPointF &cross, const QString &text);
     void paintTotal(const QString &total);
     QRectF captionFor(const QString &text) const; ///< its size
-    void paintCaption(const QRectF &place, const QString &text);
-    void paintGround(const QRectF &place);
+    void paintFreeCaption(const QRectF &place, const QString &text);
 
     QPainter &m_painter;
     const MapViewport &m_viewport;

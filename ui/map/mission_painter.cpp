@@ -1,5 +1,6 @@
 #include "ui/map/mission_painter.h"
 
+#include "ui/map/map_text.h"
 #include "ui/theme/palettes.h"
 
 #include <QtGui/QPainter>
@@ -89,7 +90,7 @@ void MissionPainter::paintJump(const QPointF &from, const QPointF &to, int times
     m_painter.setPen(QPen(stateColors(m_palette).accent, 1.5, Qt::DashLine));
     m_painter.setBrush(Qt::NoBrush);
     if (length < 1) {
-        paintLabel(from + QPointF(0, -2 * kStopRadius), text);
+        paintLabel(m_painter, from + QPointF(0, -2 * kStopRadius), text, m_palette);
         return;
     }
     const QPointF aside(-way.y() / length, way.x() / length);
@@ -99,7 +100,7 @@ void MissionPainter::paintJump(const QPointF &from, const QPointF &to, int times
     m_painter.drawPath(bow);
     const QPointF arrival = (to - bend) / std::max(1.0, lengthOf(to - bend));
     paintArrow(to - arrival * (kStopRadius + 1), arrival);
-    paintLabel(bow.pointAtPercent(0.5), text);
+    paintLabel(m_painter, bow.pointAtPercent(0.5), text, m_palette);
 }
 
 void MissionPainter::paintLoiter(const RouteStop &stop)
@@ -111,7 +112,7 @@ void MissionPainter::paintLoiter(const RouteStop &stop)
     m_painter.setBrush(Qt::NoBrush);
     m_painter.drawEllipse(at, radius, radius);
     if (const QString text = loiterText(stop); !text.isEmpty())
-        paintLabel(at + QPointF(0, radius), text);
+        paintLabel(m_painter, at + QPointF(0, radius), text, m_palette);
 }
 
 void MissionPainter::paintStop(const RouteStop &stop, bool current)
@@ -133,18 +134,6 @@ void MissionPainter::paintMark(const RouteMark &mark)
     m_painter.drawPolygon(QPolygonF{at + QPointF(0, -12), at + QPointF(12, 0), at + QPointF(0, 12), at + QPointF(-12, 0)});
     m_painter.setPen(m_palette.color(QPalette::WindowText));
     m_painter.drawText(QRectF(at.x() - 12, at.y() - 12, 24, 24), Qt::AlignCenter, QString::number(mark.sequence));
-}
-
-void MissionPainter::paintLabel(const QPointF &at, const QString &text)
-{
-    const QFontMetricsF metrics(m_painter.font());
-    QRectF place = metrics.boundingRect(text).adjusted(-4, -1, 4, 1);
-    place.moveCenter(at);
-    m_painter.setPen(Qt::NoPen);
-    m_painter.setBrush(m_palette.color(QPalette::Base));
-    m_painter.drawRoundedRect(place, 3, 3);
-    m_painter.setPen(m_palette.color(QPalette::WindowText));
-    m_painter.drawText(place, Qt::AlignCenter, text);
 }
 
 } // namespace skyseal::ui

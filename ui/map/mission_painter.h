@@ -31,7 +31,6 @@ private:
     void paintStop(const RouteStop &stop, bool current);
     void paintMark(const RouteMark &mark);
     void paintArrow(const QPointF &tip, const QPointF &direction);
-    void paintLabel(const QPointF &at, const QString &text);
 
     QPainter &m_painter;
     const MapViewport &m_viewport;

@@ -1,5 +1,6 @@
 #include "ui/map/traffic_painter.h"
 
+#include "ui/map/map_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
@@ -58,15 +59,7 @@ void TrafficPainter::paintAircraft(const AircraftMark &mark, UnitSystem units)
     m_painter.drawPath(shape);
     const QString text = aircraftText(mark.sight, units);
     const QFontMetricsF metrics(m_painter.font());
-    QRectF place(0, 0, metrics.horizontalAdvance(text) + kGrid, metrics.height());
-    place.moveCenter(at + QPointF(0, 16 + metrics.height() / 2));
-    QColor ground = m_palette.color(QPalette::Base);
-    ground.setAlpha(200);
-    m_painter.setPen(Qt::NoPen);
-    m_painter.setBrush(ground);
-    m_painter.drawRoundedRect(place, 3, 3);
-    m_painter.setPen(m_palette.color(QPalette::WindowText));
-    m_painter.drawText(place, Qt::AlignCenter, text);
+    paintLabel(m_painter, at + QPointF(0, 16 + metrics.height() / 2), text, m_palette);
 }
 
 } // namespace skyseal::ui
