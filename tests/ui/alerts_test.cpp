@@ -165,6 +165,23 @@ private Q_SLOTS:
         QCOMPARE(m_list.takeRaised().size(), std::size_t(1));
     }
 
+    void selectedVehicleComesFirst()
+    {
+        const auto invented = [](double ageOfFirst) {
+            return [ageOfFirst](engine::Snapshot &snapshot) {
+                for (int id = 2; id < 250; ++id) {
+                    snapshot.vehicles.push_back(snapshot.vehicles.front());
+                    snapshot.vehicles.back().state.systemId = static_cast<std::uint8_t>(id);
+                    snapshot.vehicles.back().state.systemStatus = mavlink::MAV_STATE_CRITICAL;
+                }
+                snapshot.vehicles.front().state.messageAge = ageOfFirst;
+            };
+        };
+        show(1, invented(0));
+        show(9, invented(4));
+        QCOMPARE(m_list.alerts().front().id, (AlertId{AlertKind::LinkLost, 1}));
+    }
+
     void refusedCommandHidesNoChange()
     {
         show(0);

@@ -12,6 +12,7 @@
 #include <QtCore/QCoreApplication>
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace skyseal::ui {
@@ -50,6 +51,7 @@ void AlertList::showView(const ViewState &live, double now)
         startOver(); // another station, as that of the demo
     m_snapshot = live.snapshot;
     m_inSweep = live.inSweep;
+    m_selected = live.vehicle ? live.vehicle->state.systemId : 0;
     ++m_round;
     for (const engine::VehicleSnapshot &vehicle : m_snapshot->vehicles)
         showVehicle(vehicle, now);
@@ -365,8 +367,10 @@ std::vector<Alert> AlertList::alerts() const
         out.push_back(entry.alert);
         out.back().text = shownText(entry.alert);
     }
-    std::ranges::stable_sort(out, [](const Alert &a, const Alert &b) {
-        return a.severity != b.severity ? a.severity > b.severity : a.since < b.since;
+    // Vehicles that anybody may invent on a plain link must not push those of the selected one away.
+    const auto isOfAnother = [this](const Alert &alert) { return alert.id.systemId != 0 && alert.id.systemId != m_selected; };
+    std::ranges::stable_sort(out, [&](const Alert &a, const Alert &b) {
+        return std::tuple(b.severity, isOfAnother(a), a.since) < std::tuple(a.severity, isOfAnother(b), b.since);
     });
     return out;
 }

@@ -33,7 +33,8 @@ public:
     void expire(double now);
     void dismiss(AlertId id);
 
-    /// The alerts that are not dismissed, severe ones first, then in the order in which they began.
+    /// The alerts that are not dismissed, severe ones first, then those of the selected vehicle and of
+    /// none, then in the order in which they began.
     std::vector<Alert> alerts() const;
     /// The alerts that have begun, come back or become worse since the last call, at most kMostRaised.
     std::vector<Alert> takeRaised();
@@ -98,6 +99,7 @@ private:
     SnapshotPtr m_snapshot;
     std::uint64_t m_round = 0;
     bool m_inSweep = false;
+    std::uint8_t m_selected = 0; ///< the vehicle in the window
 };
 
 } // namespace skyseal::ui

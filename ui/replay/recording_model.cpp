@@ -1,6 +1,7 @@
 #include "ui/replay/recording_model.h"
 
 #include "core/engine/text/state_text.h"
+#include "ui/text/plain_tip.h"
 #include "ui/text/units.h"
 #include "ui/text/vehicle_text.h"
 
@@ -82,7 +83,7 @@ QVariant RecordingModel::data(const QModelIndex &index, int role) const
     if (role == Qt::TextAlignmentRole && isNumber)
         return int(Qt::AlignRight | Qt::AlignVCenter);
     if (role == Qt::ToolTipRole)
-        return fromStd(one.path);
+        return plainTip(fromStd(one.path));
     if (role != Qt::DisplayRole && role != kSortRole)
         return {};
     const bool sorts = role == kSortRole;

@@ -19,7 +19,7 @@ struct Remedy
     const char *text;
 };
 
-/// The first row whose word is in the text applies, so that narrow words stand before wide ones.
+/// The first row applies of which a word of the text begins with `word`, so that narrow rows stand before wide ones.
 constexpr Remedy kRemedies[] = {
     {"not armable", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Set a mode that can be armed, such as LOITER or GUIDED.")},
     {"another mode", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Set a mode that can be armed, such as Hold or Position.")},
@@ -37,6 +37,8 @@ constexpr Remedy kRemedies[] = {
      QT_TRANSLATE_NOOP("skyseal::ui::PreArmText",
                        "Move the vehicle away from metal, cables and magnets; calibrate the compass if it stays.")},
     {"mag field", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Move the vehicle away from metal, cables and magnets.")},
+    {"fence requires position",
+     QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Wait for the GPS and the EKF, or switch the fence off.")},
     {"fence", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Place the vehicle inside its fence, or correct the fence.")},
     {"hdop", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Wait for more satellites, under an open sky.")},
     {"gps", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Wait for a 3D fix under an open sky; check the GPS cable.")},
@@ -117,8 +119,9 @@ QString preArmSentence(const ViewState &view)
 
 QString preArmRemedy(const QString &reason)
 {
+    const QString text = QLatin1Char(' ') + reason;
     for (const Remedy &remedy : kRemedies)
-        if (reason.contains(QLatin1String(remedy.word), Qt::CaseInsensitive))
+        if (text.contains(QLatin1Char(' ') + QLatin1String(remedy.word), Qt::CaseInsensitive))
             return Text::tr(remedy.text);
     return Text::tr("Look the text up in the manual of the autopilot.");
 }
