@@ -6,6 +6,8 @@
 
 #include <QtWidgets/QScrollArea>
 
+#include <algorithm>
+
 namespace skyseal::ui {
 
 class FittingScroll : public QScrollArea
@@ -19,7 +21,7 @@ public:
         setWidgetResizable(true);
         setFrameShape(QFrame::NoFrame);
         setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-        setMinimumWidth(panel->minimumSizeHint().width() + 2 * kGrid);
+        setMinimumWidth(std::max(panel->minimumWidth(), panel->minimumSizeHint().width()) + 2 * kGrid);
     }
 
 Q_SIGNALS:

@@ -12,6 +12,7 @@
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QDockWidget>
 #include <QtWidgets/QLabel>
+#include <QtWidgets/QScrollArea>
 
 #include <algorithm>
 
@@ -154,6 +155,18 @@ private Q_SLOTS:
         snapshot.time = 3;
         m_station->show(snapshot);
         EVENTUALLY(profile->accessibleDescription().contains(QStringLiteral("highest 60.0 m")));
+    }
+
+    void countersHaveTheirRoomFromTheStart()
+    {
+        m_window->resize(800, 700); // the width is shared out before anything is sealed
+        press(3);
+        QCoreApplication::processEvents();
+        m_station->show(sealedSnapshot(1));
+        const auto *scroll = find<QDockWidget>("dockSecure")->findChild<QScrollArea *>();
+        EVENTUALLY(m_window->findChild<QWidget *>(QStringLiteral("counter_1_2"))->isVisible());
+        EVENTUALLY2(scroll->widget()->width() <= scroll->viewport()->width(),
+                    qPrintable(QStringLiteral("%1 in %2").arg(scroll->widget()->width()).arg(scroll->viewport()->width())));
     }
 
     void eachFitsTheSmallestWindow()

@@ -110,6 +110,7 @@ SecureLinkPanel::SecureLinkPanel(SuiteActions &suites, QWidget *parent) : DockPa
     column->addWidget(m_line);
     m_counters = new CountersTable(this);
     column->addWidget(m_counters);
+    setMinimumWidth(m_counters->minimumSizeHint().width() + 2 * kGrid); // also while there are no counters to show
     column->addSpacing(kHalfGrid);
     m_fingerprint = fact("secureFingerprint", tr("Fingerprint of the peer's key"));
     m_fingerprint->setWordWrap(true);

@@ -11,15 +11,13 @@
 #include <QtWidgets/QMainWindow>
 #include <QtWidgets/QTabBar>
 
-#include <algorithm>
 #include <cstdlib>
 #include <map>
 
 namespace skyseal::ui {
 
 namespace {
-constexpr int kLeastRight = 272; ///< pixels: room for the counters of a session
-constexpr int kKeys = 10;        ///< Alt+1 … Alt+9, Alt+0
+constexpr int kKeys = 10; ///< Alt+1 … Alt+9, Alt+0
 } // namespace
 
 WindowDocks::WindowDocks(QMainWindow &window, const PanelContext &context) : QObject(&window), m_window(window)
@@ -77,7 +75,7 @@ void WindowDocks::arrange(Workspace workspace)
         m_window.resizeDocks({front->second}, {size}, orientation);
     };
     resize(Qt::LeftDockWidgetArea, sizes.leftWidth, Qt::Horizontal);
-    resize(Qt::RightDockWidgetArea, std::max(kLeastRight, m_window.width() * sizes.rightPercent / 100), Qt::Horizontal);
+    resize(Qt::RightDockWidgetArea, m_window.width() * sizes.rightPercent / 100, Qt::Horizontal);
     resize(Qt::BottomDockWidgetArea, m_window.height() * sizes.bottomPercent / 100, Qt::Vertical);
 }
 
