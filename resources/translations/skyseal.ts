@@ -1049,15 +1049,15 @@
 <context>
     <name>skyseal::ui::ActionPermits</name>
     <message>
-        <source>the vehicle has no mission</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>the vehicle is disarmed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Not now: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mission read last is empty: read it again</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4031,6 +4031,10 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>Look the text up in the manual of the autopilot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wait for the GPS and the EKF, or switch the fence off.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
