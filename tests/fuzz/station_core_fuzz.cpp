@@ -60,6 +60,7 @@ struct Position
     std::size_t agent = 0; ///< kAgents: sent in clear
     std::uint8_t systemId = 0;
     bool isBound = false; ///< the list had the agent of this system then; without it, the system may be clear
+    int removals = 0;     ///< of that agent from the list until then
 };
 
 struct Agent
@@ -67,6 +68,7 @@ struct Agent
     std::unique_ptr<RemoteEnd> end;
     Peer listed; ///< by the station
     bool isListed = true;
+    int removals = 0;        ///< from the list
     bool saidYes = false;    ///< to a pairing, since the station's window opened
     std::uint32_t shown = 0; ///< the greatest number of a position that was shown
     TimePoint shownSince{};
@@ -185,6 +187,7 @@ private:
             return pump();
         }
         case 11: // The list of peers; the keys stay bound to their systems.
+            agent.removals += agent.isListed && !(argument & 1);
             agent.isListed = argument & 1;
             return relist();
         case 12: return m_station->allowPlaintext(argument);
@@ -248,7 +251,7 @@ private:
     Bytes position(std::size_t sender, std::uint8_t systemId)
     {
         const bool isBound = systemId >= 1 && systemId <= kAgents && m_agents[systemId - 1u].isListed;
-        m_positions.push_back({sender, systemId, isBound});
+        m_positions.push_back({sender, systemId, isBound, isBound ? m_agents[systemId - 1u].removals : 0});
         mavlink::GlobalPositionInt message;
         message.lat = kFirstLatitude + static_cast<std::int32_t>(m_positions.size());
         message.lon = 1;
@@ -446,6 +449,9 @@ private:
                 continue; // A position of any bytes that an agent sealed.
             const Position &shown = m_positions[static_cast<std::size_t>(number - 1)];
             if (shown.agent == kAgents && !shown.isBound)
+                continue;
+            // Bytes of a stream may wait until they are known not to be a record; then the list of that moment counts.
+            if (shown.agent == kAgents && shown.removals != m_agents[system - 1u].removals)
                 continue;
             if (shown.agent == kAgents)
                 violated("nothing clear of a sealed system is shown");
