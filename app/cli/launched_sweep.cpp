@@ -128,6 +128,13 @@ void LaunchedSweep::takeLine(const QByteArray &line)
         m_results.source = object[QLatin1String("source")].toString().toStdString();
         return;
     }
+    if (event == QLatin1String("begin")) {
+        if (auto run = experiment::readRun(object, m_one)) {
+            run->launch = m_launch.number;
+            Q_EMIT runBegan(*run);
+        }
+        return;
+    }
     if (event != QLatin1String("run"))
         return;
     std::optional<experiment::Sample> sample = experiment::readSample(object, m_one);

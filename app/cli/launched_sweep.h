@@ -38,6 +38,8 @@ public:
     double remaining() const { return m_queue.remaining(); }
 
 Q_SIGNALS:
+    /// As SweepRunner::runBegan().
+    void runBegan(const skyseal::experiment::Run &run);
     void sampleTaken(const skyseal::experiment::Sample &sample);
     /// As SweepRunner::finished().
     void finished(bool opened, const std::string &problem);

@@ -125,6 +125,10 @@ int carryOut(Sweep &sweep, const SweepOptions &options, const experiment::Settin
                        "in the air");
             });
     }
+    if (options.json)
+        QObject::connect(&sweep, &Sweep::runBegan, qApp, [&](const experiment::Run &run) {
+            printLine(experiment::beginEvent(options.plan, run, sweep.results().samples.size()));
+        });
     QObject::connect(&sweep, &Sweep::sampleTaken, qApp, [&](const experiment::Sample &sample) {
         if (options.json)
             printLine(experiment::runEvent(options.plan, sample, sweep.runs(), sweep.remaining()));

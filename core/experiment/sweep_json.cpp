@@ -100,15 +100,20 @@ void writeCounted(JsonWriter &json, std::string_view key, const Counted &counted
     json.endObject();
 }
 
+void writeRun(JsonWriter &json, const Plan &plan, const Run &run, std::size_t order)
+{
+    json.field("order", std::uint64_t(order));
+    place(json, plan, run.condition, run.load);
+    arm(json, plan.arms[run.arm]);
+    json.field("launch", std::uint64_t(run.launch));
+    json.field("repeat", std::uint64_t(run.repeat));
+    if (!plan.flight.empty())
+        json.field("phase", std::uint64_t(phaseOf(plan, run)));
+}
+
 void writeSample(JsonWriter &json, const Plan &plan, const Sample &sample)
 {
-    json.field("order", std::uint64_t(sample.order));
-    place(json, plan, sample.run.condition, sample.run.load);
-    arm(json, plan.arms[sample.run.arm]);
-    json.field("launch", std::uint64_t(sample.run.launch));
-    json.field("repeat", std::uint64_t(sample.run.repeat));
-    if (!plan.flight.empty())
-        json.field("phase", std::uint64_t(phaseOf(plan, sample.run)));
+    writeRun(json, plan, sample.run, sample.order);
     json.field("start", sample.start).field("seconds", sample.seconds);
     if (!sample.problem.empty())
         json.field("problem", sample.problem);
@@ -393,6 +398,14 @@ std::string sweepCsv(const Results &results)
         out += "\n";
     }
     return out;
+}
+
+std::string beginEvent(const Plan &plan, const Run &run, std::size_t order)
+{
+    JsonWriter json;
+    json.beginObject().field("event", "begin");
+    writeRun(json, plan, run, order);
+    return json.endObject().text();
 }
 
 std::string runEvent(const Plan &plan, const Sample &sample, std::size_t runs, double remaining)

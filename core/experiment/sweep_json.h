@@ -20,8 +20,9 @@ std::string sweepColumnsCsv();
 /// The comparisons, which are the result of a sweep: one line each, the A/A ones last.
 std::string ratiosCsv(const Results &results);
 
-/// JSON objects with "event" for a finished run, the end of the runs and a verdict, one line each. `problem`: a sentence if the
-/// plan was not carried out completely.
+/// JSON objects with "event" for a run that begins, whose warm-up is still ahead, a finished run, the end of the runs and a
+/// verdict, one line each. `problem`: a sentence if the plan was not carried out completely.
+std::string beginEvent(const Plan &plan, const Run &run, std::size_t order);
 std::string runEvent(const Plan &plan, const Sample &sample, std::size_t runs, double remaining);
 std::string endEvent(const Results &results, bool opened, const std::string &problem);
 std::string expectEvent(const Plan &plan, const Verdict &verdict);

@@ -149,9 +149,8 @@ Setting settingOf(const QJsonObject &report)
 
 } // namespace
 
-std::optional<Sample> readSample(const QJsonObject &object, const Plan &plan)
+std::optional<Run> readRun(const QJsonObject &object, const Plan &plan)
 {
-    Sample out;
     const auto arm = armOf(object);
     const auto load = loadFromName(textOf(object[q("load")]));
     if (!arm || !load)
@@ -163,9 +162,18 @@ std::optional<Sample> readSample(const QJsonObject &object, const Plan &plan)
     if (foundArm == plan.arms.end() || foundLoad == plan.loads.end() || foundCondition == plan.conditions.end() || repeat < 0
         || repeat >= plan.repeats || launch < 0 || launch >= plan.launches)
         return std::nullopt;
-    out.run = {static_cast<std::size_t>(foundCondition - plan.conditions.begin()),
+    return Run{static_cast<std::size_t>(foundCondition - plan.conditions.begin()),
                static_cast<std::size_t>(foundLoad - plan.loads.begin()), static_cast<std::size_t>(foundArm - plan.arms.begin()),
                static_cast<unsigned>(repeat), static_cast<unsigned>(launch)};
+}
+
+std::optional<Sample> readSample(const QJsonObject &object, const Plan &plan)
+{
+    const std::optional<Run> run = readRun(object, plan);
+    if (!run)
+        return std::nullopt;
+    Sample out;
+    out.run = *run;
     out.order = static_cast<unsigned>(std::clamp<qint64>(object[q("order")].toInteger(), 0, kMostSamples));
     out.start = object[q("start")].toDouble();
     out.seconds = object[q("seconds")].toDouble();

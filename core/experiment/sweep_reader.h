@@ -26,6 +26,8 @@ inline constexpr unsigned kOldestReadableSweep = 2;
 
 Result<ReadSweep, InputError> readSweep(const QByteArray &json);
 
+/// The run that the event "begin" names; nullopt if it does not fit the plan.
+std::optional<Run> readRun(const QJsonObject &object, const Plan &plan);
 /// A run as sweep.json and the event "run" have it; nullopt if it does not fit the plan.
 std::optional<Sample> readSample(const QJsonObject &object, const Plan &plan);
 

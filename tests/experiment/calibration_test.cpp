@@ -1,0 +1,153 @@
+// Whether the intervals of a sweep hold what they promise: sweeps of one suite under two names (A/A) find no difference, and CPU
+// time that is added to the agent during the runs of one name (support/extra_cpu) is found, with its size. The long form
+// (SKYSEAL_CALIBRATION=long) repeats this often enough for the shares to mean something; the short one shows that it works.
+#include "tests/support/program.h"
+#include "tests/support/run_program.h"
+#include "tests/support/test_runner.h"
+
+#include <QtCore/QFile>
+#include <QtCore/QJsonArray>
+#include <QtCore/QJsonDocument>
+#include <QtCore/QTemporaryDir>
+#include <QtTest/QTest>
+
+#include <cmath>
+
+using namespace skyseal::test;
+
+namespace {
+
+constexpr int kSweepMs = 600'000;
+
+struct Ratio
+{
+    double value = 0, low = 0, high = 0;
+    bool holds(double truth) const { return low <= truth && truth <= high; }
+};
+
+struct Form
+{
+    int sweeps = 0;
+    const char *options = ""; ///< of each sweep
+    double share = 0;         ///< more CPU time in one of the two names
+    int leastFound = 0;       ///< sweeps whose interval does not hold 1
+    int leastCovered = 0;     ///< sweeps whose interval holds 1 + share
+};
+
+bool isLong()
+{
+    return qEnvironmentVariable("SKYSEAL_CALIBRATION") == QLatin1String("long");
+}
+
+/// The agent's CPU time per frame in the repeated arm to that in the first.
+std::optional<Ratio> ratioIn(const QString &folder)
+{
+    QFile file(folder + QStringLiteral("/sweep.json"));
+    if (!file.open(QIODevice::ReadOnly))
+        return std::nullopt;
+    const QJsonDocument report = QJsonDocument::fromJson(file.readAll());
+    for (const QJsonValue noise : report[QLatin1String("noise")].toArray()) {
+        if (noise[QLatin1String("metric")].toString() == QLatin1String("agent_cpu_per_frame")
+            && noise[QLatin1String("ci95_low")].isDouble())
+            return Ratio{noise[QLatin1String("ratio")].toDouble(), noise[QLatin1String("ci95_low")].toDouble(),
+                         noise[QLatin1String("ci95_high")].toDouble()};
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+class CalibrationTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void sameSuiteTwiceIsNoDifference();
+    void extraCpuTimeIsFound();
+    void cleanupTestCase();
+
+private:
+    void judge(const Form &form);
+    std::optional<Ratio> sweep(const Form &form, int number);
+    void setShare(double share);
+
+    QTemporaryDir m_folder;
+    QFile m_file;
+};
+
+void CalibrationTest::initTestCase()
+{
+#ifdef SKYSEAL_SANITIZED
+    QSKIP("a sanitizer wants to be loaded first");
+#endif
+    m_file.setFileName(m_folder.filePath(QStringLiteral("share")));
+    QVERIFY(m_file.open(QIODevice::ReadWrite | QIODevice::Unbuffered));
+    setShare(0);
+    qputenv("EXTRA_CPU", m_file.fileName().toUtf8());
+    qputenv("LD_PRELOAD", SKYSEAL_EXTRA_CPU);
+}
+
+void CalibrationTest::cleanupTestCase()
+{
+    qunsetenv("LD_PRELOAD");
+}
+
+void CalibrationTest::setShare(double share)
+{
+    m_file.seek(0);
+    m_file.write(reinterpret_cast<const char *>(&share), sizeof(share));
+}
+
+std::optional<Ratio> CalibrationTest::sweep(const Form &form, int number)
+{
+    const QString out = m_folder.filePath(QStringLiteral("%1-%2").arg(form.share).arg(number));
+    setShare(0);
+    Program program(QStringLiteral("skyseal-cli"),
+                    words("sweep --json --suites chacha20-poly1305 --noise --out") << out << words(form.options));
+    int begun = 0;
+    const auto begins = [&](const QJsonObject &begin) {
+        ++begun;
+        setShare(begin[QLatin1String("again")].toBool() ? form.share : 0);
+        return false;
+    };
+    program.waitFor(QStringLiteral("begin"), begins, kSweepMs); // until the program has ended
+    if (program.waitForExit() != 0 || begun == 0) {
+        qWarning("%s", program.errors().constData());
+        return std::nullopt;
+    }
+    return ratioIn(out);
+}
+
+void CalibrationTest::judge(const Form &form)
+{
+    int found = 0, covered = 0;
+    for (int number = 0; number < form.sweeps; ++number) {
+        const std::optional<Ratio> ratio = sweep(form, number);
+        QVERIFY(ratio);
+        found += !ratio->holds(1);
+        covered += ratio->holds(1 + form.share);
+        qInfo("%d of %d: %.4f, 95 %% interval %.4f to %.4f; so far %d found, %d hold %.2f", number + 1, form.sweeps,
+              ratio->value, ratio->low, ratio->high, found, covered, 1 + form.share);
+    }
+    QVERIFY2(found >= form.leastFound, qPrintable(QStringLiteral("found in %1").arg(found)));
+    QVERIFY2(covered >= form.leastCovered, qPrintable(QStringLiteral("size covered in %1").arg(covered)));
+}
+
+void CalibrationTest::sameSuiteTwiceIsNoDifference()
+{
+    if (isLong())
+        return judge({100, "--launches 3 --seconds 1 --warm-up 0.5 --load natural", 0, 0, 90});
+    // By chance no interval of four holds 1 once in 160,000 times.
+    judge({4, "--launches 2 --seconds 0.5 --warm-up 0.5 --load natural", 0, 0, 1});
+}
+
+void CalibrationTest::extraCpuTimeIsFound()
+{
+    if (isLong())
+        return judge({20, "--launches 10 --seconds 2 --warm-up 0.5 --pps 1000", 0.05, 16, 17});
+    judge({2, "--launches 1 --repeats 6 --seconds 0.5 --warm-up 0.5 --pps 500", 1, 1, 1});
+}
+
+SKYSEAL_TEST(CalibrationTest)
+#include "calibration_test.moc"
