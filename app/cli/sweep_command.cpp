@@ -98,18 +98,6 @@ int conclude(const experiment::Results &results, const SweepOptions &options)
     return hold && isPrecise && failed.empty() && invalid.empty() && ended.empty() ? kDone : kNotReached;
 }
 
-/// Of two sweeps that are compared, it must be the same.
-std::string messageMix(const SweepOptions &options)
-{
-    if (options.link)
-        return "that of the vehicle on " + options.link->toText();
-    if (!options.vehicle)
-        return "that of the simulated vehicle of this version";
-    return "the streams that a station requests of an autopilot, "
-        + (options.flight.exists() ? "in the flight '" + options.flight.script + "'"
-                                   : std::string("in the state in which it is"));
-}
-
 /// `Sweep`: a SweepRunner, or a LaunchedSweep. Returns the exit status.
 template<typename Sweep>
 int carryOut(Sweep &sweep, const SweepOptions &options, const experiment::Setting &setting, experiment::HeapFigures &heap)
@@ -189,7 +177,7 @@ int runSweep(const QStringList &arguments)
     if (!options.seedGiven)
         command += QStringLiteral(" --seed %1").arg(options.plan.seed); // the command line that repeats this sweep
     experiment::Setting setting = describeSetting(SKYSEAL_CLI_VERSION, command);
-    setting.emplace_back("message_mix", messageMix(options));
+    setting.emplace_back("message_mix", messageMix(options.link, options.vehicle, options.flight.script));
     for (const std::string &warning : experiment::warningsOf(setting))
         remark(warning);
     if (options.plan.launches > 1) {

@@ -27,4 +27,15 @@ experiment::Setting describeSetting(const char *version, const QString &command)
     return out;
 }
 
+std::string messageMix(const std::optional<link::LinkUrl> &link, const std::optional<link::LinkUrl> &autopilot,
+                       const std::string &flight)
+{
+    if (link)
+        return "that of the vehicle on " + link->toText();
+    if (!autopilot)
+        return "that of the simulated vehicle of this version";
+    return "the streams that a station requests of an autopilot, "
+        + (flight.empty() ? std::string("in the state in which it is") : "in the flight '" + flight + "'");
+}
+
 } // namespace skyseal::app

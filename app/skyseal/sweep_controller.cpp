@@ -21,7 +21,7 @@ SweepController::~SweepController()
         m_writer->wait();
 }
 
-QString SweepController::ownVehicleDisabledReason() const
+QString SweepController::ownProgramsDisabledReason() const
 {
     const bool all = Demo::isAvailable() && !programPath(QStringLiteral("skyseal-cli")).isEmpty();
     return all ? QString() : tr("skyseal-sim, skyseal-air or skyseal-cli is not installed");
@@ -31,15 +31,16 @@ void SweepController::start(const ui::SweepOrder &order)
 {
     if (m_worker)
         return;
-    if (!order.ownVehicle && !m_station.isRunning()) {
+    const bool ownAgent = ui::hasOwnAgent(order.target);
+    if (!ownAgent && !m_station.isRunning()) {
         auto nothing = std::make_shared<experiment::Results>();
         nothing->plan = order.plan;
         Q_EMIT finished(std::move(nothing), tr("the station is not running"));
         return;
     }
-    m_worker = new SweepWorker(order.plan, order.ownVehicle ? nullptr : &m_station.station(), m_heap.get());
+    m_worker = new SweepWorker(order, ownAgent ? nullptr : &m_station.station(), m_heap.get());
     follow();
-    if (order.ownVehicle) {
+    if (ownAgent) {
         m_thread = std::make_unique<QThread>();
         m_thread->setObjectName(QStringLiteral("skyseal-sweep"));
         m_worker->moveToThread(m_thread.get());

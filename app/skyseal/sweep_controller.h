@@ -22,7 +22,7 @@ public:
     /// Ends a running sweep; its link is switched back to the previous suite.
     ~SweepController() override;
 
-    QString ownVehicleDisabledReason() const override;
+    QString ownProgramsDisabledReason() const override;
     void start(const ui::SweepOrder &order) override;
     void cancel() override;
     void save(const experiment::Results &results, const QString &folder) override;

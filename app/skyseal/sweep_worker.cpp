@@ -11,9 +11,10 @@ namespace skyseal::app {
 
 namespace {
 
-/// The command line that repeats a sweep with its own vehicle; for a connected link, a description.
-QString commandOf(const experiment::Plan &plan, bool connected)
+/// The command line that repeats a sweep with its own agent; for a connected link, a description.
+QString commandOf(const ui::SweepOrder &order)
 {
+    const experiment::Plan &plan = order.plan;
     QStringList suites, framings, loads;
     bool noise = false;
     for (const experiment::SweepArm &arm : plan.arms) {
@@ -31,9 +32,13 @@ QString commandOf(const experiment::Plan &plan, bool connected)
         if (plan.conditions.size() > 1 || !condition.clean())
             links += QStringLiteral(" --impair ") + QString::fromStdString(condition.name);
     }
+    const QString autopilot = order.autopilot
+        ? QStringLiteral(" --vehicle ") + QString::fromStdString(order.autopilot->toText())
+        : QString();
     return QStringLiteral("%1 --suites %2 --framing %3 --load %4 --seconds %5 --repeats %6 --seed %7%8%9")
-        .arg(connected ? QStringLiteral("skyseal, on the connected link; as skyseal-cli sweep --link URL …")
-                       : QStringLiteral("skyseal; as skyseal-cli sweep"),
+        .arg(order.target == ui::SweepTarget::Connected
+                 ? QStringLiteral("skyseal, on the connected link; as skyseal-cli sweep --link URL …")
+                 : QStringLiteral("skyseal; as skyseal-cli sweep") + autopilot,
              suites.join(QLatin1Char(',')),
              framings.size() > 1 ? QStringLiteral("both") : framings.value(0, QStringLiteral("sealed")),
              loads.join(QLatin1Char(',')))
@@ -45,8 +50,8 @@ QString commandOf(const experiment::Plan &plan, bool connected)
 
 } // namespace
 
-SweepWorker::SweepWorker(experiment::Plan plan, engine::Station *station, experiment::HeapFigures *heap)
-    : m_plan(std::move(plan)), m_station(station), m_heap(heap)
+SweepWorker::SweepWorker(ui::SweepOrder order, engine::Station *station, experiment::HeapFigures *heap)
+    : m_order(std::move(order)), m_station(station), m_heap(heap)
 {}
 
 SweepWorker::~SweepWorker()
@@ -61,14 +66,15 @@ ui::SweepProgress SweepWorker::progress() const
 
 void SweepWorker::begin()
 {
-    m_setting = describeSetting(QCoreApplication::applicationVersion().toUtf8().constData(),
-                                commandOf(m_plan, m_station != nullptr));
+    m_setting = describeSetting(QCoreApplication::applicationVersion().toUtf8().constData(), commandOf(m_order));
+    if (!m_station)
+        m_setting.emplace_back("message_mix", messageMix(std::nullopt, m_order.autopilot, {}));
     m_setting.emplace_back("measured_in",
                            m_station ? "the window's process and by its station; drawing is in cpu_process and memory, not in "
                                        "cpu; snapshots for the window are in cpu, and meter_cpu states their share"
                                      : "the window's process; its drawing is in cpu_process and memory, not in cpu");
     experiment::SweepConfig config;
-    config.plan = m_plan;
+    config.plan = m_order.plan;
     config.borrowed = m_station;
     config.heap = m_heap;
     if (!m_station) {
@@ -76,7 +82,7 @@ void SweepWorker::begin()
         auto lab = experiment::Lab::create({programPath(QStringLiteral("skyseal-sim")),
                                             programPath(QStringLiteral("skyseal-air")),
                                             programPath(QStringLiteral("skyseal-cli"))},
-                                           random);
+                                           random, m_order.autopilot);
         if (!lab)
             return end(QString::fromStdString(lab.error().text()));
         m_lab = std::move(*lab);
@@ -110,7 +116,7 @@ void SweepWorker::cancel()
 void SweepWorker::end(const QString &problem)
 {
     auto results = std::make_shared<experiment::Results>();
-    results->plan = m_plan;
+    results->plan = m_order.plan;
     if (m_runner)
         *results = m_runner->results();
     results->setting = std::move(m_setting);

@@ -18,8 +18,9 @@ class SweepWorker : public QObject
     Q_OBJECT
 
 public:
-    /// Without a station it starts a simulator and an agent. `heap` (may be null) and the station must outlive it.
-    SweepWorker(experiment::Plan plan, engine::Station *station, experiment::HeapFigures *heap);
+    /// Without a station it starts an agent and, where the order names no autopilot, a simulator. `heap` (may be null) and the
+    /// station must outlive it.
+    SweepWorker(ui::SweepOrder order, engine::Station *station, experiment::HeapFigures *heap);
     ~SweepWorker() override;
 
     void begin();
@@ -34,7 +35,7 @@ private:
     void end(const QString &problem);
     ui::SweepProgress progress() const;
 
-    experiment::Plan m_plan;
+    ui::SweepOrder m_order;
     engine::Station *m_station;
     experiment::HeapFigures *m_heap;
     std::unique_ptr<experiment::Lab> m_lab;

@@ -12,7 +12,7 @@ class FakeSweep : public SweepInterface
 public:
     using SweepInterface::SweepInterface;
 
-    QString ownVehicleDisabledReason() const override { return {}; }
+    QString ownProgramsDisabledReason() const override { return {}; }
     void start(const SweepOrder &order) override { orders.push_back(order); }
     void cancel() override { finish(); }
     void save(const experiment::Results &, const QString &) override {}

@@ -393,7 +393,7 @@ int main(int argc, char **argv)
     for (const QString &theme : themes) {
         for (const QString &size : sizes) {
             for (const QString &shown : combined(states, workspaces)) {
-                const QString state = shown.section(QLatin1Char('-'), 0, 0);
+                const QString state = shown.section(QLatin1Char('-'), 0, -2);
                 QTemporaryDir folder;
                 QSettings store(folder.filePath(QStringLiteral("s.ini")), QSettings::IniFormat);
                 Settings settings;
@@ -424,7 +424,7 @@ int main(int argc, char **argv)
                     delete dialog;
                     continue;
                 }
-                window.findChild<QAction *>(QStringLiteral("workspace_") + shown.section(QLatin1Char('-'), 1))->trigger();
+                window.findChild<QAction *>(QStringLiteral("workspace_") + shown.section(QLatin1Char('-'), -1))->trigger();
                 play(station, window, state);
                 window.findChild<DiagnosticsPanel *>()->refresh();
                 if (state == QLatin1String("tiles"))

@@ -1,4 +1,5 @@
 #include "gallery_dialogs.h"
+#include "fake_sweep.h"
 
 #include "ui/dialogs/settings_dialog.h"
 #include "ui/keys/change_passphrase_dialog.h"
@@ -8,7 +9,10 @@
 #include "ui/keys/peer_dialog.h"
 #include "ui/links/link_dialog.h"
 #include "ui/map/map_source_dialog.h"
+#include "ui/sweep/sweep_dialog.h"
 
+#include <QtGui/QAction>
+#include <QtWidgets/QAbstractButton>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QPushButton>
@@ -142,6 +146,15 @@ const std::map<QString, Open> &dialogs()
          [](const Stage &stage) -> QWidget * { return new LinkDialog(QStringLiteral("udpin:0.0.0.0:14550"), &stage.window); }},
         {QStringLiteral("settings"),
          [](const Stage &stage) -> QWidget * { return new SettingsDialog(stage.window.settings(), &stage.window); }},
+        {QStringLiteral("sweep-dialog"),
+         [](const Stage &stage) -> QWidget * {
+             auto *sweep = new FakeSweep(&stage.window);
+             stage.window.setSweep(*sweep);
+             stage.window.findChild<QAction *>(QStringLiteral("actionSweep"))->trigger();
+             auto *dialog = stage.window.findChild<SweepDialog *>();
+             dialog->findChild<QAbstractButton *>(QStringLiteral("sweepBeside"))->click();
+             return dialog;
+         }},
         {QStringLiteral("map-source"),
          [](const Stage &stage) -> QWidget * {
              MapSource source;

@@ -43,7 +43,7 @@ private Q_SLOTS:
     void linksAreThoseThatWereClicked()
     {
         SweepDialog &dialog = open({});
-        QVERIFY(dialog.order().ownVehicle);
+        QVERIFY(dialog.order().target == SweepTarget::Simulated);
         QCOMPARE(namesOf(dialog.order().plan.conditions), QStringList{QStringLiteral("clean")});
         const std::size_t once = runs();
         click("sweepRadio57600");
@@ -112,7 +112,7 @@ private Q_SLOTS:
     {
         const ViewState view = viewOf(std::make_shared<const engine::Snapshot>(sealedSnapshot(1)), 0);
         SweepDialog &dialog = open(view);
-        QVERIFY(!dialog.order().ownVehicle);
+        QVERIFY(dialog.order().target == SweepTarget::Connected);
         auto &links = *dialog.findChild<LinkConditions *>();
         QVERIFY(!links.isEnabled());
         QVERIFY2(links.title().contains(QStringLiteral("as it is")), qPrintable(links.title()));
@@ -125,6 +125,30 @@ private Q_SLOTS:
         QCOMPARE(namesOf(dialog.order().plan.conditions), QStringList{QStringLiteral("clean")});
         click("sweepOwn");
         QCOMPARE(dialog.order().plan.conditions.size(), std::size_t(2)); // the choice was kept
+    }
+
+    void autopilotIsMeasuredBesideAnAgent()
+    {
+        SweepDialog &dialog = open({});
+        auto *link = find<QLineEdit>("sweepAutopilot");
+        QVERIFY(!link->isEnabled());
+        click("sweepBeside");
+        QVERIFY(dialog.order().target == SweepTarget::Autopilot);
+        QCOMPARE(dialog.order().autopilot->toText(), std::string("tcp:127.0.0.1:5760"));
+        QVERIFY(dialog.order().plan.loads == std::vector{experiment::Load::Natural}); // it sets its own rates
+        QVERIFY(!find<QAbstractButton>("sweepSaturated")->isEnabled());
+        click("sweepRadio57600"); // the agent is the sweep's own, so the link can be impaired
+        QCOMPARE(dialog.order().plan.conditions.size(), std::size_t(2));
+
+        type("sweepAutopilot", "tcp:nowhere");
+        QVERIFY(!run().isEnabled());
+        QVERIFY(find<QLabel>("sweepSummary")->text().contains(QStringLiteral("not a link URL")));
+        type("sweepAutopilot", "udpin:14560");
+        QVERIFY(run().isEnabled());
+        QCOMPARE(dialog.order().autopilot->toText(), std::string("udpin:127.0.0.1:14560"));
+        click("sweepOwn");
+        QVERIFY(!dialog.order().autopilot);
+        QVERIFY(find<QAbstractButton>("sweepSaturated")->isChecked());
     }
 
     void pageNamesTheLink()
@@ -170,7 +194,10 @@ private:
     }
     void type(const char *name, const char *text)
     {
-        auto *edit = find<QWidget>(name)->findChild<QLineEdit *>();
+        auto *widget = find<QWidget>(name);
+        auto *edit = qobject_cast<QLineEdit *>(widget);
+        if (!edit)
+            edit = widget->findChild<QLineEdit *>(); // of a spin box
         QVERIFY2(edit->isEnabled(), name);
         edit->setFocus();
         edit->selectAll();

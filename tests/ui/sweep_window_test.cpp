@@ -175,7 +175,7 @@ void SweepWindowTest::nothingConnected()
     auto *connected = dialog->findChild<QAbstractButton *>(q("sweepConnected"));
     QVERIFY(!connected->isEnabled());
     QVERIFY2(connected->text().contains(q("nothing is connected")), qPrintable(connected->text()));
-    QVERIFY(dialog->order().ownVehicle);
+    QVERIFY(dialog->order().target == SweepTarget::Simulated);
     QTest::keyClick(dialog, Qt::Key_Escape);
     QVERIFY(!page().isRunning());
     delete dialog;
@@ -205,7 +205,7 @@ void SweepWindowTest::showsDisabledReason()
         Program air(q("skyseal-air"), m_flight.airArguments());
         EVENTUALLY(m_window->view().session && m_window->view().vehicle);
         SweepDialog *dialog = openDialog();
-        QVERIFY(!dialog->order().ownVehicle);
+        QVERIFY(dialog->order().target == SweepTarget::Connected);
         auto *plain = dialog->findChild<QAbstractButton *>(q("sweep_none"));
         QVERIFY(!plain->isEnabled());
         QVERIFY2(plain->text().contains(q("the agent does not allow it")), qPrintable(plain->text()));

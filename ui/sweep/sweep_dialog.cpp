@@ -71,15 +71,36 @@ QWidget *SweepDialog::makeTargetGroup()
     m_connected->setText(notConnected.isEmpty() ? tr("The &connected link, to %1").arg(peer)
                                                 : tr("The &connected link · %1").arg(notConnected));
     m_connected->setEnabled(notConnected.isEmpty());
-    m_own->setEnabled(m_context.noOwnVehicle.isEmpty());
-    if (!m_context.noOwnVehicle.isEmpty())
-        m_own->setText(m_own->text() + QStringLiteral(" · ") + m_context.noOwnVehicle);
+    m_own->setEnabled(m_context.noOwnPrograms.isEmpty());
+    m_beside = named(new QRadioButton(tr("An &autopilot that runs already, beside an agent of its own"), box), "sweepBeside",
+                     tr("An autopilot that runs already"));
+    m_beside->setEnabled(m_context.noOwnPrograms.isEmpty());
+    m_autopilot = named(new QLineEdit(QStringLiteral("tcp:127.0.0.1:5760"), box), "sweepAutopilot",
+                        tr("Link to the autopilot"));
+    m_autopilot->setToolTip(tr("udpin:PORT, udpout:HOST:PORT, tcp:HOST:PORT, tcpin:PORT or serial:/dev/NAME:BAUD"));
+    m_autopilot->setEnabled(false);
+    if (!m_context.noOwnPrograms.isEmpty()) {
+        for (QRadioButton *choice : {m_own, m_beside})
+            choice->setText(choice->text() + QStringLiteral(" · ") + m_context.noOwnPrograms);
+    }
     (m_connected->isEnabled() ? m_connected : m_own)->setChecked(true);
     auto *column = new QVBoxLayout(box);
     column->addWidget(m_connected);
     column->addWidget(smallPrint(tr("The suites change on the live link. At the end the current suite is restored."), box));
     column->addWidget(m_own);
-    connect(m_own, &QRadioButton::toggled, this, &SweepDialog::updateChoices);
+    auto *beside = new QHBoxLayout;
+    beside->addWidget(m_beside);
+    beside->addWidget(m_autopilot, 1);
+    column->addLayout(beside);
+    column->addWidget(smallPrint(tr("Suites and impairments change on the sweep's own link; the autopilot is not commanded. "
+                                    "Flights: skyseal-cli sweep --vehicle URL --fly SCRIPT."),
+                                 box));
+    for (QRadioButton *choice : {m_connected, m_own, m_beside})
+        connect(choice, &QRadioButton::toggled, this, [this](bool on) {
+            if (on)
+                updateChoices();
+        });
+    connect(m_autopilot, &QLineEdit::textChanged, this, &SweepDialog::updateSummary);
     return box;
 }
 
@@ -166,9 +187,19 @@ QWidget *SweepDialog::makeRunsGroup()
     return box;
 }
 
-bool SweepDialog::ownVehicle() const
+SweepTarget SweepDialog::target() const
 {
-    return m_own->isChecked();
+    return m_beside->isChecked() ? SweepTarget::Autopilot
+        : m_own->isChecked()     ? SweepTarget::Simulated
+                                 : SweepTarget::Connected;
+}
+
+std::optional<link::LinkUrl> SweepDialog::autopilot() const
+{
+    if (target() != SweepTarget::Autopilot)
+        return std::nullopt;
+    const auto url = link::LinkUrl::parse(m_autopilot->text().trimmed().toStdString(), link::LinkUrl::kLoopback);
+    return url ? std::optional(*url) : std::nullopt;
 }
 
 void SweepDialog::permit(QCheckBox *box, const QString &text, const QString &reason)
@@ -185,18 +216,19 @@ void SweepDialog::permit(QCheckBox *box, const QString &text, const QString &rea
 /// Enables the choices that are possible; on the connected link, plain MAVLink must be chosen explicitly.
 void SweepDialog::updateChoices()
 {
-    const bool own = ownVehicle();
+    const SweepTarget now = target();
+    m_autopilot->setEnabled(now == SweepTarget::Autopilot);
     for (const Choice &choice : m_suites) {
-        const QString reason = suiteDisabledReason(m_context, own, choice.suite);
+        const QString reason = suiteDisabledReason(m_context, now, choice.suite);
         permit(choice.box, suiteName(choice.suite), reason);
-        choice.box->setChecked(reason.isEmpty() && (own || choice.suite != SuiteId::None));
+        choice.box->setChecked(reason.isEmpty() && (hasOwnAgent(now) || choice.suite != SuiteId::None));
     }
-    permit(m_inline, tr("Inline: payloads sealed in place"), inlineDisabledReason(m_context, own));
-    const QString notSaturated = saturatedDisabledReason(own);
+    permit(m_inline, tr("Inline: payloads sealed in place"), inlineDisabledReason(m_context, now));
+    const QString notSaturated = saturatedDisabledReason(now);
     permit(m_saturated, notSaturated.isEmpty() ? tr("Saturated load: as much as the link carries") : tr("Saturated load"),
            notSaturated);
-    m_saturated->setChecked(own);
-    m_link->setDisabledReason(otherLinkDisabledReason(own));
+    m_saturated->setChecked(notSaturated.isEmpty());
+    m_link->setDisabledReason(otherLinkDisabledReason(now));
     updateSummary();
 }
 
@@ -207,14 +239,16 @@ void SweepDialog::updateSummary()
     m_noise->setToolTip(repeats ? QString() : tr("The noise shows only in repeats: 2 or more."));
     const experiment::Plan plan = order().plan;
     const std::size_t runs = experiment::schedule(plan).size();
-    const bool possible = runs > 0 && (m_connected->isEnabled() || m_own->isEnabled());
+    const bool hasLink = target() != SweepTarget::Autopilot || autopilot();
+    const bool possible = runs > 0 && hasLink && (m_connected->isEnabled() || m_own->isEnabled());
     const double each = seconds(plan.measure) + seconds(plan.warmUp) + kBetweenRuns;
     // The first run of a block has four times the warm-up.
     const double first = 3 * seconds(plan.warmUp) * static_cast<double>(plan.loads.size() * plan.conditions.size());
     const QString time = aboutTime(static_cast<double>(runs) * each + first);
-    m_summary->setText(possible ? (runs == 1 ? tr("One run, %1").arg(time) : tr("%1 runs, %2").arg(runs).arg(time))
-                                : tr("Choose a link, a suite, a framing that the suite supports, and a load."));
-    const bool plain = !ownVehicle() && m_suites.back().box->isChecked();
+    m_summary->setText(possible       ? (runs == 1 ? tr("One run, %1").arg(time) : tr("%1 runs, %2").arg(runs).arg(time))
+                           : !hasLink ? tr("The autopilot's link is not a link URL, such as tcp:127.0.0.1:5760.")
+                                      : tr("Choose a link, a suite, a framing that the suite supports, and a load."));
+    const bool plain = target() == SweepTarget::Connected && m_suites.back().box->isChecked();
     m_warning->setText(plain
                            ? tr("You consent to plain MAVLink: during these runs telemetry and commands are sent in clear, and "
                                 "anyone can command the vehicle.")
@@ -226,7 +260,8 @@ void SweepDialog::updateSummary()
 SweepOrder SweepDialog::order() const
 {
     SweepOrder out;
-    out.ownVehicle = ownVehicle();
+    out.target = target();
+    out.autopilot = autopilot();
     std::vector<SuiteId> suites;
     for (const Choice &choice : m_suites) {
         if (choice.box->isChecked())

@@ -1,4 +1,4 @@
-// The dialog that configures a sweep: vehicle, links, suites, framings, load, duration and repeats. Disabled choices show the
+// The dialog that configures a sweep: target, links, suites, framings, load, duration and repeats. Disabled choices show the
 // reason.
 #pragma once
 
@@ -43,12 +43,15 @@ private:
     QWidget *makeRunsGroup();
     void updateChoices();
     void updateSummary();
-    bool ownVehicle() const;
+    SweepTarget target() const;
+    /// nullopt: what is typed is no URL of a link, or the autopilot is not the target.
+    std::optional<link::LinkUrl> autopilot() const;
     static void permit(QCheckBox *box, const QString &text, const QString &reason);
 
     SweepContext m_context;
     LinkConditions *m_link;
-    QRadioButton *m_connected, *m_own;
+    QRadioButton *m_connected, *m_own, *m_beside;
+    QLineEdit *m_autopilot;
     std::vector<Choice> m_suites;
     QCheckBox *m_sealed, *m_inline, *m_natural, *m_saturated, *m_noise;
     QDoubleSpinBox *m_seconds;

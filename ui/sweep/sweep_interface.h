@@ -2,19 +2,33 @@
 #pragma once
 
 #include "core/experiment/results.h"
+#include "core/link/link_url.h"
 
 #include <QtCore/QObject>
 #include <QtCore/QString>
 
 #include <memory>
+#include <optional>
 
 namespace skyseal::ui {
+
+/// The link that a sweep measures.
+enum class SweepTarget : std::uint8_t {
+    Connected, ///< the window's own link, as it is
+    Simulated, ///< a simulated vehicle and an agent, started for the sweep
+    Autopilot  ///< an agent started for the sweep, beside an autopilot that runs already
+};
+constexpr bool hasOwnAgent(SweepTarget target)
+{
+    return target != SweepTarget::Connected;
+}
 
 /// The configuration of a sweep.
 struct SweepOrder
 {
     experiment::Plan plan;
-    bool ownVehicle = false; ///< on a simulated vehicle with its own agent instead of the connected link
+    SweepTarget target = SweepTarget::Connected;
+    std::optional<link::LinkUrl> autopilot; ///< of SweepTarget::Autopilot
 };
 
 /// The progress of a sweep.
@@ -32,8 +46,8 @@ class SweepInterface : public QObject
 public:
     using QObject::QObject;
 
-    /// Returns the reason why there can be no simulated vehicle; empty if there can.
-    virtual QString ownVehicleDisabledReason() const = 0;
+    /// Returns the reason why no vehicle or agent can be started for a sweep; empty if they can.
+    virtual QString ownProgramsDisabledReason() const = 0;
     virtual void start(const SweepOrder &order) = 0;
     /// Restores the suite of the link, then finished() follows.
     virtual void cancel() = 0;

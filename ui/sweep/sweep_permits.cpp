@@ -41,13 +41,13 @@ QString connectedLinkDisabledReason(const SweepContext &context)
     return {};
 }
 
-QString suiteDisabledReason(const SweepContext &context, bool ownVehicle, SuiteId suite)
+QString suiteDisabledReason(const SweepContext &context, SweepTarget target, SuiteId suite)
 {
     if (suite == SuiteId::None && !kResearch)
         return Text::tr("not in this build");
     if (!crypto::suiteAvailable(suite) && suite != SuiteId::None)
         return Text::tr("missing on this machine");
-    if (ownVehicle)
+    if (hasOwnAgent(target))
         return {};
     if (suite != SuiteId::None)
         return context.suites.disabledReason(suite);
@@ -63,24 +63,29 @@ QString suiteDisabledReason(const SweepContext &context, bool ownVehicle, SuiteI
     return {};
 }
 
-QString inlineDisabledReason(const SweepContext &context, bool ownVehicle)
+QString inlineDisabledReason(const SweepContext &context, SweepTarget target)
 {
     if (!kResearch)
         return Text::tr("not in this build");
     // It needs a new session, during which no commands can be sent.
-    if (!ownVehicle && context.view.snapshot && isArmed(context.view))
+    if (!hasOwnAgent(target) && context.view.snapshot && isArmed(context.view))
         return Text::tr("not while the vehicle is armed");
     return {};
 }
 
-QString otherLinkDisabledReason(bool ownVehicle)
+QString otherLinkDisabledReason(SweepTarget target)
 {
-    return ownVehicle ? QString() : Text::tr("the connected link is measured as it is");
+    return hasOwnAgent(target) ? QString() : Text::tr("the connected link is measured as it is");
 }
 
-QString saturatedDisabledReason(bool ownVehicle)
+QString saturatedDisabledReason(SweepTarget target)
 {
-    return ownVehicle ? QString() : Text::tr("the load of a connected vehicle cannot be changed");
+    switch (target) {
+    case SweepTarget::Connected: return Text::tr("the load of a connected vehicle cannot be changed");
+    case SweepTarget::Autopilot: return Text::tr("the autopilot sets its own rates");
+    case SweepTarget::Simulated: break;
+    }
+    return {};
 }
 
 } // namespace skyseal::ui

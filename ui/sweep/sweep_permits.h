@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/crypto/suite.h"
+#include "ui/sweep/sweep_interface.h"
 #include "ui/view_state.h"
 
 #include <QtCore/QString>
@@ -15,14 +16,14 @@ struct SweepContext
     const ViewState &view;
     const SuiteActions &suites;
     bool requireSealed = false; ///< by the settings
-    QString noOwnVehicle;       ///< reason why there can be no simulated vehicle; empty if there can
+    QString noOwnPrograms;      ///< reason why no vehicle or agent can be started; empty if they can
 };
 
 /// Each returns the reason; empty if the choice is possible.
 QString connectedLinkDisabledReason(const SweepContext &context);
-QString suiteDisabledReason(const SweepContext &context, bool ownVehicle, crypto::SuiteId suite);
-QString inlineDisabledReason(const SweepContext &context, bool ownVehicle);
-QString saturatedDisabledReason(bool ownVehicle);
-QString otherLinkDisabledReason(bool ownVehicle);
+QString suiteDisabledReason(const SweepContext &context, SweepTarget target, crypto::SuiteId suite);
+QString inlineDisabledReason(const SweepContext &context, SweepTarget target);
+QString saturatedDisabledReason(SweepTarget target);
+QString otherLinkDisabledReason(SweepTarget target);
 
 } // namespace skyseal::ui

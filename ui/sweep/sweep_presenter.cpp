@@ -38,7 +38,7 @@ void SweepPresenter::ask(const ViewState &view, bool requireSealed)
 {
     if (isRunning() || raiseOpen<SweepDialog>(m_window))
         return;
-    auto *dialog = new SweepDialog({view, m_suites, requireSealed, m_port.ownVehicleDisabledReason()}, &m_window);
+    auto *dialog = new SweepDialog({view, m_suites, requireSealed, m_port.ownProgramsDisabledReason()}, &m_window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog] { start(dialog->order()); });
     showModeless(*dialog);
@@ -51,7 +51,7 @@ void SweepPresenter::start(const SweepOrder &order)
     m_page.begin(order.plan);
     m_arms = order.plan.arms;
     m_plainArm = m_inClear = false;
-    hold(!order.ownVehicle);
+    hold(order.target == SweepTarget::Connected);
     Q_EMIT began();
     m_port.start(order);
 }
