@@ -11,6 +11,7 @@
 #include "core/experiment/metric.h"
 #include "tests/support/eventually.h"
 #include "tests/support/flight.h"
+#include "tests/support/free_port.h"
 #include "tests/support/test_runner.h"
 #include "ui/window/main_window.h"
 #include "ui/security/suite_actions.h"
@@ -40,6 +41,7 @@
 #include <QtWidgets/QDialogButtonBox>
 #include <QtWidgets/QDoubleSpinBox>
 #include <QtWidgets/QLabel>
+#include <QtWidgets/QLineEdit>
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QSpinBox>
 #include <QtWidgets/QTableView>
@@ -72,6 +74,7 @@ private Q_SLOTS:
     void cancelGoesBack();
     void overARadio();
     void onAVehicleOfItsOwn();
+    void besideAnAutopilot();
     void lossGoesBack();
     void closingGoesBack();
     void cleanupTestCase();
@@ -397,6 +400,28 @@ void SweepWindowTest::onAVehicleOfItsOwn()
         QVERIFY(sample.values[experiment::Metric::Packets] > 1000); // saturated
         QVERIFY(sample.values[experiment::Metric::AgentCpu] > 0);
     }
+    QCOMPARE(suite(), SuiteId::Aes256Gcm); // the connected link was left alone
+}
+
+void SweepWindowTest::besideAnAutopilot()
+{
+    const QString url = q("tcp:127.0.0.1:%1").arg(freeTcpPort());
+    Program autopilot(q("skyseal-sim"), {q("--link"), QString(url).replace(q("tcp:"), q("tcpin:"))});
+    SweepDialog *dialog = openDialog();
+    set(*dialog, "sweepBeside", true);
+    auto *link = dialog->findChild<QLineEdit *>(q("sweepAutopilot"));
+    link->selectAll();
+    QTest::keyClicks(link, url);
+    choose(*dialog, {q("none"), q("aes-256-ctr")}, 1, 1, false);
+    run(*dialog);
+    EVENTUALLY(!page().isRunning());
+    const auto results = page().results();
+    QVERIFY2(results->complete, qPrintable(status()));
+    QCOMPARE(results->samples.size(), std::size_t(2));
+    for (const experiment::Sample &sample : results->samples)
+        QVERIFY(sample.isValid() && sample.values[experiment::Metric::Packets] > 10);
+    QVERIFY2(results->source.find(url.toStdString()) != std::string::npos, results->source.c_str());
+    QVERIFY(experiment::settingOf(*results, "command_line").find("--vehicle " + url.toStdString()) != std::string::npos);
     QCOMPARE(suite(), SuiteId::Aes256Gcm); // the connected link was left alone
 }
 
