@@ -1,5 +1,6 @@
 #include "app/cli/launched_sweep.h"
 
+#include "core/experiment/idle_power.h"
 #include "core/experiment/sweep_reader.h"
 
 #include <QtCore/QJsonDocument>
@@ -126,6 +127,10 @@ void LaunchedSweep::takeLine(const QByteArray &line)
         m_opened = m_opened || object[QLatin1String("opened")].toBool();
         m_results.placement = object[QLatin1String("placement")].toString().toStdString();
         m_results.source = object[QLatin1String("source")].toString().toStdString();
+        const double unknown = std::numeric_limits<double>::quiet_NaN();
+        experiment::subtractIdle(
+            std::span(m_results.samples).subspan(m_launch.order),
+            {object[QLatin1String("idle_before")].toDouble(unknown), object[QLatin1String("idle_after")].toDouble(unknown)});
         return;
     }
     if (event == QLatin1String("begin")) {

@@ -10,6 +10,7 @@
 #include "app/common/sweep_setting.h"
 #include "core/crypto/system_random.h"
 #include "core/experiment/disturbances.h"
+#include "core/experiment/idle_power.h"
 #include "core/experiment/precision.h"
 #include "core/experiment/setting.h"
 #include "core/experiment/sweep_json.h"
@@ -18,6 +19,7 @@
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QDir>
+#include <QtCore/QTimer>
 
 namespace skyseal::app {
 
@@ -98,11 +100,19 @@ int conclude(const experiment::Results &results, const SweepOptions &options)
     return hold && isPrecise && failed.empty() && invalid.empty() && ended.empty() ? kDone : kNotReached;
 }
 
-/// `Sweep`: a SweepRunner, or a LaunchedSweep. Returns the exit status.
+/// `Sweep`: a SweepRunner, or a LaunchedSweep. `idleMeter`: null without programs of this process's own. Returns the exit
+/// status.
 template<typename Sweep>
-int carryOut(Sweep &sweep, const SweepOptions &options, const experiment::Setting &setting, experiment::HeapFigures &heap)
+int carryOut(Sweep &sweep, const SweepOptions &options, const experiment::Setting &setting, experiment::HeapFigures &heap,
+             experiment::IdleMeter *idleMeter)
 {
     StopSignals signals;
+    bool isStopped = false;
+    QObject::connect(&signals, &StopSignals::stopRequested, qApp, [&] {
+        isStopped = true;
+        if (idleMeter)
+            idleMeter->finish();
+    });
     QObject::connect(&signals, &StopSignals::stopRequested, &sweep, &Sweep::cancel);
     if (options.flight.exists()) {
         signals.takeReload(); // a terminal that is closed
@@ -123,22 +133,39 @@ int carryOut(Sweep &sweep, const SweepOptions &options, const experiment::Settin
         remark(experiment::runText(options.plan, sample, sweep.runs(), sweep.remaining()));
     });
     int status = kDone;
+    experiment::IdlePower idle;
+    const auto end = [&](bool opened, const std::string &problem) {
+        experiment::Results results = sweep.results();
+        results.setting = setting;
+        results.contextBytes = contextSizes(heap);
+        experiment::subtractIdle(results.samples, idle);
+        const bool nothing = results.samples.empty();
+        status = !opened ? kCannotOpen : nothing ? kNotReached : conclude(results, options);
+        if (options.json)
+            printLine(experiment::endEvent(results, opened, problem, idle));
+        QCoreApplication::exit(status);
+    };
     QObject::connect(
         &sweep, &Sweep::finished, qApp,
         [&](bool opened, const std::string &problem) {
             if (!problem.empty())
                 complain(kName, problem);
-            experiment::Results results = sweep.results();
-            results.setting = setting;
-            results.contextBytes = contextSizes(heap);
-            const bool nothing = results.samples.empty();
-            status = !opened ? kCannotOpen : nothing ? kNotReached : conclude(results, options);
-            if (options.json)
-                printLine(experiment::endEvent(results, opened, problem));
-            QCoreApplication::exit(status);
+            if (!idleMeter || isStopped || !opened)
+                return end(opened, problem);
+            idleMeter->measure([&, opened, problem](double watts) {
+                idle.after = watts;
+                end(opened, problem);
+            });
         },
         Qt::QueuedConnection);
-    QMetaObject::invokeMethod(&sweep, &Sweep::start, Qt::QueuedConnection);
+    QTimer::singleShot(0, &sweep, [&] {
+        if (!idleMeter)
+            return sweep.start();
+        idleMeter->measure([&](double watts) {
+            idle.before = watts;
+            sweep.start();
+        });
+    });
     QCoreApplication::exec();
     return status;
 }
@@ -189,10 +216,11 @@ int runSweep(const QStringList &arguments)
                     && precision->halfWidth <= goal;
             };
         LaunchedSweep sweep(options.plan, QCoreApplication::applicationFilePath(), arguments, std::move(enough));
-        return carryOut(sweep, options, setting, heap);
+        return carryOut(sweep, options, setting, heap, nullptr); // each launch has its own
     }
     experiment::SweepRunner sweep({options.plan, *link, station, lab.get(), &heap, options.flight});
-    return carryOut(sweep, options, setting, heap);
+    experiment::IdleMeter idleMeter;
+    return carryOut(sweep, options, setting, heap, lab ? &idleMeter : nullptr);
 }
 
 } // namespace skyseal::app

@@ -338,11 +338,12 @@ std::vector<Claim> paperClaims(const Results &results)
                          Metric::AgentCpuPerFrame, isEqual, chachaToPlain));
     out.push_back(
         judgedMemory(results, "memory-plain", "ChaCha20 occupies as much memory as no encryption.", isEqual, chachaToPlain));
-    out.push_back({"battery", "Less CPU and memory save the drone's battery.", Finding::NotDecided,
-                   wasMeasured(results, Metric::EnergyPerFrame)
-                       ? "The measurement (energy_per_frame) covers the whole processor of this machine, including idle power; "
-                         "it does not apply to a drone."
-                       : "Energy was not measured, and that of a desktop processor would not apply to a drone."});
+    out.push_back(
+        {"battery", "Less CPU and memory save the drone's battery.", Finding::NotDecided,
+         wasMeasured(results, Metric::EnergyPerFrame)
+             ? "The measurement (energy_per_frame) is that of this machine with all programs of the sweep, above idle; it "
+               "does not apply to a drone."
+             : "Energy was not measured, and that of a desktop processor would not apply to a drone."});
     out.push_back({"confidentiality", "Encryption with ChaCha20 guarantees confidentiality.", Finding::NotDecided,
                    "A measurement of costs cannot show it. Every suite is also authenticated here, unlike in the paper, so "
                    "the cost of the four classic ciphers includes HMAC-SHA-256."});

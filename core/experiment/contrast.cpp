@@ -46,8 +46,8 @@ class Compared
 {
 public:
     Compared(const Results &results, std::size_t condition, std::size_t load, Metric metric)
-        : m_results(results), m_condition(condition), m_load(load), m_metric(metric), m_relative(!info(metric).isShare()),
-          m_model(valuesOf(), results.plan.arms.size())
+        : m_results(results), m_condition(condition), m_load(load), m_metric(metric),
+          m_relative(!info(metric).isShare() && !info(metric).canBeNegative), m_model(valuesOf(), results.plan.arms.size())
     {}
 
     /// Not corrected yet; nullopt with less than two values of each.

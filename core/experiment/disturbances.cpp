@@ -24,6 +24,8 @@ constexpr Threshold kThresholds[] = {
     {Metric::FrequencyChange, 5, "the frequency of the cores differed by ", " % between begin and end"},
     {Metric::LoadBegin, 1.5, "the load average at the start was ", " per core"},
     {Metric::LoadEnd, 1.5, "the load average at the end was ", " per core"},
+    {Metric::IdlePowerChange, 5, "the power of the idle machine differed by ", " % before and after"},
+    {Metric::Throttlings, 0, "the processor was throttled ", " times"},
     {Metric::MeterCpu, 2, "the measurement itself took ", " % of the CPU time of the station's I/O thread"},
     {Metric::SimulatorCpu, 95, "the simulator (which makes the load) used ", " % of a core"},
 };

@@ -61,10 +61,10 @@ std::string summaryTable(const Results &results, std::size_t condition, std::siz
     return out + "</table>\n";
 }
 
-/// "1.08 (1.05 to 1.11)", bold where it is significant; of shares the difference in per cent.
+/// "1.08 (1.05 to 1.11)", bold where it is significant; of others than ratios the difference, of shares in per cent.
 std::string contrastCell(const Contrast &contrast)
 {
-    const double scale = contrast.relative ? 1 : 100;
+    const double scale = info(contrast.metric).isShare() ? 100 : 1;
     std::string out = readable(scale * contrast.value());
     if (std::isfinite(contrast.low()) && std::isfinite(contrast.high()))
         out += " (" + readable(scale * contrast.low()) + " to " + readable(scale * contrast.high()) + ")";
@@ -73,7 +73,9 @@ std::string contrastCell(const Contrast &contrast)
 
 std::string contrastTitle(Metric metric)
 {
-    return escaped(std::string(info(metric).title) + (info(metric).isShare() ? ", difference in %" : ""));
+    const MetricInfo &described = info(metric);
+    const std::string unit = described.isShare() ? "%" : described.canBeNegative ? std::string(described.unit) : "";
+    return escaped(std::string(described.title) + (unit.empty() ? "" : ", difference in " + unit));
 }
 
 /// The main result: each arm against the reference by each metric.

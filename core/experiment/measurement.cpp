@@ -171,6 +171,9 @@ void addCircumstances(Values &out, const Reading &begin, const Reading &end, dou
     }
     out[Metric::LoadBegin] = begin.machine.load.value_or(std::numeric_limits<double>::quiet_NaN());
     out[Metric::LoadEnd] = end.machine.load.value_or(std::numeric_limits<double>::quiet_NaN());
+    if (begin.machine.throttlings && end.machine.throttlings)
+        out[Metric::Throttlings] = growth(*begin.machine.throttlings, *end.machine.throttlings)
+            + (begin.machine.isThrottled || end.machine.isThrottled ? 1 : 0);
 }
 
 } // namespace
@@ -238,11 +241,8 @@ Values valuesBetween(const Reading &begin, const Reading &end, bool sealed, bool
     addLatency(out, before, after);
     addAgent(out, begin, end, sealed);
     addCircumstances(out, begin, end, time);
-    if (begin.microjoules && end.microjoules) {
-        const double joules = growth(*begin.microjoules, *end.microjoules) / 1e6;
-        out[Metric::Power] = joules / time;
-        out[Metric::EnergyPerFrame] = 1e6 * joules / frames;
-    }
+    if (begin.microjoules && end.microjoules)
+        out[Metric::Power] = growth(*begin.microjoules, *end.microjoules) / 1e6 / time;
     return out;
 }
 

@@ -43,14 +43,15 @@ struct Reading
     std::optional<AgentCostReport> agent;            ///< made during the run
     ProgramUsage programs;
     metrics::MachineUsage machine;            ///< read together with `programs`
-    std::optional<std::uint64_t> microjoules; ///< of the whole processor, monotonic
+    std::optional<std::uint64_t> microjoules; ///< of the machine, see metrics::EnergyMeter
 };
 
 /// Returns true if MAVLink's 8-bit sequence numbers distinguish loss from reordering and duplicates on such a link. They do not
 /// where jitter lets a frame overtake more than metrics::SequenceTracker::kShortWindow others.
 bool sequenceNumbersCountLoss(const impair::ImpairmentSettings &link, Load load);
 
-/// All values but Metric::LineLoad, Metric::Switch and Metric::SessionMemory; NaN where one could not be measured. `sealed`:
+/// All values but Metric::LineLoad, Metric::Switch, Metric::SessionMemory and those that depend on the idle power (idle_power.h);
+/// NaN where one could not be measured. `sealed`:
 /// the link carries records. `countsLoss`: see sequenceNumbersCountLoss().
 Values valuesBetween(const Reading &begin, const Reading &end, bool sealed, bool countsLoss);
 

@@ -47,6 +47,7 @@ enum class Metric : std::uint8_t {
     Latency,
     SessionMemory,
     Power,
+    PowerAboveIdle,
     EnergyPerFrame,
     Switch,
     WakeUps,
@@ -62,9 +63,12 @@ enum class Metric : std::uint8_t {
     Frequency,
     FrequencyChange,
     LoadBegin,
-    LoadEnd
+    LoadEnd,
+    IdlePower,
+    IdlePowerChange,
+    Throttlings
 };
-inline constexpr std::size_t kMetrics = static_cast<std::size_t>(Metric::LoadEnd) + 1;
+inline constexpr std::size_t kMetrics = static_cast<std::size_t>(Metric::Throttlings) + 1;
 
 /// Precision of an instrument. A difference of means within it is never significant, however often the runs are repeated.
 struct Resolution
@@ -101,7 +105,8 @@ struct MetricInfo
     bool independent = true;
     /// True if plain MAVLink has the value 0 by definition. It is not compared then.
     bool zeroInPlain = false;
-    bool explains = false; ///< what may have disturbed a run, and no property of a suite: suites are not compared by it
+    bool canBeNegative = false; ///< a difference itself, so that arms are compared by differences and not by ratios
+    bool explains = false;      ///< what may have disturbed a run, and no property of a suite: suites are not compared by it
     bool setByVehicle =
         false; ///< except under the saturated load, the only one that uses a suite up: it is compared there alone
     bool oncePerSuite = false; ///< measured once for each suite instead of in each run

@@ -6,6 +6,8 @@
 #include "core/experiment/metric.h"
 #include "core/experiment/plan.h"
 
+#include <cmath>
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -24,6 +26,13 @@ struct Counted
     Frames mavlink;              ///< by MAVLink's sequence numbers
     channel::ReceiveCounters rx; ///< records to the station
     channel::ReceiveCounters tx; ///< records to the agent, by its newest report
+};
+
+/// Power of the idle machine around a launch, in watts; NaN where it is not known.
+struct IdlePower
+{
+    double before = std::numeric_limits<double>::quiet_NaN(), after = before;
+    bool isKnown() const { return !std::isnan(before) && !std::isnan(after); }
 };
 
 struct Sample

@@ -105,6 +105,8 @@ void RunDriver::handleSwitch(const channel::SwitchDone &done)
 
 void RunDriver::handleTimeout()
 {
+    if (m_stage.is(Stage::Measuring))
+        m_measurement.tick();
     if (m_stage.isOverdue(now()))
         end("the link fell silent");
 }

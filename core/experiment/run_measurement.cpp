@@ -2,6 +2,7 @@
 
 #include "core/engine/station/snapshot.h"
 #include "core/experiment/load_check.h"
+#include "core/link/steady_now.h"
 
 namespace skyseal::experiment {
 
@@ -17,7 +18,7 @@ std::optional<AgentCostReport> reportIn(const MeasuredLink &link, const engine::
 
 Reading RunMeasurement::readingOf(const MeasuredLink &link, const Snapshot &snapshot)
 {
-    return {snapshot, reportIn(link, *snapshot), m_programs(), metrics::machineUsage(), m_energy.microjoules()};
+    return {snapshot, reportIn(link, *snapshot), m_programs(), metrics::machineUsage(), m_energy.microjoules(steadyNow())};
 }
 
 void RunMeasurement::begin(const MeasuredLink &link, const Snapshot &snapshot)
@@ -28,6 +29,11 @@ void RunMeasurement::begin(const MeasuredLink &link, const Snapshot &snapshot)
     m_begin = readingOf(link, snapshot);
     m_reportBefore = m_begin.agent ? std::optional(m_begin.agent->stamp) : std::nullopt;
     m_begin.agent.reset();
+}
+
+void RunMeasurement::tick()
+{
+    m_energy.microjoules(steadyNow());
 }
 
 void RunMeasurement::noteReport(const MeasuredLink &link, const engine::Snapshot &snapshot)

@@ -21,6 +21,8 @@ public:
     explicit RunMeasurement(std::function<ProgramUsage()> programs) : m_programs(std::move(programs)) {}
 
     void begin(const MeasuredLink &link, const Snapshot &snapshot);
+    /// To be called some ten times a second during the run, for sensors of power.
+    void tick();
     /// Takes the agent's first report of the run: its costs count from there, since the report before it may hold the time of
     /// another suite. To be called with each snapshot of the run until hasReport().
     void noteReport(const MeasuredLink &link, const engine::Snapshot &snapshot);

@@ -416,7 +416,7 @@ std::string runEvent(const Plan &plan, const Sample &sample, std::size_t runs, d
     return json.endObject().text();
 }
 
-std::string endEvent(const Results &results, bool opened, const std::string &problem)
+std::string endEvent(const Results &results, bool opened, const std::string &problem, const IdlePower &idle)
 {
     JsonWriter json;
     json.beginObject().field("event", "end").field("opened", opened).field("complete", results.complete);
@@ -425,6 +425,8 @@ std::string endEvent(const Results &results, bool opened, const std::string &pro
         json.field("placement", results.placement);
     if (!results.source.empty())
         json.field("source", results.source);
+    if (idle.isKnown())
+        json.field("idle_before", idle.before).field("idle_after", idle.after);
     if (!problem.empty())
         json.field("problem", problem);
     return json.endObject().text();

@@ -24,7 +24,7 @@ std::string ratiosCsv(const Results &results);
 /// verdict, one line each. `problem`: a sentence if the plan was not carried out completely.
 std::string beginEvent(const Plan &plan, const Run &run, std::size_t order);
 std::string runEvent(const Plan &plan, const Sample &sample, std::size_t runs, double remaining);
-std::string endEvent(const Results &results, bool opened, const std::string &problem);
+std::string endEvent(const Results &results, bool opened, const std::string &problem, const IdlePower &idle);
 std::string expectEvent(const Plan &plan, const Verdict &verdict);
 
 } // namespace skyseal::experiment

@@ -1,5 +1,6 @@
 #include "core/metrics/machine_usage.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <fstream>
@@ -66,6 +67,29 @@ std::optional<double> meanMegahertz(const std::string &cpuInfo)
     return cores > 0 ? std::optional(sum / cores) : std::nullopt;
 }
 
+void readThrottling(const std::string &sysfs, MachineUsage &out)
+{
+    const std::string cpus = sysfs + "/devices/system/cpu/cpu";
+    std::uint64_t ofPackages = 0;
+    for (int core = 0;; ++core) {
+        const std::string folder = cpus + std::to_string(core) + "/thermal_throttle/";
+        std::ifstream inCore(folder + "core_throttle_count"), inPackage(folder + "package_throttle_count");
+        std::uint64_t ofCore = 0, ofPackage = 0;
+        if (!(inCore >> ofCore))
+            break;
+        inPackage >> ofPackage; // each core states those of its package
+        ofPackages = std::max(ofPackages, ofPackage);
+        out.throttlings = out.throttlings.value_or(0) + ofCore;
+    }
+    if (out.throttlings)
+        *out.throttlings += ofPackages;
+    // Bits 0 to 3: now under voltage, capped, throttled, at the soft limit of the temperature.
+    const std::string word = contentOf(sysfs + "/devices/platform/soc/soc:firmware/get_throttled");
+    out.isThrottled = (std::strtoul(word.c_str(), nullptr, 16) & 0xF) != 0;
+    if (!word.empty() && !out.throttlings)
+        out.throttlings = 0;
+}
+
 MachineUsage machineUsage()
 {
     MachineUsage out;
@@ -74,6 +98,7 @@ MachineUsage machineUsage()
     out.megahertz = governedMegahertz(cores);
     if (!out.megahertz)
         out.megahertz = meanMegahertz(contentOf("/proc/cpuinfo"));
+    readThrottling("/sys", out);
     double load = 0;
     if (::getloadavg(&load, 1) == 1 && cores > 0)
         out.load = load / static_cast<double>(cores);

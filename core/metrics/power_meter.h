@@ -1,4 +1,4 @@
-// Power drawn by the processor: the growth of its energy counters between two readings. Single-threaded.
+// Power drawn by the machine: the growth of its energy between two readings. Single-threaded.
 #pragma once
 
 #include "core/base/clock.h"
@@ -12,13 +12,13 @@ namespace skyseal::metrics {
 class PowerMeter
 {
 public:
-    /// `folder`: see EnergyMeter.
-    explicit PowerMeter(const std::string &folder = EnergyMeter::kFolder) : m_energy(folder) {}
+    /// `sysfs`: see EnergyMeter.
+    explicit PowerMeter(const std::string &sysfs = EnergyMeter::kSysfs) : m_energy(sysfs) {}
 
     /// Reads the counters. Call about once a second.
     void sample(TimePoint now)
     {
-        const auto before = std::exchange(m_microjoules, m_energy.microjoules());
+        const auto before = std::exchange(m_microjoules, m_energy.microjoules(now));
         const double passed = seconds(now - std::exchange(m_time, now));
         m_watts.reset();
         if (before && m_microjoules && passed > 0)

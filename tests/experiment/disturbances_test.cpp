@@ -3,13 +3,18 @@
 #include "core/engine/station/snapshot.h"
 #include "core/experiment/disturbances.h"
 #include "core/experiment/html_report.h"
+#include "core/experiment/idle_power.h"
 #include "core/experiment/measurement.h"
 #include "core/experiment/placement.h"
 #include "core/experiment/sweep_json.h"
 #include "core/experiment/sweep_text.h"
 #include "core/metrics/machine_usage.h"
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 
+#include <QtCore/QDir>
+#include <QtCore/QFile>
+#include <QtCore/QTemporaryDir>
 #include <QtTest/QTest>
 
 #include <cmath>
@@ -53,6 +58,7 @@ Reading reading(std::uint64_t share)
     out.machine.stolen = used(30ms);
     out.machine.megahertz = share ? 1900 : 2100;
     out.machine.load = share ? 1.25 : 0.5;
+    out.machine.throttlings = 7 + 2 * share;
     return out;
 }
 
@@ -77,6 +83,8 @@ class DisturbancesTest : public QObject
 private Q_SLOTS:
     void circumstancesAreTheDifferences();
     void unknownProgramsAreNotGuessed();
+    void energyIsAboveIdle();
+    void idleMachineIsMeasured();
     void thresholdsWarn_data();
     void thresholdsWarn();
     void warningsAreOnTheFirstPageAndAtTheRun();
@@ -105,6 +113,7 @@ void DisturbancesTest::circumstancesAreTheDifferences()
     QCOMPARE(values[Metric::FrequencyChange], 10.0);
     QCOMPARE(values[Metric::LoadBegin], 0.5);
     QCOMPARE(values[Metric::LoadEnd], 1.25);
+    QCOMPARE(values[Metric::Throttlings], 2.0);
 }
 
 void DisturbancesTest::unknownProgramsAreNotGuessed()
@@ -116,10 +125,49 @@ void DisturbancesTest::unknownProgramsAreNotGuessed()
         one->machine = {};
     }
     const Values values = valuesBetween(begin, end, false, true);
-    for (const Metric metric : {Metric::AgentCpu, Metric::AgentWakeUps, Metric::AgentPreemptions, Metric::OtherCpu,
-                                Metric::Steal, Metric::Frequency, Metric::FrequencyChange, Metric::LoadBegin, Metric::LoadEnd})
+    for (const Metric metric :
+         {Metric::AgentCpu, Metric::AgentWakeUps, Metric::AgentPreemptions, Metric::OtherCpu, Metric::Steal, Metric::Frequency,
+          Metric::FrequencyChange, Metric::LoadBegin, Metric::LoadEnd, Metric::Throttlings})
         QVERIFY2(std::isnan(values[metric]), info(metric).key.data());
     QCOMPARE(values[Metric::WakeUps], 400.0);
+}
+
+void DisturbancesTest::energyIsAboveIdle()
+{
+    std::vector<Sample> samples(2);
+    samples[0].values[Metric::Power] = 12;
+    samples[0].values[Metric::Packets] = 500;
+    samples[0].seconds = 2;
+    subtractIdle(samples, {});
+    QVERIFY(std::isnan(samples[0].values[Metric::PowerAboveIdle]));
+    subtractIdle(samples, {.before = 9, .after = 11});
+    QCOMPARE(samples[0].values[Metric::IdlePower], 10.0);
+    QCOMPARE(samples[0].values[Metric::IdlePowerChange], 20.0);
+    QCOMPARE(samples[0].values[Metric::PowerAboveIdle], 2.0);
+    QCOMPARE(samples[0].values[Metric::EnergyPerFrame], 8000.0);    // 4 J
+    QVERIFY(std::isnan(samples[1].values[Metric::EnergyPerFrame])); // no power was measured in it
+}
+
+void DisturbancesTest::idleMachineIsMeasured()
+{
+    QTemporaryDir sysfs;
+    const QDir chip(sysfs.filePath(QStringLiteral("class/hwmon/hwmon0")));
+    QVERIFY(chip.mkpath(QStringLiteral(".")));
+    for (const auto &[name, text] : {std::pair("name", "ina219"), std::pair("power1_input", "2500000")}) {
+        QFile file(chip.filePath(QLatin1String(name)));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(text) > 0);
+    }
+    std::optional<double> watts;
+    IdleMeter meter(sysfs.path().toStdString());
+    meter.measure([&](double measured) { watts = measured; }, 300);
+    QVERIFY(!watts);
+    EVENTUALLY(watts.has_value());
+    QVERIFY2(std::abs(*watts - 2.5) < 0.001, qPrintable(QString::number(*watts)));
+
+    IdleMeter nothing(sysfs.filePath(QStringLiteral("class")).toStdString());
+    watts.reset();
+    nothing.measure([&](double measured) { watts = measured; });
+    QVERIFY(watts && std::isnan(*watts)); // at once
 }
 
 void DisturbancesTest::thresholdsWarn_data()
@@ -137,6 +185,8 @@ void DisturbancesTest::thresholdsWarn_data()
     row(Metric::FrequencyChange, 12, "the frequency of the cores differed by 12 % between begin and end");
     row(Metric::LoadBegin, 7, "the load average at the start was 7 per core");
     row(Metric::LoadEnd, 7, "the load average at the end was 7 per core");
+    row(Metric::IdlePowerChange, 9, "the power of the idle machine differed by 9 % before and after");
+    row(Metric::Throttlings, 3, "the processor was throttled 3 times");
     row(Metric::MeterCpu, 48, "the measurement itself took 48 % of the CPU time of the station's I/O thread");
     row(Metric::SimulatorCpu, 99, "the simulator (which makes the load) used 99 % of a core");
 }
@@ -251,5 +301,5 @@ void DisturbancesTest::threadsAreBackOnTheirCores()
 #endif
 }
 
-SKYSEAL_TEST_APPLESS(DisturbancesTest)
+SKYSEAL_TEST(DisturbancesTest)
 #include "disturbances_test.moc"

@@ -1,5 +1,6 @@
 // Rates over a sliding window on a simulated clock; CPU, memory and power readings.
 #include "core/metrics/cycle_clock.h"
+#include "core/metrics/machine_usage.h"
 #include "core/metrics/power_meter.h"
 #include "core/metrics/process_usage.h"
 #include "core/metrics/rate_meter.h"
@@ -19,6 +20,27 @@ using namespace skyseal;
 using namespace skyseal::metrics;
 using std::chrono::milliseconds;
 
+namespace {
+
+/// A folder that stands for /sys.
+class Sysfs
+{
+public:
+    std::string path() const { return m_folder.path().toStdString(); }
+    void write(const QByteArray &folder, const char *file, const char *text) const
+    {
+        const QString path = m_folder.filePath(QString::fromUtf8(folder));
+        QFile out(path + QLatin1Char('/') + QLatin1String(file));
+        if (!QDir().mkpath(path) || !out.open(QIODevice::WriteOnly) || out.write(text) < 0)
+            qFatal("%s: %s", qPrintable(out.fileName()), qPrintable(out.errorString()));
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+} // namespace
+
 class UsageTest : public QObject
 {
     Q_OBJECT
@@ -32,6 +54,8 @@ private Q_SLOTS:
     void cycleClockAgreesWithCpuTime();
     void preemptionIsNotCountedAsWork();
     void powerIsTheGrowthOfTheEnergyCounter();
+    void supplySensorIsAddedUp();
+    void throttlingIsCounted();
 };
 
 static TimePoint at(int ms)
@@ -153,16 +177,12 @@ void UsageTest::preemptionIsNotCountedAsWork()
 
 void UsageTest::powerIsTheGrowthOfTheEnergyCounter()
 {
-    QTemporaryDir folder;
-    QVERIFY(QDir(folder.path()).mkpath(QStringLiteral("intel-rapl:0")));
-    const auto write = [&](const char *file, const char *text) {
-        QFile out(folder.filePath(QStringLiteral("intel-rapl:0/") + QLatin1String(file)));
-        QVERIFY(out.open(QIODevice::WriteOnly) && out.write(text) > 0);
-    };
+    Sysfs sysfs;
+    const auto write = [&](const char *file, const char *text) { sysfs.write("class/powercap/intel-rapl:0", file, text); };
     write("name", "package-0\n");
     write("max_energy_range_uj", "262143328850\n");
     write("energy_uj", "1000000\n");
-    PowerMeter meter(folder.path().toStdString());
+    PowerMeter meter(sysfs.path());
     meter.sample(at(0));
     QVERIFY(!meter.watts()); // a single reading
     write("energy_uj", "5000000\n");
@@ -174,6 +194,66 @@ void UsageTest::powerIsTheGrowthOfTheEnergyCounter()
     unreadable.sample(at(0));
     unreadable.sample(at(1000));
     QVERIFY(!unreadable.watts());
+}
+
+void UsageTest::supplySensorIsAddedUp()
+{
+    Sysfs sysfs;
+    sysfs.write("class/hwmon/hwmon0", "name", "amdgpu\n"); // of no interest
+    sysfs.write("class/hwmon/hwmon0", "power1_average", "90000000\n");
+    sysfs.write("class/hwmon/hwmon1", "name", "ina226\n");
+    sysfs.write("class/hwmon/hwmon1", "power1_input", "2000000\n");
+    EnergyMeter meter(sysfs.path());
+    QCOMPARE(meter.describe(), std::string("power1 of ina226 (hwmon)"));
+    QCOMPARE(meter.microjoules(at(0)).value(), std::uint64_t(0));
+    sysfs.write("class/hwmon/hwmon1", "power1_input", "4000000\n");
+    QCOMPARE(meter.microjoules(at(500)).value(), std::uint64_t(1'500'000)); // 3 W for half a second
+
+    Sysfs board;
+    board.write("bus/iio/devices/iio:device0", "name", "ina3221\n");
+    board.write("bus/iio/devices/iio:device0", "in_power0_raw", "10\n"); // a rail of the supply
+    board.write("bus/iio/devices/iio:device0", "in_power0_scale", "20.0\n");
+    board.write("bus/iio/devices/iio:device0", "in_power1_raw", "100\n");
+    board.write("bus/iio/devices/iio:device0", "in_power1_scale", "20.0\n"); // milliwatts a unit
+    EnergyMeter supply(board.path());
+    QCOMPARE(supply.describe(), std::string("in_power1 of ina3221 (IIO)"));
+    supply.microjoules(at(0));
+    QCOMPARE(supply.microjoules(at(1000)).value(), std::uint64_t(2'000'000));
+
+    Sysfs server;
+    server.write("class/hwmon/hwmon0", "name", "amd_energy\n");
+    server.write("class/hwmon/hwmon0", "energy1_input", "7\n");
+    server.write("class/hwmon/hwmon0", "energy1_label", "Ecore000\n");
+    server.write("class/hwmon/hwmon0", "energy2_input", "1000\n");
+    server.write("class/hwmon/hwmon0", "energy2_label", "Esocket0\n");
+    EnergyMeter socket(server.path());
+    QCOMPARE(socket.describe(), std::string("energy2 of amd_energy (hwmon)"));
+    server.write("class/hwmon/hwmon0", "energy2_input", "1600\n");
+    QCOMPARE(socket.microjoules(at(0)).value(), std::uint64_t(600));
+}
+
+void UsageTest::throttlingIsCounted()
+{
+    Sysfs sysfs;
+    MachineUsage nothing;
+    readThrottling(sysfs.path(), nothing);
+    QVERIFY(!nothing.throttlings && !nothing.isThrottled);
+    for (const char *core : {"0", "1"}) {
+        const QByteArray folder = QByteArray("devices/system/cpu/cpu") + core + "/thermal_throttle";
+        sysfs.write(folder, "core_throttle_count", core);
+        sysfs.write(folder, "package_throttle_count", "5");
+    }
+    MachineUsage usage;
+    readThrottling(sysfs.path(), usage);
+    QCOMPARE(usage.throttlings.value(), std::uint64_t(6)); // of the second core and of the package, once
+    Sysfs pi;
+    pi.write("devices/platform/soc/soc:firmware", "get_throttled", "50000\n"); // earlier
+    MachineUsage firmware;
+    readThrottling(pi.path(), firmware);
+    QVERIFY(firmware.throttlings && !firmware.isThrottled);
+    pi.write("devices/platform/soc/soc:firmware", "get_throttled", "50005\n");
+    readThrottling(pi.path(), firmware);
+    QVERIFY(firmware.isThrottled);
 }
 
 SKYSEAL_TEST(UsageTest)

@@ -180,20 +180,21 @@ std::vector<Quantity> costs()
     };
 }
 
-Quantity power(const std::string &powercap)
+Quantity power(const std::string &sysfs)
 {
-    metrics::EnergyMeter meter(powercap);
-    const bool readable = meter.microjoules().has_value();
-    return {.key = "power",
-            .title = Text::tr("Power of the processor"),
-            .unit = Text::tr("W"),
-            .note = Text::tr("From the kernel's energy counters, over the last second: the whole processor and everything that "
-                             "runs on it, not this program alone (%1).")
-                        .arg(QString::fromStdString(meter.describe())),
-            .group = QuantityGroupId::Cost,
-            .least = 5,
-            .lines = {{{}, Stroke::Solid, {"processor_watts", read<&MetricsSample::powerWatts>, 1, Valid::Always}}},
-            .remark = readable ? QString() : Text::tr("not readable here")};
+    metrics::EnergyMeter meter(sysfs);
+    const bool readable = meter.microjoules({}).has_value();
+    return {
+        .key = "power",
+        .title = Text::tr("Power of the machine"),
+        .unit = Text::tr("W"),
+        .note = Text::tr("From the kernel's energy counters or the sensor of the supply, over the last second: everything that "
+                         "runs on the machine, not this program alone (%1).")
+                    .arg(QString::fromStdString(meter.describe())),
+        .group = QuantityGroupId::Cost,
+        .least = 5,
+        .lines = {{{}, Stroke::Solid, {"processor_watts", read<&MetricsSample::powerWatts>, 1, Valid::Always}}},
+        .remark = readable ? QString() : Text::tr("not readable here")};
 }
 
 } // namespace
@@ -206,12 +207,12 @@ double SampleValue::operator()(const MetricsSample &sample) const
     return raw * scale;
 }
 
-std::vector<Quantity> allQuantities(const std::string &powercap)
+std::vector<Quantity> allQuantities(const std::string &sysfs)
 {
     std::vector<Quantity> out = rates();
     for (auto &&more : {links(), costs()})
         out.insert(out.end(), more.begin(), more.end());
-    out.push_back(power(powercap));
+    out.push_back(power(sysfs));
     return out;
 }
 

@@ -54,8 +54,8 @@ struct Quantity
     QString remark = {};                   ///< shown in the chart if there is nothing to plot
 };
 
-/// All quantities in the order in which they are shown. `powercap` is the folder of the kernel's energy counters.
-std::vector<Quantity> allQuantities(const std::string &powercap = metrics::EnergyMeter::kFolder);
+/// All quantities in the order in which they are shown. `sysfs`: see metrics::EnergyMeter.
+std::vector<Quantity> allQuantities(const std::string &sysfs = metrics::EnergyMeter::kSysfs);
 
 /// A selection of quantities for the charts.
 struct QuantityGroup

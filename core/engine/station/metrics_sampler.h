@@ -20,8 +20,8 @@ public:
     /// Samples that a snapshot carries, so that a reader that was busy for up to 10 s misses none.
     static constexpr std::size_t kKept = 40;
 
-    /// `powercap`: folder of the kernel's energy counters.
-    explicit MetricsSampler(const std::string &powercap = metrics::EnergyMeter::kFolder) : m_process(powercap) {}
+    /// `sysfs`: see metrics::EnergyMeter.
+    explicit MetricsSampler(const std::string &sysfs = metrics::EnergyMeter::kSysfs) : m_process(sysfs) {}
 
     /// The engine's values at the time of a sample.
     struct Reading

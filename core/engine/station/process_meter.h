@@ -13,8 +13,8 @@ namespace skyseal::engine {
 class ProcessMeter
 {
 public:
-    /// `powercap`: folder of the kernel's energy counters.
-    explicit ProcessMeter(const std::string &powercap) : m_power(powercap) {}
+    /// `sysfs`: see metrics::EnergyMeter.
+    explicit ProcessMeter(const std::string &sysfs) : m_power(sysfs) {}
 
     /// Reads CPU time, memory and energy. Call about once a second on the I/O thread, whose own load is measured as well.
     void sample(TimePoint now)
