@@ -145,7 +145,7 @@ void CalibrationTest::sameSuiteTwiceIsNoDifference()
 void CalibrationTest::extraCpuTimeIsFound()
 {
     if (isLong())
-        return judge({20, "--launches 10 --seconds 2 --warm-up 0.5 --pps 1000", 0.05, 16, 17});
+        return judge({20, "--launches 1 --repeats 12 --seconds 1 --warm-up 0.3 --pps 2000", 0.05, 16, 17});
     judge({2, "--launches 1 --repeats 6 --seconds 0.5 --warm-up 0.5 --pps 500", 1, 1, 1});
 }
 
