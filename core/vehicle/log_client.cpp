@@ -59,6 +59,8 @@ void LogClient::handleDeadline(TimePoint now)
                                                                 : "the vehicle does not list its logs");
         return finish(false, "the vehicle does not send byte " + std::to_string(m_content.pieceOffset()) + " and following");
     }
+    if (m_phase == Phase::Reading)
+        steer(now);
     if (now < m_repeat)
         return;
     ++m_silent;
@@ -70,7 +72,7 @@ void LogClient::handleDeadline(TimePoint now)
 
 TimePoint LogClient::nextDeadline() const
 {
-    return m_phase == Phase::Idle ? kNever : std::min(m_repeat, m_deadline);
+    return m_phase == Phase::Idle ? kNever : std::min({m_repeat, m_deadline, m_sweep.nextDeadline()});
 }
 
 std::optional<TransferProgress> LogClient::progress() const
@@ -120,12 +122,12 @@ void LogClient::requestList(TimePoint now)
     rest(now);
 }
 
-/// Waits for the answer to a request, longer after each one that got none.
+/// Waits for the answer to a request; longer and longer when several got none.
 void LogClient::rest(TimePoint now)
 {
     m_requested = now;
     const Duration first = m_rtt.timeout();
-    m_repeat = now + std::min(first * (1 << std::min(m_silent, 3)), RttEstimator::kMostTimeout);
+    m_repeat = now + std::min(first * (1 << std::clamp(m_silent - kPatience, 0, 3)), RttEstimator::kMostTimeout);
 }
 
 void LogClient::handleEntry(TimePoint now, const mavlink::LogEntry &entry)
@@ -176,20 +178,39 @@ void LogClient::handleListed(TimePoint now)
     requestPiece(now);
 }
 
-/// Requests what is missing of the piece, as runs of chunks.
+/// Requests what is missing of the piece.
 void LogClient::requestPiece(TimePoint now)
 {
-    const bool isArduPilot = kind().isArduPilot();
-    const auto runs = m_content.missing(isArduPilot ? kMostRuns : 1, isArduPilot ? 0 : kSpanned);
-    const bool isWhole = runs.size() == 1 && runs[0].end - runs[0].first > kSpanned;
-    const int copies = isArduPilot && runs.size() <= kAskedTwice && !isWhole ? 2 : 1;
+    const auto first = m_content.missingFrom(0);
+    if (kind().isArduPilot()) {
+        requestRuns();
+    } else if (first) {
+        requestRun({first->first, m_content.pieceEnd()});
+        m_sweep.begin(now, m_content);
+        if (m_silent > kPatience)
+            m_sweep.stop();
+    }
+    m_firstRequested = m_silent == 0 && first ? std::optional(first->first) : std::nullopt;
+    m_pace.restart();
+    rest(now);
+}
+
+void LogClient::requestRuns()
+{
+    const auto runs = m_content.missing(kMostRuns);
+    const bool isWhole = runs.size() == 1 && runs[0].end - runs[0].first > kLong;
+    const int copies = runs.size() <= kAskedTwice && !isWhole ? 2 : 1;
     for (int copy = 0; copy < copies; ++copy) {
         for (const LogContent::Run &run : runs)
             requestRun(run);
     }
-    m_firstRequested = m_silent == 0 && !runs.empty() ? std::optional(runs[0].first) : std::nullopt;
-    m_pace.restart();
-    rest(now);
+}
+
+void LogClient::steer(TimePoint now)
+{
+    if (const auto chunk = m_sweep.poll(now, m_content,
+                                        m_rtt.shortest() == Duration::zero() ? m_rtt.timeout() : m_rtt.shortest()))
+        requestRun({*chunk, m_content.pieceEnd()});
 }
 
 void LogClient::requestRun(const LogContent::Run &run)
@@ -208,9 +229,10 @@ void LogClient::handleData(TimePoint now, const mavlink::LogData &data)
     const std::size_t count = std::min<std::size_t>(data.count, kChunk);
     if (data.id != m_log || data.ofs % kChunk != 0 || !m_content.isInPiece(index))
         return;
-    if (m_pace.isWaiting() && index == m_firstRequested)
+    if (m_pace.isWaiting() && m_firstRequested && index - *m_firstRequested < kFirstOnes)
         m_rtt.measure(now - m_requested);
     m_pace.arrived(now);
+    m_sweep.arrived(now, index);
     m_silent = 0;
     m_repeat = now + std::max({m_pace.pause(), m_rtt.timeout(), kLeastPause});
     if (count < kChunk && data.ofs + count < m_content.size() && !m_content.endAt(data.ofs + count))
@@ -219,7 +241,7 @@ void LogClient::handleData(TimePoint now, const mavlink::LogData &data)
     if (isNew)
         m_deadline = now + kGiveUp;
     if (!m_content.isPieceComplete()) {
-        if (isNew && index == m_lastRequested)
+        if (isNew && index == m_lastRequested && m_sweep.nextDeadline() == kNever)
             requestPiece(now);
         return;
     }
@@ -245,6 +267,7 @@ void LogClient::finish(bool ok, std::string reason, bool changeUnanswered)
         send(mavlink::LogRequestEnd{});
     m_entries.clear();
     m_content = {};
+    m_sweep = {};
     m_phase = Phase::Idle;
     m_repeat = m_deadline = kNever;
     report(std::move(result));

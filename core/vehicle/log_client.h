@@ -7,13 +7,14 @@
 //
 // As in ArduPilot's AP_Logger_MAVLinkLogTransfer.cpp and PX4's mavlink_log_handler.cpp: ArduPilot drops requests for data
 // while it answers one, so that the first of several runs is answered, and the others as far as it has ended by then. In PX4 a
-// request replaces the one before: it is asked for one run at a time, which spans small gaps. ArduPilot numbers logs from 1;
+// request replaces the one before: it is sent from one lost chunk to the next (LogSweep). ArduPilot numbers logs from 1;
 // it answers a list that begins after the last one, or ends before the first one, with entries of no logs up to 65535. It
 // serves logs only while disarmed.
 #pragma once
 
 #include "core/vehicle/arrival_pace.h"
 #include "core/vehicle/log_content.h"
+#include "core/vehicle/log_sweep.h"
 #include "core/vehicle/micro_protocol.h"
 #include "core/vehicle/rtt_estimator.h"
 
@@ -30,7 +31,10 @@ public:
     static constexpr std::size_t kPiece = LogContent::kPiece;
     static constexpr std::size_t kMostRuns = 48;   ///< lost runs that are requested again at a time
     static constexpr std::size_t kAskedTwice = 16; ///< so few runs are requested twice at a time: the last ones decide
-    static constexpr std::size_t kSpanned = 64;    ///< chunks that are sent again rather than waited for in another run
+    static constexpr std::size_t kLong = 64;       ///< a longer run is requested once
+    /// So many requests in a row may get no answer before the next ones are made more and more slowly.
+    static constexpr int kPatience = 2;
+    static constexpr std::size_t kFirstOnes = 4; ///< chunks of an answer of which one measures the round trip
     static constexpr std::size_t kMostBytes = 512u << 20;
     static constexpr std::size_t kMostLogs = 2048;                ///< of a list
     static constexpr Duration kGiveUp = std::chrono::seconds(12); ///< without progress
@@ -57,6 +61,8 @@ private:
     void handleData(TimePoint now, const mavlink::LogData &data);
     void requestList(TimePoint now);
     void requestPiece(TimePoint now);
+    void requestRuns();
+    void steer(TimePoint now);
     void requestRun(const LogContent::Run &run);
     void rest(TimePoint now);
     void finish(bool ok, std::string reason = {}, bool changeUnanswered = false);
@@ -68,6 +74,7 @@ private:
     std::map<std::uint16_t, OnboardLog> m_entries;
     std::optional<std::uint16_t> m_announced; ///< logs of the list
     LogContent m_content;
+    LogSweep m_sweep;                ///< of vehicles other than ArduPilot
     std::size_t m_lastRequested = 0; ///< the chunk that ends the run requested last
     RttEstimator m_rtt;
     ArrivalPace m_pace;                          ///< of the messages of an answer

@@ -25,28 +25,23 @@ bool LogContent::beginNextPiece()
     return true;
 }
 
-std::vector<LogContent::Run> LogContent::missing(std::size_t most, std::size_t spanned) const
+std::vector<LogContent::Run> LogContent::missing(std::size_t most) const
 {
     std::vector<Run> out;
-    for (std::size_t i = 0; i < m_piece.size() && out.size() < most; ++i) {
-        if (m_piece[i])
-            continue;
-        const std::size_t end = endOfRun(i, spanned);
-        out.push_back({m_begin + i, m_begin + end});
-        i = end;
-    }
+    for (auto run = missingFrom(m_begin); run && out.size() < most; run = missingFrom(run->end))
+        out.push_back(*run);
     return out;
 }
 
-/// Of a run that begins at a missing chunk of the piece.
-std::size_t LogContent::endOfRun(std::size_t first, std::size_t spanned) const
+std::optional<LogContent::Run> LogContent::missingFrom(std::size_t chunk) const
 {
-    std::size_t end = first + 1;
-    for (std::size_t i = end; i < m_piece.size() && i <= end + spanned; ++i) {
-        if (!m_piece[i])
-            end = i + 1;
-    }
-    return end;
+    const std::size_t from = std::clamp(chunk, m_begin, pieceEnd()) - m_begin;
+    const auto first = std::find(m_piece.begin() + static_cast<std::ptrdiff_t>(from), m_piece.end(), false);
+    if (first == m_piece.end())
+        return std::nullopt;
+    const auto end = std::find(first, m_piece.end(), true);
+    return Run{m_begin + static_cast<std::size_t>(first - m_piece.begin()),
+               m_begin + static_cast<std::size_t>(end - m_piece.begin())};
 }
 
 bool LogContent::endAt(std::size_t bytes)

@@ -4,6 +4,7 @@
 
 #include "core/base/bytes.h"
 
+#include <optional>
 #include <vector>
 
 namespace skyseal::vehicle {
@@ -11,8 +12,8 @@ namespace skyseal::vehicle {
 class LogContent
 {
 public:
-    static constexpr std::size_t kChunk = 90;   ///< bytes of a LOG_DATA
-    static constexpr std::size_t kPiece = 4096; ///< chunks that are requested at a time
+    static constexpr std::size_t kChunk = 90;    ///< bytes of a LOG_DATA
+    static constexpr std::size_t kPiece = 16384; ///< chunks that are requested at a time
 
     /// Chunks from `first` to before `end`.
     struct Run
@@ -35,8 +36,12 @@ public:
     /// Begins the piece behind a complete one. Returns false if the log is complete.
     bool beginNextPiece();
 
-    /// Runs of missing chunks of the piece, at most `most`. A run goes on over up to `spanned` chunks that have arrived.
-    std::vector<Run> missing(std::size_t most, std::size_t spanned) const;
+    /// Runs of missing chunks of the piece, at most `most`.
+    std::vector<Run> missing(std::size_t most) const;
+    /// The first run of missing chunks of the piece at or behind a chunk.
+    std::optional<Run> missingFrom(std::size_t chunk) const;
+    /// The chunk behind the piece.
+    std::size_t pieceEnd() const { return m_begin + m_piece.size(); }
 
     /// The log ends sooner than it was listed. Returns false if more has arrived already.
     bool endAt(std::size_t bytes);
@@ -47,7 +52,6 @@ public:
 
 private:
     void beginPiece();
-    std::size_t endOfRun(std::size_t first, std::size_t spanned) const;
 
     Bytes m_content; ///< complete pieces, then the one that is under way
     std::size_t m_size = 0;

@@ -11,10 +11,10 @@ namespace {
 
 constexpr std::size_t kChunk = LogContent::kChunk;
 
-QList<QPair<int, int>> missing(const LogContent &log, std::size_t spanned = 0, std::size_t most = 48)
+QList<QPair<int, int>> missing(const LogContent &log, std::size_t most = 48)
 {
     QList<QPair<int, int>> out;
-    for (const LogContent::Run &run : log.missing(most, spanned))
+    for (const LogContent::Run &run : log.missing(most))
         out.append({static_cast<int>(run.first), static_cast<int>(run.end)});
     return out;
 }
@@ -41,8 +41,11 @@ void LogContentTest::runsOfMissingChunks()
     QVERIFY(!log.store(3, chunk));
     QVERIFY(!log.store(10, chunk));
     QCOMPARE(missing(log), (QList<QPair<int, int>>{{1, 3}, {4, 7}, {8, 10}}));
-    QCOMPARE(missing(log, 1), (QList<QPair<int, int>>{{1, 10}}));
-    QCOMPARE(missing(log, 0, 2), (QList<QPair<int, int>>{{1, 3}, {4, 7}}));
+    QCOMPARE(missing(log, 2), (QList<QPair<int, int>>{{1, 3}, {4, 7}}));
+    QCOMPARE(log.missingFrom(2)->first, std::size_t(2));
+    QCOMPARE(log.missingFrom(2)->end, std::size_t(3));
+    QCOMPARE(log.missingFrom(3)->first, std::size_t(4));
+    QVERIFY(!log.missingFrom(10));
     QCOMPARE(log.received(), 3 * kChunk);
 }
 
