@@ -5,7 +5,7 @@
 #include "ui/flight/emergency_stop.h"
 #include "ui/flight/mode_chooser.h"
 #include "ui/flight/pre_arm_button.h"
-#include "ui/flight/vehicle_name.h"
+#include "ui/text/vehicle_name.h"
 #include "ui/result_label.h"
 #include "ui/text/action_permits.h"
 #include "ui/text/command_permits.h"

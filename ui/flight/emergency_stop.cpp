@@ -1,7 +1,7 @@
 #include "ui/flight/emergency_stop.h"
 
 #include "ui/command_guard.h"
-#include "ui/flight/vehicle_name.h"
+#include "ui/text/vehicle_name.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 

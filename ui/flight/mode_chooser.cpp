@@ -1,6 +1,6 @@
 #include "ui/flight/mode_chooser.h"
 
-#include "ui/flight/vehicle_name.h"
+#include "ui/text/vehicle_name.h"
 #include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
 

@@ -6,6 +6,7 @@
 #include "core/vehicle/mission_file.h"
 #include "ui/result_label.h"
 #include "ui/text/command_permits.h"
+#include "ui/text/vehicle_name.h"
 #include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
 
@@ -37,6 +38,8 @@ MissionPanel::MissionPanel(StationInterface &station, QWidget *parent)
     m_result->setAccessibleName(tr("Result of the last transfer"));
     auto *tools = new QHBoxLayout;
     tools->setSpacing(kGrid);
+    for (QPushButton *made : {m_read, m_send}) // with room for the number of the vehicle
+        made->setMinimumWidth(made->sizeHint().width() + fontMetrics().horizontalAdvance(commandOfVehicle({}, kAnyVehicle)));
     for (QPushButton *made : {m_read, m_send, m_save})
         tools->addWidget(made);
     tools->addWidget(m_result, 1);
@@ -92,7 +95,8 @@ QString MissionPanel::kinds()
 void MissionPanel::askAndSend()
 {
     const std::uint8_t systemId = m_systemId;
-    const QString file = QFileDialog::getOpenFileName(this, tr("Send a mission"), {}, kinds());
+    const QString title = m_name == 0 ? tr("Send a mission") : tr("Send a mission to vehicle %1").arg(m_name);
+    const QString file = QFileDialog::getOpenFileName(this, title, {}, kinds());
     if (!file.isEmpty())
         sendFile(file, systemId);
 }
@@ -141,6 +145,7 @@ void MissionPanel::showViewState(const ViewState &view)
         m_reader.forget();
     }
     m_systemId = systemId;
+    showName(vehicleToName(view));
     m_capabilities = view.vehicle ? view.vehicle->state.capabilities : 0;
     m_mission = view.vehicle ? view.vehicle->mission : nullptr;
     m_disabledReason = commandsDisabledReason(view);
@@ -159,6 +164,18 @@ void MissionPanel::showViewState(const ViewState &view)
     if (m_empty->text() != why)
         m_empty->setText(why);
     m_model.setMission(m_mission, view.vehicle ? view.vehicle->state.missionCurrent : -1);
+}
+
+/// Where there are several vehicles, says which one is read and written.
+void MissionPanel::showName(int vehicle)
+{
+    if (vehicle == m_name)
+        return;
+    m_name = vehicle;
+    for (const auto &[button, word] : {std::pair(m_read, tr("Read from the vehicle")), {m_send, tr("Send a file…")}}) {
+        button->setText(commandOfVehicle(word, vehicle));
+        button->setAccessibleName(spokenCommand(word, vehicle));
+    }
 }
 
 void MissionPanel::handleEvent(const engine::Event &event)

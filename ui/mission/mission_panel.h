@@ -33,6 +33,7 @@ private:
     void say(const QString &line);
     static QString kinds(); ///< the name filter of file dialogs
     void read();
+    void showName(int vehicle);
     void askAndSend();
     void askAndSave();
 
@@ -46,6 +47,7 @@ private:
     QLabel *m_empty;
     QString m_disabledReason; ///< reason why nothing can be sent to the vehicle
     std::uint8_t m_systemId = 0;
+    int m_name = 0;                   ///< of the vehicle, where there are several
     std::uint64_t m_capabilities = 0; ///< of the vehicle
 };
 

@@ -80,11 +80,17 @@ void ParameterModel::setParameters(const Parameters &parameters)
 
 void ParameterModel::forgetResults()
 {
-    if (m_states.isEmpty())
-        return;
+    beginResetModel(); // closes an editor whose value would go to the other vehicle
     m_states.clear();
-    if (rowCount() > 0)
-        Q_EMIT dataChanged(index(0, State), index(rowCount() - 1, State));
+    endResetModel();
+}
+
+void ParameterModel::setName(int vehicle)
+{
+    if (vehicle == m_vehicle)
+        return;
+    m_vehicle = vehicle;
+    Q_EMIT headerDataChanged(Qt::Horizontal, Value, Value);
 }
 
 void ParameterModel::written(const vehicle::Parameter &parameter, bool ok, const QString &reason)
@@ -170,7 +176,7 @@ QVariant ParameterModel::headerData(int section, Qt::Orientation orientation, in
         return {};
     switch (section) {
     case Name: return tr("Parameter");
-    case Value: return tr("Value");
+    case Value: return m_vehicle == 0 ? tr("Value") : tr("Value · vehicle %1").arg(m_vehicle);
     case State: return tr("Last change");
     default: return {};
     }

@@ -22,8 +22,10 @@ public:
     using QAbstractTableModel::QAbstractTableModel;
 
     void setParameters(const Parameters &parameters);
-    /// Another vehicle is shown.
+    /// Another vehicle is shown: what was written to the former one is forgotten, and a value that is being typed is dropped.
     void forgetResults();
+    /// Names the vehicle above its values; 0: it is the only one.
+    void setName(int vehicle);
     /// The result of a write.
     void written(const vehicle::Parameter &parameter, bool ok, const QString &reason);
 
@@ -42,6 +44,7 @@ private:
     void touch(const QString &name);
 
     Parameters m_parameters;
+    int m_vehicle = 0;                ///< see setName()
     QHash<QString, QString> m_states; ///< by name: "writing …", "written", "refused: …"
 };
 

@@ -4,6 +4,7 @@
 #include "ui/result_label.h"
 #include "ui/text/command_permits.h"
 #include "ui/text/units.h"
+#include "ui/text/vehicle_name.h"
 #include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
 
@@ -27,6 +28,7 @@ ParametersPanel::ParametersPanel(StationInterface &station, QWidget *parent) : D
     m_fetch = new QPushButton(tr("Fetch"), this);
     m_fetch->setObjectName(QStringLiteral("parameterFetch"));
     m_fetch->setAccessibleName(tr("Fetch the parameters"));
+    m_fetch->setMinimumWidth(m_fetch->sizeHint().width() + fontMetrics().horizontalAdvance(commandOfVehicle({}, kAnyVehicle)));
     auto *wanted = new QLineEdit(this);
     wanted->setObjectName(QStringLiteral("parameterFilter"));
     wanted->setPlaceholderText(tr("Filter by name"));
@@ -96,6 +98,7 @@ void ParametersPanel::showViewState(const ViewState &view)
         m_model.forgetResults();
     }
     m_systemId = systemId;
+    showName(vehicleToName(view));
     m_silence = view.stale() ? view.vehicle->state.messageAge : 0;
     m_disabledReason = commandsDisabledReason(view);
     m_fetch->setEnabled(m_disabledReason.isEmpty());
@@ -109,6 +112,17 @@ void ParametersPanel::showViewState(const ViewState &view)
     m_progress->setVisible(all > 0 && have < all);
     m_progress->setMaximum(qMax(1, all));
     m_progress->setValue(have);
+}
+
+/// Where there are several vehicles, says which one is read and written.
+void ParametersPanel::showName(int vehicle)
+{
+    m_model.setName(vehicle);
+    const QString word = commandOfVehicle(tr("Fetch"), vehicle);
+    if (m_fetch->text() == word)
+        return;
+    m_fetch->setText(word);
+    m_fetch->setAccessibleName(spokenCommand(tr("Fetch the parameters"), vehicle));
 }
 
 void ParametersPanel::handleEvent(const engine::Event &event)

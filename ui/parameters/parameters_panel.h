@@ -26,6 +26,7 @@ public:
 
 private:
     void fetch();
+    void showName(int vehicle);
 
     StationInterface &m_station;
     ParameterModel m_model;

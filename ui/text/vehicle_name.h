@@ -1,5 +1,8 @@
-// Texts of buttons that name the vehicle where there are several. The number 0 stands for the only one, which needs no name.
+// Texts that name the vehicle where there are several. The number 0 stands for the only one, which needs no name.
 #pragma once
+
+#include "core/engine/station/snapshot.h"
+#include "ui/view_state.h"
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QString>
@@ -7,6 +10,12 @@
 namespace skyseal::ui {
 
 inline constexpr int kAnyVehicle = 255; ///< the number that needs the most room
+
+/// The selected vehicle if there are several, else 0.
+inline int vehicleToName(const ViewState &view)
+{
+    return view.vehicle && view.snapshot->vehicles.size() > 1 ? view.vehicle->state.systemId : 0;
+}
 
 /// In one line: "Set mode · 2".
 inline QString commandOfVehicle(const QString &command, int systemId)
