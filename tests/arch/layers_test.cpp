@@ -55,7 +55,8 @@ const QHash<QString, QStringList> &allowedInUi()
                                                                  QStringLiteral("map"),       QStringLiteral("messages"),
                                                                  QStringLiteral("mission"),   QStringLiteral("parameters"),
                                                                  QStringLiteral("replay"),    kSecurity,
-                                                                 QStringLiteral("status"),    kSweep};
+                                                                 QStringLiteral("status"),    kSweep,
+                                                                 QStringLiteral("vehicles")};
     static const QHash<QString, QStringList> kAllowed{
         {QString(), kBottom}, // the base files
         {kTheme, {}},
@@ -73,6 +74,7 @@ const QHash<QString, QStringList> &allowedInUi()
         {QStringLiteral("parameters"), kBottom},
         {QStringLiteral("replay"), kBottom},
         {QStringLiteral("status"), kBottom},
+        {QStringLiteral("vehicles"), kBottom + QStringList{QStringLiteral("alerts")}}, // the list counts them
         {kSecurity, kBottom},
         {QStringLiteral("tiles"), {}},
         // The empty state asks to allow plain MAVLink.

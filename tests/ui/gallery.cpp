@@ -194,6 +194,28 @@ void addVehicles(engine::Snapshot &snapshot)
     snapshot.vehicles[3].state.messageAge = 12.6;
 }
 
+/// Fifty, of several kinds, one of them silent and one not sealed.
+void addFleet(engine::Snapshot &snapshot)
+{
+    const std::uint8_t types[] = {mavlink::MAV_TYPE_QUADROTOR, mavlink::MAV_TYPE_FIXED_WING, mavlink::MAV_TYPE_GROUND_ROVER};
+    const char *const modes[] = {"AUTO", "GUIDED", "RTL", "LOITER"};
+    const engine::VehicleSnapshot one = snapshot.vehicles.front();
+    snapshot.vehicles.clear();
+    for (int i = 1; i <= 50; ++i) {
+        engine::VehicleSnapshot &made = snapshot.vehicles.emplace_back(one);
+        made.state.systemId = static_cast<std::uint8_t>(i);
+        made.state.type = types[i % 3];
+        made.state.mode = modes[i % 4];
+        made.state.armed = i % 5 != 0;
+        made.state.batteryPercent = 15 + (i * 11) % 80;
+        made.state.position.latitude += 0.0002 * (i % 7);
+        made.state.position.longitude += 0.0002 * (i / 7);
+    }
+    snapshot.vehicles[2].session.reset();
+    snapshot.vehicles[4].state.messageAge = 12.6;
+    snapshot.vehicles[5].lossPercent = 14;
+}
+
 void waitForTiles(MapView &map)
 {
     QEventLoop loop;
@@ -309,6 +331,8 @@ void play(FakeStation &station, MainWindow &window, const QString &state)
                 addClients(snapshot);
             if (state == QLatin1String("several"))
                 addVehicles(snapshot);
+            if (state == QLatin1String("fleet"))
+                addFleet(snapshot);
             if (state == QLatin1String("lost") && t > 46)
                 snapshot.vehicles.front().state.messageAge = 12.6;
             if (state == QLatin1String("alerts"))
@@ -337,6 +361,8 @@ void play(FakeStation &station, MainWindow &window, const QString &state)
     }
     if (state == QLatin1String("prearm"))
         window.findChild<QPushButton *>(QStringLiteral("preArmButton"))->click();
+    if (state == QLatin1String("fleet"))
+        window.findChild<QAbstractButton *>(QStringLiteral("stripVehicle"))->click();
     if (state == QLatin1String("demo"))
         window.setDemo(true);
     if (state.startsWith(QLatin1String("map")))

@@ -1,7 +1,6 @@
 #include "ui/window/main_window.h"
 
 #include "core/engine/station/snapshot.h"
-#include "core/engine/text/state_text.h"
 #include "core/link/link_url.h"
 #include "ui/charts/diagnostics_panel.h"
 #include "ui/confirm_box.h"
@@ -20,8 +19,8 @@
 #include "ui/sweep/sweep_page.h"
 #include "ui/sweep/sweep_presenter.h"
 #include "ui/text/vehicle_text.h"
-#include "ui/theme/grid.h"
 #include "ui/theme/icons.h"
+#include "ui/vehicles/vehicles_panel.h"
 #include "ui/window/map_alerts.h"
 #include "ui/window/map_menu.h"
 #include "ui/window/panel_table.h"
@@ -38,7 +37,6 @@
 #include <QtCore/QSettings>
 #include <QtGui/QCloseEvent>
 #include <QtGui/QScreen>
-#include <QtWidgets/QMenu>
 #include <QtWidgets/QMenuBar>
 #include <QtWidgets/QToolBar>
 #include <QtWidgets/QVBoxLayout>
@@ -49,6 +47,7 @@ namespace skyseal::ui {
 
 namespace {
 constexpr int kSweepHeight = 320; ///< pixels: room for a row of each suite
+constexpr int kListHeight = 260;  ///< pixels: room for nine vehicles
 constexpr QSize kFirstSize(1280, 800);
 constexpr QSize kFrame(16, 48); ///< pixels: about what a window manager adds
 
@@ -146,6 +145,7 @@ void MainWindow::makeCentre(const ProgramFacts &facts)
 void MainWindow::makeMenus(const ProgramFacts &facts)
 {
     const auto *alerts = new MapAlerts(m_station, *m_selection, *m_dialogs, *m_map, m_settings);
+    connect(alerts, &MapAlerts::alertsShown, m_docks->panel<VehiclesPanel>(), &VehiclesPanel::showAlerts);
     MenuTargets targets{.window = *this,
                         .station = m_station,
                         .selection = *m_selection,
@@ -191,7 +191,12 @@ void MainWindow::connectParts()
     connect(m_selection, &ViewSelection::numbersDue, this, &MainWindow::showNumbers);
 
     connect(m_strip, &StatusStrip::lockClicked, this, [this] { m_docks->reveal("dockSecure"); });
-    connect(m_strip, &StatusStrip::vehicleClicked, this, &MainWindow::popUpVehicles);
+    connect(m_strip, &StatusStrip::vehicleClicked, this, [this] {
+        const bool wasOpen = m_docks->panel<VehiclesPanel>()->isVisible(); // at the height that the operator gave it
+        m_docks->reveal("dockVehicles");
+        if (!wasOpen)
+            m_docks->growTo("dockVehicles", kListHeight);
+    });
     connect(m_strip, &StatusStrip::linkClicked, this, [this] { m_docks->reveal("dockLinks"); });
     connect(m_empty, &EmptyState::demoRequested, this, &MainWindow::demoRequested);
     connect(m_empty, &EmptyState::connectRequested, m_dialogs, &WindowDialogs::openLink);
@@ -314,24 +319,6 @@ void MainWindow::openLink(const LinkDialog &dialog)
         return addLink(dialog.url());
     if (const auto added = m_station.addMavsecLink(dialog.url().toStdString(), *mavsec); !added)
         reportProblem(fromStd(added.error().text()));
-}
-
-void MainWindow::popUpVehicles()
-{
-    const ViewState &shown = view();
-    if (!shown.snapshot || shown.snapshot->vehicles.empty())
-        return;
-    QMenu menu(this);
-    for (const auto &vehicle : shown.snapshot->vehicles) {
-        const std::uint8_t id = vehicle.state.systemId;
-        const QString type = engine::vehicleTypeText(vehicle.state.type);
-        QAction *action = menu.addAction(vehicle.session ? tr("Vehicle %1 · %2").arg(id).arg(type)
-                                                         : tr("Vehicle %1 · %2 · not sealed").arg(id).arg(type));
-        action->setCheckable(true);
-        action->setChecked(shown.vehicle && shown.vehicle->state.systemId == id);
-        connect(action, &QAction::triggered, m_selection, [this, id] { m_selection->selectVehicle(id); });
-    }
-    menu.exec(m_strip->mapToGlobal(QPoint(kGrid, m_strip->height())));
 }
 
 void MainWindow::applySettings(const Settings &settings)

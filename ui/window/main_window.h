@@ -89,7 +89,6 @@ private:
     void connectParts();
     void showNumbers(const ViewState &view);
     void openLink(const LinkDialog &dialog);
-    void popUpVehicles();
     void connectSources();
     double now() const; ///< seconds
     bool asksBeforeQuitting();

@@ -77,6 +77,7 @@ void MapAlerts::refresh()
     m_goTo->setStatusTip(alerts.empty() ? tr("No alerts") : QString());
     if (m_list.hasMomentary() != m_tick.isActive())
         m_list.hasMomentary() ? m_tick.start() : m_tick.stop();
+    Q_EMIT alertsShown(alerts);
     m_stack->showAlerts(std::move(alerts), now());
 }
 

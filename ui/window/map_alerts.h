@@ -31,6 +31,10 @@ public:
     /// Moves the focus to the first alert; for a menu. Enabled while there is one.
     QAction *goToAction() const { return m_goTo; }
 
+Q_SIGNALS:
+    /// All alerts that are shown now, of all vehicles.
+    void alertsShown(const std::vector<skyseal::ui::Alert> &alerts);
+
 private:
     void showView(const ViewState &live);
     void refresh();

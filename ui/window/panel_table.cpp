@@ -11,6 +11,7 @@
 #include "ui/mission/mission_panel.h"
 #include "ui/parameters/parameters_panel.h"
 #include "ui/security/secure_link_panel.h"
+#include "ui/vehicles/vehicles_panel.h"
 #include "ui/window/view_selection.h"
 #include "ui/window/window_dialogs.h"
 
@@ -69,6 +70,14 @@ DockPanel *makeProfile(const PanelContext &, QWidget *parent)
     return new ProfilePanel(parent);
 }
 
+DockPanel *makeVehicles(const PanelContext &context, QWidget *parent)
+{
+    auto *panel = new VehiclesPanel(context.station, parent);
+    QObject::connect(panel, &VehiclesPanel::vehicleChosen, &context.selection, &ViewSelection::selectVehicle);
+    QObject::connect(panel, &VehiclesPanel::connectRequested, &context.dialogs, &WindowDialogs::openLink);
+    return panel;
+}
+
 template<typename Panel> DockPanel *make(const PanelContext &context, QWidget *parent)
 {
     return new Panel(context.station, parent);
@@ -100,6 +109,8 @@ constexpr PanelRow kPanels[] = {
      {kHidden, kHidden, kBottom, kBottom}, makeLogs},
     {"dockLinks", QT_TRANSLATE_NOOP("skyseal::ui::WindowDocks", "Links"),
      {kHidden, kHidden, kBottom, kBottom}, makeLinks},
+    {"dockVehicles", QT_TRANSLATE_NOOP("skyseal::ui::WindowDocks", "Vehicles"),
+     {kHidden, kHidden, kBottom, kHidden}, makeVehicles},
 };
 // clang-format on
 
