@@ -1,13 +1,15 @@
 // The simulated copter holds the same conversation as a real ArduCopter 3.6.7 did, and gives the same facts: messages, rates,
 // answers and their order, ranges of fields. What differs on purpose stands in tables here, with the reason; an entry that is
 // no longer a difference fails as well.
-#include "tests/sim/reference_conversation.h"
+#include "tests/sim/reference_comparison.h"
 #include "tests/sim/test_station.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QFile>
 #include <QtTest/QTest>
 
+#include <algorithm>
+#include <functional>
 #include <set>
 
 using namespace skyseal;
@@ -55,43 +57,6 @@ const Reasons kOtherRanges{
     {"RC_CHANNELS.chancount", "its transmitter has eight channels"},
 };
 
-/// How far beyond the range of the reference a value may be; nothing for what is not listed.
-const std::map<std::string, double> kTolerances{
-    {"ATTITUDE.pitch", 0.01},
-    {"ATTITUDE.roll", 0.01},
-    {"ATTITUDE.yaw", 0.03},
-    {"EKF_STATUS_REPORT.compass_variance", 0.1},
-    {"EKF_STATUS_REPORT.pos_horiz_variance", 0.1},
-    {"EKF_STATUS_REPORT.pos_vert_variance", 0.1},
-    {"EKF_STATUS_REPORT.velocity_variance", 0.1},
-    {"GLOBAL_POSITION_INT.alt", 400},          // mm
-    {"GLOBAL_POSITION_INT.hdg", 150},          // centidegrees
-    {"GLOBAL_POSITION_INT.lat", 100},          // 1e-7 degrees
-    {"GLOBAL_POSITION_INT.lon", 100},          // 1e-7 degrees
-    {"GLOBAL_POSITION_INT.relative_alt", 400}, // mm
-    {"GLOBAL_POSITION_INT.vx", 5},             // cm/s
-    {"GLOBAL_POSITION_INT.vy", 5},
-    {"GLOBAL_POSITION_INT.vz", 5},
-    {"GPS_RAW_INT.eph", 60},
-    {"GPS_RAW_INT.epv", 100},
-    {"GPS_RAW_INT.satellites_visible", 5},
-    {"POWER_STATUS.Vcc", 100}, // mV
-    {"RAW_IMU.xacc", 10},      // 1/1000 g
-    {"RAW_IMU.yacc", 10},
-    {"RAW_IMU.zacc", 10},
-    {"RAW_IMU.xmag", 20}, // milligauss
-    {"RAW_IMU.ymag", 20},
-    {"RAW_IMU.zmag", 20},
-    {"SCALED_PRESSURE.press_abs", 0.2}, // hPa
-    {"SYS_STATUS.battery_remaining", 2},
-    {"SYS_STATUS.voltage_battery", 100}, // mV
-    {"VFR_HUD.airspeed", 0.2},
-    {"VFR_HUD.alt", 0.4},
-    {"VFR_HUD.climb", 0.1},
-    {"VFR_HUD.groundspeed", 0.1},
-    {"VFR_HUD.heading", 2},
-};
-
 class SimulatedPeer : public ReferencePeer
 {
 public:
@@ -117,14 +82,6 @@ private:
     TestStation m_station;
 };
 
-QString joined(const std::vector<std::string> &lines)
-{
-    QString out;
-    for (const std::string &line : lines)
-        out += QString::fromStdString(line) + QLatin1String("; ");
-    return out;
-}
-
 } // namespace
 
 class SimReferenceTest : public QObject
@@ -136,6 +93,7 @@ private Q_SLOTS:
     void sendsTheSameMessagesAtTheSameRates();
     void givesTheSameAnswersInTheSameOrder();
     void fieldsAreInTheSameRanges();
+    void eachChangeOfTheFactsIsFound();
 
 private:
     ReferenceFacts m_real, m_simulated;
@@ -163,7 +121,7 @@ void SimReferenceTest::sendsTheSameMessagesAtTheSameRates()
     for (const std::string &name : names) {
         const double real = m_real.rates.contains(name) ? m_real.rates.at(name) : 0;
         const double simulated = m_simulated.rates.contains(name) ? m_simulated.rates.at(name) : 0;
-        const bool same = std::abs(real - simulated) <= 0.1 * real;
+        const bool same = isSameRate(simulated, real);
         QVERIFY2(same != kOtherMessages.contains(name),
                  qPrintable(
                      QStringLiteral("%1: %2 Hz, simulated %3 Hz").arg(QString::fromStdString(name)).arg(real).arg(simulated)));
@@ -182,8 +140,7 @@ void SimReferenceTest::givesTheSameAnswersInTheSameOrder()
         QVERIFY2(m_simulated.answers.contains(step), step.c_str());
         const auto &simulated = m_simulated.answers.at(step);
         QVERIFY2((real == simulated) != kOtherAnswers.contains(step),
-                 qPrintable(
-                     QStringLiteral("%1: %2simulated: %3").arg(QString::fromStdString(step), joined(real), joined(simulated))));
+                 (step + ": " + joined(real) + "; simulated: " + joined(simulated)).c_str());
     }
 }
 
@@ -192,9 +149,7 @@ void SimReferenceTest::fieldsAreInTheSameRanges()
     for (const auto &[field, real] : m_real.ranges) {
         QVERIFY2(m_simulated.ranges.contains(field), field.c_str());
         const auto &[least, most] = m_simulated.ranges.at(field);
-        const auto tolerance = kTolerances.find(field);
-        const double beyond = tolerance == kTolerances.end() ? 0 : tolerance->second;
-        const bool within = least >= real.first - beyond && most <= real.second + beyond;
+        const bool within = isWithin({least, most}, real, field);
         QVERIFY2(within != kOtherRanges.contains(field),
                  qPrintable(QStringLiteral("%1: %2 to %3, simulated %4 to %5")
                                 .arg(QString::fromStdString(field))
@@ -202,6 +157,44 @@ void SimReferenceTest::fieldsAreInTheSameRanges()
                                 .arg(real.second, 0, 'g', 10)
                                 .arg(least, 0, 'g', 10)
                                 .arg(most, 0, 'g', 10)));
+    }
+}
+
+/// What the comparison with a live ArduCopter says, in reference_measurement_test.
+void SimReferenceTest::eachChangeOfTheFactsIsFound()
+{
+    const auto changesAfter = [this](const std::function<void(ReferenceFacts &)> &change) {
+        ReferenceFacts measured = m_real;
+        change(measured);
+        return changesOf(measured, m_real);
+    };
+    using Changes = std::vector<std::string>;
+    QCOMPARE(changesAfter([](ReferenceFacts &) {}), Changes());
+    // It tells of the parameters that it has just set, if the station comes early, and rarely sends TIMESYNC.
+    QCOMPARE(changesAfter([](ReferenceFacts &facts) {
+                 facts.silentRates["PARAM_VALUE"] = 3;
+                 facts.rates.erase("TIMESYNC");
+                 facts.rates["PING"] = 0.1;
+             }),
+             Changes());
+    const std::pair<const char *, std::function<void(ReferenceFacts &)>> changes[] = {
+        {"silent HEARTBEAT", [](ReferenceFacts &facts) { facts.silentRates["HEARTBEAT"] = 2; }},
+        {"silent ATTITUDE", [](ReferenceFacts &facts) { facts.silentRates["ATTITUDE"] = 4; }},
+        {"rate VFR_HUD", [](ReferenceFacts &facts) { facts.rates["VFR_HUD"] = 8; }},
+        {"rate VFR_HUD", [](ReferenceFacts &facts) { facts.rates.erase("VFR_HUD"); }},
+        {"rate WIND", [](ReferenceFacts &facts) { facts.rates["WIND"] = 3; }},
+        {"answer turn", [](ReferenceFacts &facts) { facts.answers["turn"].clear(); }},
+        {"answer turn", [](ReferenceFacts &facts) { facts.answers.erase("turn"); }},
+        {"answer new step", [](ReferenceFacts &facts) { facts.answers["new step"]; }},
+        {"answer home", [](ReferenceFacts &facts) { std::ranges::reverse(facts.answers["home"]); }},
+        {"range VFR_HUD.throttle", [](ReferenceFacts &facts) { facts.ranges["VFR_HUD.throttle"].second = 1; }},
+        {"range VFR_HUD.alt", [](ReferenceFacts &facts) { facts.ranges["VFR_HUD.alt"].first -= 1; }},
+        {"range HEARTBEAT.type", [](ReferenceFacts &facts) { facts.ranges.erase("HEARTBEAT.type"); }},
+        {"range NEW.field", [](ReferenceFacts &facts) { facts.ranges["NEW.field"]; }},
+    };
+    for (const auto &[expected, change] : changes) {
+        const Changes found = changesAfter(change);
+        QVERIFY2(found.size() == 1 && found[0].starts_with(expected), expected);
     }
 }
 
