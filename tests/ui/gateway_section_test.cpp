@@ -64,6 +64,18 @@ private Q_SLOTS:
         QCOMPARE(find<QComboBox>("serveRights")->currentIndex(), 1);
     }
 
+    void addressNeverWidensTheRights()
+    {
+        type("tcpin:127.0.0.1:5790,write=mission,param");
+        find<QCheckBox>("serveOn")->click();
+        QVERIFY(!m_station->served.front().write.any()); // "Read only" is chosen
+        chooseRights(1);
+        const engine::WriteRights &write = m_station->served.front().write;
+        QVERIFY(write.any() && !(write == engine::WriteRights::all()));
+        type("tcpin:127.0.0.1:5790");
+        QCOMPARE(m_station->served.front().write, engine::WriteRights::all());
+    }
+
     void invalidUrlServesNobody()
     {
         find<QCheckBox>("serveOn")->click();

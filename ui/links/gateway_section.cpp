@@ -52,8 +52,9 @@ GatewaySection::GatewaySection(StationInterface &station, QWidget *parent) : QWi
     m_rights->setObjectName(QStringLiteral("serveRights"));
     m_rights->setAccessibleName(tr("Rights of other stations"));
     m_rights->addItem(tr("Read only"));
-    m_rights->setItemData(0, tr("Telemetry, parameters, missions and files can be read; commands and changes are refused"),
-                          Qt::ToolTipRole);
+    m_rights->setItemData(
+        0, tr("Telemetry, parameters and missions can be read; commands and changes are refused, and so are files and logs"),
+        Qt::ToolTipRole);
     m_rights->addItem(tr("Read and write"));
     m_rights->setItemData(
         1,
@@ -142,7 +143,10 @@ void GatewaySection::serve()
         showState(tr("%1: %2").arg(m_serving.url, fromStd(config.error())), colors.alarm);
         return;
     }
-    if (m_serving.write)
+    // Rights that the address names (write=mission) narrow the choice and never widen it.
+    if (!m_serving.write)
+        config->write = {};
+    else if (!config->write.any())
         config->write = engine::WriteRights::all();
     m_open = config->isOpenToOthers();
     showState(engine::linkPhaseText(engine::LinkPhase::Opening), colors.dim);
