@@ -372,7 +372,7 @@ void Session::sendControl(TimePoint now, const Path &to, ByteView plaintext)
 void Session::sendKeepAlive(TimePoint now)
 {
     // In TUNNEL, a block of padding would make this and an answer longer than the first message that causes both.
-    const bool isLong = path().carrier == Carrier::Tunnel && currentSuite() == crypto::SuiteId::Aes256Cbc;
+    const bool isLong = path().carrier == Carrier::Tunnel && crypto::suiteInfo(currentSuite()).blockSize > 1;
     if (!m_closingUntil && !isLong && m_keepAlives.take(now))
         sendControl(now, path(), {});
 }

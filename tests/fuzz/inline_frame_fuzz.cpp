@@ -3,18 +3,28 @@
 #include "core/base/secret_bytes.h"
 #include "core/channel/inline_frame.h"
 #include "core/crypto/init_crypto.h"
+#include "core/crypto/suite.h"
 #include "core/engine/common/dialect_traits.h"
 
 #include <algorithm>
 #include <cstdlib>
+#include <memory>
+#include <vector>
 
 using namespace skyseal;
 using namespace skyseal::channel;
 
 namespace {
 
-constexpr crypto::SuiteId kSuites[] = {crypto::SuiteId::Aes256Ctr, crypto::SuiteId::Aes256Cbc, crypto::SuiteId::ChaCha20,
-                                       crypto::SuiteId::Rc4};
+std::vector<std::unique_ptr<crypto::InlineCipher>> allCiphers()
+{
+    std::vector<std::unique_ptr<crypto::InlineCipher>> out;
+    for (const crypto::SuiteId suite : crypto::sealedSuites()) {
+        if (auto cipher = crypto::makeInlineCipher(suite, Key32()))
+            out.push_back(std::move(cipher));
+    }
+    return out;
+}
 
 void refuse(Bytes frame, const MessageTraits &facts, crypto::InlineCipher &cipher)
 {
@@ -49,10 +59,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     static const engine::DialectTraits facts(mavlink::Dialect::builtin());
     if (!ready || size < 2)
         return 0;
-    static const std::array<std::unique_ptr<crypto::InlineCipher>, 4> ciphers{
-        crypto::makeInlineCipher(kSuites[0], Key32()), crypto::makeInlineCipher(kSuites[1], Key32()),
-        crypto::makeInlineCipher(kSuites[2], Key32()), crypto::makeInlineCipher(kSuites[3], Key32())};
-    crypto::InlineCipher &cipher = *ciphers[data[0] & 3];
+    static const auto ciphers = allCiphers();
+    crypto::InlineCipher &cipher = *ciphers[data[0] % ciphers.size()];
     Bytes bytes(data + 1, data + size);
     refuse(bytes, facts, cipher);
     Bytes repaired = bytes;
