@@ -5,6 +5,7 @@
 #include "core/engine/agent/agent_core.h"
 #include "core/engine/agent/repeated_refusals.h"
 #include "core/engine/common/peer_names.h"
+#include "core/mavlink/enums.h"
 
 #include <string>
 
@@ -22,7 +23,7 @@ public:
     void summary(const engine::AgentSnapshot &snapshot, double time);
 
 private:
-    void say(const std::string &json, const std::string &sentence, unsigned severity = 5);
+    void say(const std::string &json, const std::string &sentence, unsigned severity = mavlink::MAV_SEVERITY_NOTICE);
     void sayRepeatedRefusals(TimePoint now);
     void print(const std::string &json);
     std::string jsonOf(const engine::AgentEvent &event) const;

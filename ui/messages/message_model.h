@@ -1,6 +1,7 @@
 // The messages of vehicles and station, newest last, bounded. Severity is shown by colour and text.
 #pragma once
 
+#include "core/mavlink/enums.h"
 #include "core/vehicle/vehicle_state.h"
 
 #include <QtCore/QAbstractTableModel>
@@ -14,7 +15,7 @@ struct Message
 {
     QDateTime time;
     std::uint8_t systemId = 0; ///< 0 = the station itself
-    std::uint8_t severity = 6; ///< MAV_SEVERITY
+    std::uint8_t severity = mavlink::MAV_SEVERITY_INFO;
     QString text;
 };
 

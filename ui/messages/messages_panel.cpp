@@ -151,8 +151,8 @@ QString MessagesPanel::withRemedy(const engine::EventText &text)
 
 void MessagesPanel::showCommandResult(const QString &line, bool ok)
 {
-    constexpr std::uint8_t kWarning = 4, kInfo = 6; // MAV_SEVERITY
-    append({QDateTime::currentDateTime(), 0, ok ? kInfo : kWarning, line});
+    append(
+        {QDateTime::currentDateTime(), 0, std::uint8_t(ok ? mavlink::MAV_SEVERITY_INFO : mavlink::MAV_SEVERITY_WARNING), line});
 }
 
 std::uint64_t MessagesPanel::append(const Message &message)

@@ -1,6 +1,7 @@
 #include "ui/sweep/sweep_dialog.h"
 
 #include "core/engine/station/session_snapshot.h"
+#include "core/link/link_type.h"
 #include "ui/theme/form_pieces.h"
 #include "ui/sweep/link_conditions.h"
 #include "ui/sweep/sweep_labels.h"
@@ -77,7 +78,7 @@ QWidget *SweepDialog::makeTargetGroup()
     m_beside->setEnabled(m_context.noOwnPrograms.isEmpty());
     m_autopilot = named(new QLineEdit(QStringLiteral("tcp:127.0.0.1:5760"), box), "sweepAutopilot",
                         tr("Link to the autopilot"));
-    m_autopilot->setToolTip(tr("udpin:PORT, udpout:HOST:PORT, tcp:HOST:PORT, tcpin:PORT or serial:/dev/NAME:BAUD"));
+    m_autopilot->setToolTip(fromStd(link::linkForms()));
     m_autopilot->setEnabled(false);
     if (!m_context.noOwnPrograms.isEmpty()) {
         for (QRadioButton *choice : {m_own, m_beside})

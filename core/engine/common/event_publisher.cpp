@@ -1,11 +1,17 @@
 #include "core/engine/common/event_publisher.h"
 
+#include "core/base/weakness.h"
 #include "core/link/address_text.h"
 
 #include <functional>
 #include <string>
 
 namespace skyseal::engine {
+
+bool limitsStrangers()
+{
+    return !weakened(Weakness::TellEverything);
+}
 
 std::optional<StrangerCause> ChannelCauses::operator()(const channel::HandshakeRefused &refused) const
 {

@@ -5,6 +5,7 @@
 #include "core/channel/events.h"
 #include "core/engine/common/link_snapshot.h"
 #include "core/engine/common/peer_names.h"
+#include "core/mavlink/enums.h"
 
 #include <QtCore/QString>
 
@@ -16,7 +17,7 @@ struct EventText
     enum class Remedy : std::uint8_t { None, AllowPlaintext, PairAgent };
 
     QString sentence;          ///< starts with a capital letter, ends without a full stop
-    std::uint8_t severity = 6; ///< MAV_SEVERITY
+    std::uint8_t severity = mavlink::MAV_SEVERITY_INFO;
     std::uint8_t systemId = 0; ///< of the vehicle that the event concerns; 0 = this device
     /// Another event or another place reports it as well, so that lists of events omit it.
     bool isRoutine = false;
