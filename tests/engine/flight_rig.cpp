@@ -157,6 +157,9 @@ void FlightRig::startAgentOn(const std::vector<link::LinkUrl> &grounds)
         std::move(config), std::move(*secrets), [this](const engine::AgentEvent &event) { agentEvents.push_back(event); },
         std::move(signing));
     agent->start();
+    // While no agent runs, another program may take the port of before.
+    if (const std::string problem = agent->snapshot().vehicle.problem; !problem.empty())
+        qFatal("%s", problem.c_str());
     m_vehiclePort = std::to_string(portOf(vehicleAddress()));
 }
 
