@@ -7,7 +7,7 @@
 #include "core/engine/replay/recording_info.h"
 #include "core/engine/replay/replay_command.h"
 #include "core/engine/station/event.h"
-#include "core/engine/station/mavsec_settings.h"
+#include "core/engine/common/mavsec_settings.h"
 #include "core/engine/station/snapshot_ptr.h"
 #include "core/vehicle/request.h"
 

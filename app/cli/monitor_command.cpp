@@ -1,6 +1,6 @@
 // skyseal-cli monitor: runs a station without a window.
 #include "app/cli/commands.h"
-#include "app/cli/mavsec_options.h"
+#include "app/common/mavsec_options.h"
 #include "app/cli/station_options.h"
 #include "app/cli/station_run.h"
 #include "app/common/exit_status.h"

@@ -5,14 +5,84 @@
 #include <sodium.h>
 
 #include <algorithm>
+#include <array>
 
 namespace skyseal::crypto {
 
-std::optional<MavsecCipher> MavsecCipher::make(Kind kind, const Key32 &key, ByteView nonce, std::uint32_t counter)
+/// The same libraries and, for AES, the same way to the key stream as in the suites of these ciphers (suites/), so that the two
+/// differ by the authentication alone.
+class MavsecCipher::EachFrame
+{
+public:
+    EachFrame(Kind kind, const Key32 &key, ByteView nonce, std::uint32_t counter)
+        : m_kind(kind), m_key(key.clone()), m_nonce(nonce.begin(), nonce.end()), m_counter(counter)
+    {
+        if (kind != Kind::Aes256Ctr)
+            return;
+        static const EvpCipher cipher(EVP_CIPHER_fetch(nullptr, "AES-256-ECB", nullptr));
+        m_context = makeEvpContext(cipher.get(), key.view().data(), EvpDirection::Encrypt);
+    }
+
+    bool ready() const { return m_kind != Kind::Aes256Ctr || m_context; }
+
+    /// At most 255 bytes.
+    bool apply(MutableByteView payload)
+    {
+        if (payload.empty()) // libsodium declares its pointers nonnull
+            return true;
+        if (m_kind == Kind::ChaCha20)
+            return crypto_stream_chacha20_ietf_xor_ic(payload.data(), payload.data(), payload.size(), m_nonce.data(), m_counter,
+                                                      m_key.view().data())
+                == 0;
+        const MutableByteView stream = m_stream.mutableView();
+        const std::size_t size = (payload.size() + kBlock - 1) / kBlock * kBlock;
+        std::array<std::uint8_t, kBlock> block{};
+        std::copy(m_nonce.begin(), m_nonce.end(), block.begin());
+        for (std::size_t at = 0; at < size; at += kBlock) {
+            std::copy(block.begin(), block.end(), stream.begin() + static_cast<std::ptrdiff_t>(at));
+            countUp(block);
+        }
+        int written = 0;
+        if (EVP_EncryptUpdate(m_context.get(), stream.data(), &written, stream.data(), static_cast<int>(size)) != 1)
+            return false;
+        for (std::size_t i = 0; i < payload.size(); ++i)
+            payload[i] ^= stream[i];
+        return true;
+    }
+
+private:
+    static constexpr std::size_t kBlock = 16;
+
+    /// The counter of NIST SP 800-38A B.1: the whole block, big-endian.
+    static void countUp(std::array<std::uint8_t, kBlock> &block)
+    {
+        for (std::size_t i = kBlock; i > 0 && ++block[i - 1] == 0; --i) {}
+    }
+
+    Kind m_kind;
+    Key32 m_key;
+    Bytes m_nonce;
+    std::uint32_t m_counter;
+    EvpContext m_context; ///< AES only
+    SecretBytes<256> m_stream;
+};
+
+MavsecCipher::MavsecCipher() = default;
+MavsecCipher::MavsecCipher(MavsecCipher &&) noexcept = default;
+MavsecCipher &MavsecCipher::operator=(MavsecCipher &&) noexcept = default;
+MavsecCipher::~MavsecCipher() = default;
+
+std::optional<MavsecCipher> MavsecCipher::make(Kind kind, const Key32 &key, ByteView nonce, std::uint32_t counter,
+                                               MavsecWork work)
 {
     if (nonce.size() != nonceLength(kind))
         return std::nullopt;
     MavsecCipher cipher;
+    if (work == MavsecWork::EachFrame) {
+        cipher.m_eachFrame = std::make_unique<EachFrame>(kind, key, nonce, counter);
+        if (!cipher.m_eachFrame->ready())
+            return std::nullopt;
+    }
     const MutableByteView stream = cipher.m_stream.mutableView();
     if (kind == Kind::ChaCha20) {
         crypto_stream_chacha20_ietf_xor_ic(stream.data(), stream.data(), stream.size(), nonce.data(), counter,
@@ -63,6 +133,8 @@ MavsecCipher MavsecCipher::clone() const
 void MavsecCipher::apply(MutableByteView payload) const
 {
     const std::size_t size = std::min(payload.size(), m_stream.size());
+    if (m_eachFrame && m_eachFrame->apply(payload.first(size)))
+        return;
     for (std::size_t i = 0; i < size; ++i)
         payload[i] ^= m_stream.view()[i];
 }

@@ -19,6 +19,8 @@ private Q_SLOTS:
     void publishedVectors_data();
     void publishedVectors();
     void everyFrameIsXoredAlike();
+    void workDoesNotChangeTheResult_data();
+    void workDoesNotChangeTheResult();
     void noncesOfOtherLengthsAreRefused();
 
 private:
@@ -79,6 +81,35 @@ void MavsecCipherTest::everyFrameIsXoredAlike()
     };
     QVERIFY(streamOf(Kind::ChaCha20, 1) != streamOf(Kind::ChaCha20, 2));
     QVERIFY(streamOf(Kind::Aes256Ctr, 1) == streamOf(Kind::Aes256Ctr, 2));
+}
+
+void MavsecCipherTest::workDoesNotChangeTheResult_data()
+{
+    QTest::addColumn<int>("kind");
+    QTest::addColumn<QByteArray>("nonce");
+    QTest::newRow("chacha20") << static_cast<int>(Kind::ChaCha20) << QByteArray("00000000000000000000004a");
+    QTest::newRow("aes-256-ctr") << static_cast<int>(Kind::Aes256Ctr) << QByteArray("f0f1f2f3f4f5f6f7f8f9fafbfcfdfeff");
+    QTest::newRow("a counter that carries")
+        << static_cast<int>(Kind::Aes256Ctr) << QByteArray("0011223344556677fffffffffffffffe");
+}
+
+void MavsecCipherTest::workDoesNotChangeTheResult()
+{
+    QFETCH(int, kind);
+    QFETCH(QByteArray, nonce);
+    const auto make = [&](MavsecWork work) {
+        return *MavsecCipher::make(static_cast<Kind>(kind), MavsecCipher::publishedKey(Kind::Aes256Ctr),
+                                   *fromHex(nonce.toStdString()), 7, work);
+    };
+    const MavsecCipher once = make(MavsecWork::Once), each = make(MavsecWork::EachFrame);
+    for (std::size_t size = 0; size <= 255; ++size) {
+        Bytes one(size, 0x5a), other = one;
+        once.apply(one);
+        each.apply(other);
+        QCOMPARE(toHex(other), toHex(one));
+        each.clone().apply(other);
+        QCOMPARE(other, Bytes(size, 0x5a));
+    }
 }
 
 void MavsecCipherTest::noncesOfOtherLengthsAreRefused()

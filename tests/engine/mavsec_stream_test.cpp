@@ -3,7 +3,7 @@
 #include "core/crypto/mavsec_cipher.h"
 #include "core/base/hex.h"
 #include "core/crypto/init_crypto.h"
-#include "core/engine/station/mavsec_stream.h"
+#include "core/engine/common/mavsec_stream.h"
 #include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>

@@ -2,7 +2,7 @@
 // checked while typing. Main thread.
 #pragma once
 
-#include "core/engine/station/mavsec_settings.h"
+#include "core/engine/common/mavsec_settings.h"
 #include "core/link/link_type.h"
 
 #include <QtCore/QString>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/engine/common/ingress.h"
-#include "core/engine/station/mavsec_stream.h"
+#include "core/engine/common/mavsec_stream.h"
 
 #include <functional>
 

@@ -22,6 +22,7 @@ struct MavsecSettings
     std::string keyFile;  ///< 32 bytes or 64 hex digits, readable by its owner only; empty: the published key
     std::string nonceHex; ///< empty: the published one
     std::uint32_t counter = crypto::kPublishedMavsecCounter; ///< ChaCha20 only
+    crypto::MavsecWork work = crypto::MavsecWork::Once;
 };
 
 /// 64 hex digits; nullopt for anything else.

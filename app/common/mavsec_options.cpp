@@ -1,4 +1,4 @@
-#include "app/cli/mavsec_options.h"
+#include "app/common/mavsec_options.h"
 
 #include "core/crypto/mavsec_cipher.h"
 
@@ -32,9 +32,9 @@ MavsecOptions MavsecOptions::read(Options &options)
         return out;
     }
     const std::string name = options.text("cipher");
-    if (name == "aes-256-ctr")
+    if (name == crypto::name(MavsecCipher::Kind::Aes256Ctr))
         out.m_settings.kind = MavsecCipher::Kind::Aes256Ctr;
-    else if (name != "chacha20")
+    else if (name != crypto::name(MavsecCipher::Kind::ChaCha20))
         options.fail("--cipher '" + name + "': chacha20 or aes-256-ctr is expected");
     if (out.m_settings.kind == MavsecCipher::Kind::Aes256Ctr && options.has("counter"))
         options.fail("--counter: the counter of AES-256-CTR is part of --nonce");
@@ -55,7 +55,16 @@ MavsecOptions MavsecOptions::read(Options &options)
 
 Result<MavsecCipher, InputError> MavsecOptions::cipher() const
 {
-    return m_key ? engine::makeMavsecCipher(m_settings, *m_key) : engine::makeMavsecCipher(m_settings);
+    return cipher(m_settings.kind);
+}
+
+Result<MavsecCipher, InputError> MavsecOptions::cipher(crypto::MavsecKind kind) const
+{
+    engine::MavsecSettings settings = m_settings;
+    settings.kind = kind;
+    if (kind != m_settings.kind)
+        settings.nonceHex.clear(); // it has another length
+    return m_key ? engine::makeMavsecCipher(settings, *m_key) : engine::makeMavsecCipher(settings);
 }
 
 } // namespace skyseal::app

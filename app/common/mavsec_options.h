@@ -3,7 +3,7 @@
 
 #include "app/common/options.h"
 #include "core/base/secret_bytes.h"
-#include "core/engine/station/mavsec_settings.h"
+#include "core/engine/common/mavsec_settings.h"
 
 namespace skyseal::app {
 
@@ -17,8 +17,11 @@ public:
 
     /// True for --framing mavsec2019.
     bool isChosen() const { return m_chosen; }
+    crypto::MavsecKind kind() const { return m_settings.kind; }
     /// Reads the key file. The error names it.
     Result<crypto::MavsecCipher, InputError> cipher() const;
+    /// Of another kind than --cipher, under the same key.
+    Result<crypto::MavsecCipher, InputError> cipher(crypto::MavsecKind kind) const;
 
 private:
     bool m_chosen = false;

@@ -1,4 +1,4 @@
-#include "core/engine/station/mavsec_settings.h"
+#include "core/engine/common/mavsec_settings.h"
 
 #include "core/base/secret_bytes.h"
 #include "core/crypto/mavsec_cipher.h"
@@ -67,7 +67,7 @@ Result<MavsecCipher, InputError> makeMavsecCipher(const MavsecSettings &settings
     const auto nonce = settings.nonceHex.empty() ? MavsecCipher::publishedNonce(settings.kind) : fromHex(settings.nonceHex);
     if (!nonce || nonce->size() != length)
         return tl::unexpected(InputError{std::to_string(2 * length) + " hex digits are expected as nonce", {}});
-    auto cipher = MavsecCipher::make(settings.kind, key, *nonce, settings.counter);
+    auto cipher = MavsecCipher::make(settings.kind, key, *nonce, settings.counter, settings.work);
     if (!cipher)
         return tl::unexpected(InputError{"the library refuses the cipher", {}});
     return std::move(*cipher);
