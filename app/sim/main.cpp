@@ -1,8 +1,11 @@
 // skyseal-sim: simulated vehicles on MAVLink, so that a station can be run and tested without further software.
 #include "app/common/exit_status.h"
+#include "app/common/mavsec_options.h"
 #include "app/common/options.h"
+#include "app/common/output.h"
 #include "app/common/process.h"
 #include "app/sim/sim_host.h"
+#include "core/crypto/init_crypto.h"
 
 #include <QtCore/QCoreApplication>
 
@@ -50,6 +53,14 @@ app::SimSettings settingsFrom(app::Options &options)
     if (settings.saturate && settings.perSecond > 0)
         options.fail("--pps: not with --saturate");
     settings.json = options.has("json");
+    const std::string framing = options.text("framing");
+    if (framing != "plain" && framing != "mavsec2019")
+        options.fail("--framing '" + framing + "': plain or mavsec2019 is expected");
+    settings.readsStdin = options.has("stdin");
+    if (settings.readsStdin && framing != "mavsec2019")
+        options.fail("--stdin: only with --framing mavsec2019");
+    if (settings.readsStdin && options.has("nonce"))
+        options.fail("--nonce: not with --stdin, whose ciphers have nonces of different lengths");
     options.arguments(0, 0);
     return settings;
 }
@@ -58,6 +69,10 @@ app::SimSettings settingsFrom(app::Options &options)
 
 int main(int argc, char **argv)
 {
+    if (!crypto::initCrypto()) {
+        app::remark("skyseal-sim: the system provides no randomness");
+        return app::kCannotOpen;
+    }
     QCoreApplication application(argc, argv);
     app::Options options(QStringLiteral("skyseal-sim"),
                          QStringLiteral("Simulated vehicles that behave like those of ArduPilot or PX4 on MAVLink."));
@@ -79,14 +94,31 @@ int main(int argc, char **argv)
                      "Let the first vehicle send N telemetry messages a second besides the streams, on a schedule fixed in "
                      "advance; --json reports those that were missed.",
                      "0");
+    options.addResearchValue(
+        "framing", "plain|mavsec2019",
+        "Framing of what the vehicles send. mavsec2019: INSECURE, payloads encrypted as by the autopilot of the MAVSec paper, "
+        "without authentication; what they receive stays in clear.",
+        "plain");
+    app::MavsecOptions::declare(options);
+    options.addResearchFlag("stdin",
+                            "With mavsec2019: begin in clear, and change the cipher by each line on standard input: plain, "
+                            "chacha20 or aes-256-ctr.");
     options.addFlag("json", "One JSON object per line on stdout.");
     if (const auto status = options.parse(application.arguments().mid(1)))
         return *status;
     const app::SimSettings settings = settingsFrom(options);
+    const app::MavsecOptions mavsec = app::MavsecOptions::read(options);
     if (const auto status = options.finish())
         return *status;
+    auto framing = app::SentFraming::make(mavsec, settings.readsStdin);
+    if (!framing) {
+        app::complain(QStringLiteral("skyseal-sim"), framing.error().text());
+        return app::kCannotOpen;
+    }
+    if (mavsec.isChosen())
+        app::remark("skyseal-sim: INSECURE: anyone can read, change and forge frames that are encrypted as in MAVSec's code");
 
-    app::SimHost host(settings);
+    app::SimHost host(settings, std::move(*framing));
     app::StopSignals stop;
     QObject::connect(&stop, &app::StopSignals::stopRequested, &application, &QCoreApplication::quit);
     int status = app::kDone;

@@ -21,7 +21,7 @@ const char *verb(const link::Link &link)
 
 } // namespace
 
-SimHost::SimHost(const SimSettings &settings) : m_settings(settings)
+SimHost::SimHost(const SimSettings &settings, SentFraming framing) : m_settings(settings), m_framing(std::move(framing))
 {
     m_timer.setSingleShot(true);
     m_timer.setTimerType(Qt::PreciseTimer);
@@ -41,6 +41,10 @@ void SimHost::start()
         link::Link &opened = m_links.back()->link();
         connect(&opened, &link::Link::stateChanged, this, [this, &opened] { report(opened); });
         opened.open();
+    }
+    if (m_settings.readsStdin) {
+        m_stdin = std::make_unique<StdinLines>();
+        connect(m_stdin.get(), &StdinLines::lineRead, this, &SimHost::takeLine);
     }
     live();
 }
@@ -131,11 +135,44 @@ void SimHost::send(TimePoint now)
     for (sim::SimulatedVehicle &vehicle : m_vehicles) {
         for (ByteView frame = vehicle.pollFrame(); !frame.empty(); frame = vehicle.pollFrame()) {
             for (const auto &link : m_links)
-                link->send(now, frame);
+                link->send(now, m_framing.framed(frame));
         }
     }
     for (const auto &link : m_links)
         link->flush();
+}
+
+/// The first message in a framing is a heartbeat, which tells a reader what it can read. Messages before it are sent as they
+/// were.
+void SimHost::takeLine(const QByteArray &line)
+{
+    const std::string word = line.toStdString();
+    std::optional<crypto::MavsecKind> kind;
+    for (const auto known : {crypto::MavsecKind::ChaCha20, crypto::MavsecKind::Aes256Ctr}) {
+        if (word == crypto::name(known))
+            kind = known;
+    }
+    const TimePoint now = steadyNow();
+    send(now);
+    if ((!kind && word != "plain") || !m_framing.use(kind)) {
+        remark("skyseal-sim: standard input: plain, chacha20 or aes-256-ctr is expected");
+        return;
+    }
+    for (sim::SimulatedVehicle &vehicle : m_vehicles)
+        vehicle.sendHeartbeat();
+    send(now);
+    reportFraming();
+}
+
+void SimHost::reportFraming() const
+{
+    if (!m_settings.json)
+        return;
+    JsonWriter json;
+    json.beginObject().field("event", "framing").field("encrypted", m_framing.kind().has_value());
+    if (const auto kind = m_framing.kind())
+        json.field("cipher", crypto::name(*kind));
+    printLine(json.endObject().text());
 }
 
 void SimHost::report(link::Link &link)

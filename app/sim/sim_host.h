@@ -1,7 +1,9 @@
 // Connects simulated vehicles with a clock and links; all vehicles share all links.
 #pragma once
 
+#include "app/sim/sent_framing.h"
 #include "app/sim/sim_link.h"
+#include "app/sim/stdin_lines.h"
 #include "core/sim/pacer.h"
 #include "core/sim/saturator.h"
 #include "core/sim/simulated_vehicle.h"
@@ -9,6 +11,7 @@
 #include <QtCore/QObject>
 #include <QtCore/QTimer>
 
+#include <memory>
 #include <optional>
 
 namespace skyseal::app {
@@ -24,6 +27,7 @@ struct SimSettings
     std::size_t trustedLink = 0; ///< number of the link that is trusted as a USB port is, from 1; 0 = none
     bool saturate = false;       ///< telemetry as fast as the station responds
     std::uint32_t perSecond = 0; ///< telemetry messages besides the streams, on a schedule; 0 = none
+    bool readsStdin = false;     ///< the framing of sent messages follows lines on standard input
     bool json = false;
 };
 
@@ -32,7 +36,7 @@ class SimHost : public QObject
     Q_OBJECT
 
 public:
-    explicit SimHost(const SimSettings &settings);
+    SimHost(const SimSettings &settings, SentFraming framing);
 
     /// Opens the links; emits failed() if one cannot be opened.
     void start();
@@ -49,6 +53,8 @@ private:
     void reportPace(TimePoint now);
     void send(TimePoint now);
     void report(link::Link &link);
+    void takeLine(const QByteArray &line);
+    void reportFraming() const;
 
     const SimSettings m_settings;
     std::vector<sim::SimulatedVehicle> m_vehicles;
@@ -57,6 +63,8 @@ private:
     std::optional<sim::Pacer> m_pacer; ///< from the first frame of a station on
     TimePoint m_paceReported{};
     QTimer m_timer;
+    SentFraming m_framing;
+    std::unique_ptr<StdinLines> m_stdin; ///< null unless it is read
 };
 
 } // namespace skyseal::app

@@ -183,6 +183,11 @@ void SimulatedVehicle::sendBurst(TimePoint now, std::size_t messages, std::int64
     m_parts->outbox.send(request);
 }
 
+void SimulatedVehicle::sendHeartbeat()
+{
+    m_parts->telemetry.send(mavlink::Heartbeat::kId);
+}
+
 TimePoint SimulatedVehicle::nextDeadline() const
 {
     return std::min({m_parts->streams.nextDeadline(), m_parts->parameters.nextDeadline(), m_parts->missions.nextDeadline(),

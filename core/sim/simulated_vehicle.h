@@ -48,6 +48,9 @@ public:
     /// The same without a request: so many of the common messages, one after the other from the `first` on.
     void sendTelemetry(TimePoint now, std::uint64_t first, std::size_t messages);
 
+    /// A heartbeat besides those that are due.
+    void sendHeartbeat();
+
     /// The next frame to send, valid until the next call to this object; empty when there is none.
     ByteView pollFrame();
     /// Frames dropped because the outbox was full.

@@ -1,8 +1,10 @@
 // --framing mavsec2019: decode and monitor show frames that the openssl program encrypted, and the monitor never sends a byte
-// to their source.
+// to their source. The simulator encrypts as that code does, and the monitor counts and shows all that it sends.
 #include "core/base/hex.h"
 #include "core/mavlink/crc.h"
+#include "core/mavlink/enums.h"
 #include "core/mavlink/frame_scanner.h"
+#include "core/mavlink/messages.h"
 #include "tests/support/eventually.h"
 #include "tests/support/program.h"
 #include "tests/support/test_runner.h"
@@ -17,6 +19,8 @@
 #include <QtNetwork/QTcpSocket>
 #include <QtNetwork/QUdpSocket>
 #include <QtTest/QTest>
+
+#include <set>
 
 using namespace skyseal;
 using namespace skyseal::test;
@@ -98,6 +102,11 @@ private Q_SLOTS:
     void monitorReadsAndNeverSends_data();
     void monitorReadsAndNeverSends();
     void neverSendsOverTcp();
+    void simulatorIsReadFrameByFrame_data();
+    void simulatorIsReadFrameByFrame();
+    void simulatorChangesItsCipher();
+    void simulatorChecksItsOptions_data();
+    void simulatorChecksItsOptions();
 
 private:
     QString writeFile(const char *name, const QByteArray &content);
@@ -258,6 +267,134 @@ void MavsecTest::neverSendsOverTcp()
     EVENTUALLY(monitor.events(QStringLiteral("stats")).size() >= seconds + 4);
     QCOMPARE(monitor.terminate(), 0);
     QCOMPARE(link->bytesAvailable(), 0);
+}
+
+void MavsecTest::simulatorIsReadFrameByFrame_data()
+{
+    decodeShowsThePlaintext_data();
+}
+
+/// Each datagram passes this test, which counts its frames.
+void MavsecTest::simulatorIsReadFrameByFrame()
+{
+    QFETCH(int, setting);
+    const QString cipher = kSettings[setting].cipher;
+    const QStringList secret{QStringLiteral("--framing"),  QStringLiteral("mavsec2019"),
+                             QStringLiteral("--cipher"),   cipher,
+                             QStringLiteral("--key-file"), writeFile("key.hex", kKey.toLatin1())};
+    const quint16 port = freeUdpPort();
+    Program monitor(QStringLiteral("skyseal-cli"),
+                    QStringList{QStringLiteral("monitor"), QStringLiteral("--link"),
+                                QStringLiteral("udpin:127.0.0.1:%1").arg(port), QStringLiteral("--json"),
+                                QStringLiteral("--no-record")}
+                        + secret);
+    QVERIFY2(!monitor.waitFor(QStringLiteral("link")).isEmpty(), monitor.errors().constData());
+    QUdpSocket between;
+    QVERIFY(between.bind(QHostAddress::LocalHost, 0));
+    // PX4 sends telemetry without a request.
+    Program sim(QStringLiteral("skyseal-sim"),
+                QStringList{QStringLiteral("--link"), QStringLiteral("udpout:127.0.0.1:%1").arg(between.localPort()),
+                            QStringLiteral("--autopilot"), QStringLiteral("px4"), QStringLiteral("--json")}
+                    + secret);
+    qint64 sent = 0;
+    bool hasClear = false;
+    const auto passOn = [&] {
+        while (between.hasPendingDatagrams()) {
+            QByteArray datagram(between.pendingDatagramSize(), Qt::Uninitialized);
+            between.readDatagram(datagram.data(), datagram.size());
+            const ByteView bytes(reinterpret_cast<const std::uint8_t *>(datagram.constData()),
+                                 static_cast<std::size_t>(datagram.size()));
+            mavlink::scanFrames(bytes, mavlink::Dialect::builtin(), [&](const mavlink::ScanItem &item) {
+                sent += item.frame.has_value();
+                hasClear = hasClear
+                    || (item.frame && item.frame->messageId() == mavlink::Heartbeat::kId
+                        && mavlink::Heartbeat::decode(item.frame->payload()).autopilot == mavlink::MAV_AUTOPILOT_PX4);
+            });
+            between.writeDatagram(datagram, QHostAddress::LocalHost, port);
+        }
+    };
+    connect(&between, &QUdpSocket::readyRead, this, passOn);
+    EVENTUALLY(sent >= 200);
+    QCOMPARE(sim.terminate(), 0);
+    passOn();
+    QVERIFY(!hasClear);
+    QVERIFY(sim.errors().contains("INSECURE"));
+    const auto counted = [&] { return monitor.last(QStringLiteral("stats"))[QLatin1String("mavlink")].toObject(); };
+    EVENTUALLY_EQUAL(counted()[QLatin1String("frames")].toInteger(), sent);
+    QCOMPARE(counted()[QLatin1String("lost")].toInteger(), 0);
+    QCOMPARE(counted()[QLatin1String("bad_crc")].toInteger(), 0);
+    const QJsonObject vehicle = monitor.events(QStringLiteral("vehicle")).front();
+    QCOMPARE(vehicle[QLatin1String("type")].toInt(), int(mavlink::MAV_TYPE_QUADROTOR));
+    QCOMPARE(vehicle[QLatin1String("autopilot")].toInt(), int(mavlink::MAV_AUTOPILOT_PX4));
+    QCOMPARE(monitor.terminate(), 0);
+}
+
+void MavsecTest::simulatorChangesItsCipher()
+{
+    QUdpSocket ground;
+    QVERIFY(ground.bind(QHostAddress::LocalHost, 0));
+    Program sim(QStringLiteral("skyseal-sim"),
+                {QStringLiteral("--link"), QStringLiteral("udpout:127.0.0.1:%1").arg(ground.localPort()),
+                 QStringLiteral("--framing"), QStringLiteral("mavsec2019"), QStringLiteral("--stdin"),
+                 QStringLiteral("--json")});
+    std::set<std::uint8_t> types; // of vehicle by the heartbeats so far, as they read in clear
+    connect(&ground, &QUdpSocket::readyRead, this, [&] {
+        while (ground.hasPendingDatagrams()) {
+            QByteArray datagram(ground.pendingDatagramSize(), Qt::Uninitialized);
+            ground.readDatagram(datagram.data(), datagram.size());
+            const auto frame = mavlink::readFrame(
+                {reinterpret_cast<const std::uint8_t *>(datagram.constData()), static_cast<std::size_t>(datagram.size())},
+                mavlink::Dialect::builtin());
+            if (frame && frame->messageId() == mavlink::Heartbeat::kId)
+                types.insert(mavlink::Heartbeat::decode(frame->payload()).type);
+        }
+    });
+    // The published key streams have 0x40 and 0x59 at the place of the type.
+    constexpr std::uint8_t kInClear = mavlink::MAV_TYPE_QUADROTOR, kByChaCha = kInClear ^ 0x40, kByAes = kInClear ^ 0x59;
+    EVENTUALLY(types == std::set{kInClear});
+    const std::pair<const char *, std::uint8_t> kSteps[] = {
+        {"chacha20", kByChaCha}, {"aes-256-ctr", kByAes}, {"plain", kInClear}, {"chacha20", kByChaCha}};
+    for (const auto &[cipher, type] : kSteps) {
+        sim.notify(QLatin1String(cipher));
+        const QJsonObject event = sim.waitFor(QStringLiteral("framing"));
+        QCOMPARE(event[QLatin1String("encrypted")].toBool(), type != kInClear);
+        QCOMPARE(event[QLatin1String("cipher")].toString(), type == kInClear ? QString() : QLatin1String(cipher));
+        EVENTUALLY(types.contains(type));
+        types.clear(); // what comes from now on was sent after the change
+        EVENTUALLY(types == std::set{type});
+    }
+    sim.notify(QStringLiteral("rot13"));
+    EVENTUALLY(sim.errors().contains("plain, chacha20 or aes-256-ctr"));
+    types.clear();
+    EVENTUALLY(types == std::set{kByChaCha});
+    QCOMPARE(sim.terminate(), 0);
+}
+
+void MavsecTest::simulatorChecksItsOptions_data()
+{
+    QTest::addColumn<QString>("options");
+    QTest::addColumn<QByteArray>("words");
+    QTest::addColumn<int>("status");
+    const auto row = [](const char *options, const char *words, int status) {
+        QTest::newRow(options) << QString::fromLatin1(options) << QByteArray(words) << status;
+    };
+    row("--framing inline", "plain or mavsec2019", 2);
+    row("--cipher chacha20", "only with --framing mavsec2019", 2);
+    row("--stdin", "only with --framing mavsec2019", 2);
+    row("--framing mavsec2019 --stdin --nonce 00", "--nonce", 2);
+    row("--framing mavsec2019 --cipher rc4", "chacha20 or aes-256-ctr", 2);
+    row("--framing mavsec2019 --key-file /nonexistent", "/nonexistent", 3);
+}
+
+void MavsecTest::simulatorChecksItsOptions()
+{
+    QFETCH(QString, options);
+    QFETCH(QByteArray, words);
+    QFETCH(int, status);
+    Program sim(QStringLiteral("skyseal-sim"),
+                QStringList{QStringLiteral("--link"), QStringLiteral("udpout:127.0.0.1:9")} + options.split(QLatin1Char(' ')));
+    QCOMPARE(sim.waitForExit(), status);
+    QVERIFY2(sim.errors().contains(words), sim.errors().constData());
 }
 
 SKYSEAL_TEST(MavsecTest)

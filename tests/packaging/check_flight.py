@@ -61,7 +61,7 @@ def fly(air, station, air_options, station_options, monitor_options=()):
 def check_help(flight, research):
     """The help of each command names no part of research in the flight build, and does in the other."""
     found = 0
-    for command in (["skyseal-air"], ["skyseal-cli", "monitor"], ["skyseal-cli", "sweep"], ["skyseal-cli", "decode"]):
+    for command in (["skyseal-air"], ["skyseal-sim"], ["skyseal-cli", "monitor"], ["skyseal-cli", "sweep"], ["skyseal-cli", "decode"]):
         for folder, wanted in ((flight, False), (research, True)):
             status, text = run(folder / command[0], *command[1:], "--help")
             if status != 0:
