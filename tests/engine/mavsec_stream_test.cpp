@@ -4,6 +4,9 @@
 #include "core/base/hex.h"
 #include "core/crypto/init_crypto.h"
 #include "core/engine/common/mavsec_stream.h"
+#include "core/engine/station/bare_sink.h"
+#include "core/mavlink/frame_writer.h"
+#include "tests/support/idle_link.h"
 #include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
@@ -33,6 +36,7 @@ private Q_SLOTS:
     void opensFramesOfAnotherImplementation();
     void otherKeysGiveOtherBytes();
     void nonceHasOneLength();
+    void framesPassWhileTheHeartbeatIsReadable();
 };
 
 void MavsecStreamTest::opensFramesOfAnotherImplementation_data()
@@ -98,6 +102,77 @@ void MavsecStreamTest::nonceHasOneLength()
             QCOMPARE(MavsecCipher::make(kind, Key32(), Bytes(length), 0).has_value(),
                      length == MavsecCipher::nonceLength(kind));
     }
+}
+
+namespace {
+
+/// The bytes of the frames that it receives, and how many other things.
+struct PassedOn final : IngressSink
+{
+    void takeClear(const link::Link &, const link::ReceivedBlock &, const mavlink::ScanItem &item) override
+    {
+        others += !item.frame;
+        if (item.frame)
+            frames.push_back(toHex(item.frame->bytes()));
+        if (item.frame && toHex(item.bytes) != frames.back())
+            frames.back() = "the bytes of the item are others";
+    }
+    void takeRecord(const link::Link &, const link::ReceivedBlock &) override { ++others; }
+
+    std::vector<std::string> frames;
+    int others = 0;
+};
+
+} // namespace
+
+/// A vehicle begins to encrypt, changes its cipher and stops, under the eyes of a station that expects ChaCha20.
+void MavsecStreamTest::framesPassWhileTheHeartbeatIsReadable()
+{
+    mavlink::FrameWriter writer(1, 1);
+    const auto written = [&](const auto &message) {
+        std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
+        const auto bytes = writer.write(message, buffer);
+        return Bytes(bytes.begin(), bytes.end());
+    };
+    mavlink::Heartbeat alive;
+    alive.autopilot = mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA;
+    alive.type = mavlink::MAV_TYPE_QUADROTOR;
+    alive.system_status = mavlink::MAV_STATE_STANDBY;
+    mavlink::Attitude attitude;
+    attitude.roll = 0.25F;
+    const Bytes heartbeat = written(alive), telemetry = written(attitude);
+
+    PassedOn rest;
+    std::uint64_t unreadable = 0;
+    BareSink sink(published(MavsecCipher::Kind::ChaCha20), rest, unreadable);
+    MavsecStream right = published(MavsecCipher::Kind::ChaCha20), wrong = published(MavsecCipher::Kind::Aes256Ctr);
+    const test::IdleLink link("udpin:127.0.0.1:1", LinkId{1});
+    const auto send = [&](const Bytes &bytes, MavsecStream *by) {
+        mavlink::ScanItem item;
+        item.frame = *mavlink::readFrame(bytes, mavlink::Dialect::builtin());
+        if (by)
+            item.frame = by->seal(*item.frame);
+        item.bytes = item.frame->bytes();
+        sink.takeClear(link, {}, item);
+    };
+    send(telemetry, &right); // nothing is known of the vehicle yet
+    QCOMPARE(rest.frames.size(), std::size_t(0));
+    for (int again = 0; again < 2; ++again) {
+        rest.frames.clear();
+        send(heartbeat, &right);
+        send(telemetry, &right);
+        QCOMPARE(rest.frames, (std::vector<std::string>{toHex(heartbeat), toHex(telemetry)}));
+        for (MavsecStream *other : {&wrong, static_cast<MavsecStream *>(nullptr)}) {
+            const std::uint64_t before = unreadable;
+            send(heartbeat, other);
+            send(telemetry, other);
+            QCOMPARE(unreadable, before + 2);
+        }
+        QCOMPARE(rest.frames.size(), std::size_t(2));
+    }
+    sink.takeClear(link, {}, mavlink::ScanItem{}); // a damaged region
+    sink.takeRecord(link, {});
+    QCOMPARE(rest.others, 2);
 }
 
 SKYSEAL_TEST_APPLESS(MavsecStreamTest)

@@ -10,6 +10,12 @@ void Ingress::setRules(LinkId id, const IngressRules &rules)
         found->second.rules = rules;
 }
 
+void Ingress::setSink(LinkId id, IngressSink &sink)
+{
+    if (const auto found = m_links.find(id); found != m_links.end())
+        found->second.sink = &sink;
+}
+
 void Ingress::forget(const Path &stream)
 {
     m_frames.forget(stream);

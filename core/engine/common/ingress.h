@@ -71,6 +71,8 @@ public:
     void addLink(LinkId id, const IngressRules &rules, IngressSink &sink) { m_links[id] = {rules, &sink}; }
     /// Takes effect from the next message on, also from within a call of the sink.
     void setRules(LinkId id, const IngressRules &rules);
+    /// As setRules(), but not from within a call of the sink.
+    void setSink(LinkId id, IngressSink &sink);
     void removeLink(LinkId id) { m_links.erase(id); }
 
     /// Passes the block to the sink of its link; blocks of unregistered links are dropped.

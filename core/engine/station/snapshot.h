@@ -49,6 +49,7 @@ struct Snapshot
     std::uint64_t residentBytes = 0;
     std::uint64_t plaintextRefused = 0; ///< clear frames, including those of vehicles that await approval; see SenderPolicy
     std::uint64_t spoofed = 0;          ///< sealed frames with a system id that their peer may not use
+    std::uint64_t unreadable = 0;       ///< frames that Station::setBareCipher() did not decrypt
     std::uint64_t eventsDropped = 0;    ///< events that a hung reader did not receive, see OutputQueue
     MavlinkTotals mavlink;              ///< since the start, all links
     ChannelTotals channel;              ///< since the start, including ended sessions

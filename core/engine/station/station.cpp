@@ -316,6 +316,12 @@ void Station::setProtection(std::optional<Protection> protection)
     d->post([protection](StationCore &core) { core.setProtection(protection); });
 }
 
+void Station::setBareCipher(std::optional<crypto::MavsecCipher> cipher)
+{
+    const auto held = std::make_shared<std::optional<crypto::MavsecCipher>>(std::move(cipher)); // see addMavsecLink()
+    d->post([held](StationCore &core) { core.setBareCipher(std::move(*held)); });
+}
+
 void Station::stop()
 {
     d->postToWorker([](StationWorker &worker) { worker.stop(); });

@@ -88,6 +88,9 @@ public:
     /// Sets the protection of MAVLink during a measurement, in place of the configuration, which nullopt restores. Sessions
     /// that do not match end and begin anew; links stay open.
     void setProtection(std::optional<Protection>);
+    /// For a measurement of MAVSec's published code, in plain MAVLink: the vehicles encrypt the payloads that they send, and
+    /// receive in clear. INSECURE. nullopt: they do not.
+    void setBareCipher(std::optional<crypto::MavsecCipher> cipher);
     /// Sends Close to every peer, ends the recording and emits stopped(); nothing is received after that.
     void stop();
     /// The station's own public key; nullopt without an identity.

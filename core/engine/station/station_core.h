@@ -80,6 +80,8 @@ public:
     void holdSuite(std::optional<crypto::SuiteId> suite) { m_settings.holdSuite(suite); }
     void resumeSuite(crypto::SuiteId suite);
     void setProtection(std::optional<Protection> protection);
+    /// See StationReceiver.
+    void setBareCipher(std::optional<crypto::MavsecCipher> cipher);
     void setMeasuring(bool measuring);
     void requestProbe();
     void setSnapshotsPerSecond(int perSecond);

@@ -22,9 +22,28 @@ IngressRules StationReceiver::rulesFor(const link::LinkTraits &traits) const
     return out;
 }
 
+IngressSink &StationReceiver::sinkFor(const link::LinkTraits &traits)
+{
+    if (traits.isRecording)
+        return m_recordings;
+    return m_bare ? static_cast<IngressSink &>(*m_bare) : *this;
+}
+
 void StationReceiver::addLink(LinkId id, const link::LinkTraits &traits)
 {
-    m_parts.ingress.addLink(id, rulesFor(traits), traits.isRecording ? m_recordings : static_cast<IngressSink &>(*this));
+    m_parts.ingress.addLink(id, rulesFor(traits), sinkFor(traits));
+}
+
+void StationReceiver::setBareCipher(std::optional<crypto::MavsecCipher> cipher)
+{
+    m_bare.reset();
+    if (cipher)
+        m_bare.emplace(MavsecStream(std::move(*cipher), mavlink::Dialect::builtin()), static_cast<IngressSink &>(*this),
+                       m_datagrams.unreadable);
+    m_parts.links.forEach([this](const link::Link &link) {
+        if (!m_mavsec.contains(link.id()))
+            m_parts.ingress.setSink(link.id(), sinkFor(link.traits()));
+    });
 }
 
 void StationReceiver::addMavsecLink(LinkId id, const link::LinkTraits &traits, crypto::MavsecCipher cipher)

@@ -5,6 +5,7 @@
 #include "core/engine/common/ingress.h"
 #include "core/engine/common/link_pool.h"
 #include "core/engine/gateway/gateway.h"
+#include "core/engine/station/bare_sink.h"
 #include "core/engine/station/call_places.h"
 #include "core/engine/station/datagram_counters.h"
 #include "core/engine/station/feed.h"
@@ -64,6 +65,8 @@ public:
     /// Call before the link opens.
     void addLink(LinkId id, const link::LinkTraits &traits);
     void addMavsecLink(LinkId id, const link::LinkTraits &traits, crypto::MavsecCipher cipher);
+    /// For a measurement: clear frames on live links are those of a vehicle that encrypts their payloads; nullopt: no longer.
+    void setBareCipher(std::optional<crypto::MavsecCipher> cipher);
     /// Call after the link was closed.
     void removeLink(LinkId id);
     /// Call when the protection in force has changed: the classification of blocks depends on it.
@@ -107,6 +110,7 @@ private:
         if (m_feed)
             m_feed->takeFrame(frame);
     }
+    IngressSink &sinkFor(const link::LinkTraits &traits);
     IngressRules rulesFor(const link::LinkTraits &traits) const;
     bool isSealing() const { return m_channel && !m_parts.settings.isPlain(); }
 
@@ -120,6 +124,7 @@ private:
     RecordingSink m_recordings{*this};
     std::map<LinkId, MavsecSink> m_mavsec;
     DatagramCounters m_datagrams;
+    std::optional<BareSink> m_bare;
     CallPlaces m_callPlaces;
 };
 
