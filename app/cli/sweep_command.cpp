@@ -186,6 +186,7 @@ int runSweep(const QStringList &arguments)
     std::unique_ptr<experiment::Lab> lab;
     engine::StationConfig station = options.station;
     std::optional<link::LinkUrl> link = options.link;
+    std::string bareKey;
     if (!link && options.plan.launches == 1) { // otherwise each launch makes its own
         auto made = experiment::Lab::create({programPath(QStringLiteral("skyseal-sim")),
                                              programPath(QStringLiteral("skyseal-air")),
@@ -197,6 +198,7 @@ int runSweep(const QStringList &arguments)
         }
         lab = std::move(*made);
         station.keys = lab->stationKeys();
+        bareKey = lab->bareKey();
         link = *link::LinkUrl::parse("udpin:127.0.0.1:" + std::to_string(lab->groundPort()));
     }
 
@@ -218,7 +220,7 @@ int runSweep(const QStringList &arguments)
         LaunchedSweep sweep(options.plan, QCoreApplication::applicationFilePath(), arguments, std::move(enough));
         return carryOut(sweep, options, setting, heap, nullptr); // each launch has its own
     }
-    experiment::SweepRunner sweep({options.plan, *link, station, lab.get(), &heap, options.flight});
+    experiment::SweepRunner sweep({options.plan, *link, station, lab.get(), bareKey, &heap, options.flight});
     experiment::IdleMeter idleMeter;
     return carryOut(sweep, options, setting, heap, lab ? &idleMeter : nullptr);
 }

@@ -38,7 +38,8 @@ void declare(Options &options)
     options.addResearchValue(
         "framing", "NAME",
         "Protection of MAVLink: sealed, whole frames in records; inline, payloads sealed in place (only suites "
-        "of a cipher and an HMAC; the agent of --link must allow it); both.",
+        "of a cipher and an HMAC; the agent of --link must allow it); both of them; bare, INSECURE as in the MAVSec paper: the "
+        "sweep's simulator encrypts payloads by chacha20 or aes-256-ctr alone, one way; all three.",
         "sealed");
     options.addValue("seconds", "S", "Length of each run.", "5");
     options.addValue(
@@ -188,14 +189,22 @@ void readConditions(Options &options, bool ownAgent, experiment::Plan &plan)
     }
 }
 
-std::vector<channel::Framing> readFramings(Options &options)
+std::vector<experiment::Framing> readFramings(Options &options)
 {
+    using experiment::Framing;
     const std::string text = options.text("framing");
+    if ((text == "bare" || text == "all") && (options.has("link") || options.has("vehicle")))
+        options.fail("--framing " + text
+                     + ": bare is for the sweep's own simulator, since no other vehicle encrypts its payloads; "
+                     + "without --link and --vehicle");
     if (text == "both")
-        return {channel::Framing::Sealed, channel::Framing::Inline};
-    if (text != "sealed" && text != "inline")
-        options.fail("--framing '" + text + "': sealed, inline or both is expected");
-    return {text == "inline" ? channel::Framing::Inline : channel::Framing::Sealed};
+        return {Framing::Sealed, Framing::Inline};
+    if (text == "all")
+        return {std::begin(experiment::kFramings), std::end(experiment::kFramings)};
+    const auto one = experiment::framingFromName(text);
+    if (!one)
+        options.fail("--framing '" + text + "': sealed, inline, both, bare or all is expected");
+    return {one.value_or(Framing::Sealed)};
 }
 
 void readPlan(Options &options, bool ownAgent, experiment::Plan &plan)

@@ -23,7 +23,7 @@ QString commandOf(const ui::SweepOrder &order)
         if (!suites.contains(name))
             suites << name;
     }
-    for (const channel::Framing framing : experiment::framingsOf(plan))
+    for (const experiment::Framing framing : experiment::framingsOf(plan))
         framings << QString::fromUtf8(experiment::name(framing).data());
     for (const experiment::Load load : plan.loads)
         loads << QString::fromStdString(experiment::name(load));
@@ -89,6 +89,7 @@ void SweepWorker::begin()
         config.lab = m_lab.get();
         config.link = *link::LinkUrl::parse("udpin:127.0.0.1:" + std::to_string(m_lab->groundPort()));
         config.station.keys = m_lab->stationKeys();
+        config.bareKey = m_lab->bareKey();
         config.station.policy.suites = channel::defaultSuites();
         config.station.policy.allowResearch = config.station.policy.allowPlain = true;
     }

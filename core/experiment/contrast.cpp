@@ -116,7 +116,7 @@ void correct(std::vector<Contrast> &family)
         family[i].adjusted = adjusted[i];
 }
 
-/// Pairs of arms: each against the reference, then those of the claims.
+/// Pairs of arms: each against the reference, then those of the claims, then each bare cipher against itself with its HMAC.
 std::vector<std::pair<std::size_t, std::size_t>> plannedPairs(const Plan &plan, Metric metric)
 {
     std::vector<std::pair<std::size_t, std::size_t>> out;
@@ -135,6 +135,13 @@ std::vector<std::pair<std::size_t, std::size_t>> plannedPairs(const Plan &plan, 
                     out.emplace_back(first, second);
             }
         }
+    }
+    for (std::size_t bare = 0; bare < plan.arms.size(); ++bare) {
+        const auto hmac = std::ranges::find(plan.arms, SweepArm{plan.arms[bare].suite, false, Framing::Inline});
+        const auto with = static_cast<std::size_t>(hmac - plan.arms.begin());
+        if (plan.arms[bare].framing == Framing::Bare && hmac != plan.arms.end() && isArm(bare) && isArm(with)
+            && bare != reference)
+            out.emplace_back(bare, with);
     }
     return out;
 }

@@ -162,14 +162,14 @@ private:
             out.load = known;
             return;
         }
-        for (const channel::Framing known : {channel::Framing::Sealed, channel::Framing::Inline}) {
+        for (const Framing known : kFramings) {
             if (text == name(known) && !out.framing) {
                 out.framing = known;
                 return;
             }
         }
         m_at = begin;
-        fail("natural, saturated or pps500, sealed or inline is expected");
+        fail("natural, saturated or pps500, sealed, inline or bare is expected");
     }
 
     std::string_view m_text;
@@ -210,9 +210,9 @@ std::vector<Load> Expectation::loads() const
     return out;
 }
 
-std::vector<channel::Framing> Expectation::framings() const
+std::vector<Framing> Expectation::framings() const
 {
-    std::vector<channel::Framing> out;
+    std::vector<Framing> out;
     for (const Side &side : m_sides) {
         if (side.framing)
             out.push_back(*side.framing);
@@ -220,7 +220,7 @@ std::vector<channel::Framing> Expectation::framings() const
     return out;
 }
 
-std::optional<channel::Framing> Expectation::onlyFraming() const
+std::optional<Framing> Expectation::onlyFraming() const
 {
     for (const Side &side : m_sides) {
         if (side.isForEachSuite() && side.framing)

@@ -6,8 +6,8 @@
 // At least one side names a metric. A metric stands for its mean over the repeats. Without a suite, or with "*" for it, the
 // assertion must hold for each suite in turn. The load is "natural" or "saturated"; an assertion that names none must hold
 // under each load of the sweep; beside a metric with a load, a metric without one uses the first load of the sweep. The framing
-// is "sealed" or "inline"; without one, a metric with a suite uses the first framing of the sweep, and a metric without a suite
-// each in turn.
+// is "sealed", "inline" or "bare"; without one, a metric with a suite uses the first framing of the sweep, and a metric without
+// a suite each in turn.
 #pragma once
 
 #include "core/base/result.h"
@@ -37,12 +37,12 @@ public:
     /// The suites, loads and framings that it names. The sweep must measure them, see fits().
     std::vector<crypto::SuiteId> suites() const;
     std::vector<Load> loads() const;
-    std::vector<channel::Framing> framings() const;
+    std::vector<Framing> framings() const;
     /// The framing of a metric without a suite, such as cpu(*,inline); nullopt without one.
-    std::optional<channel::Framing> onlyFraming() const;
+    std::optional<Framing> onlyFraming() const;
 
     /// Returns the mean of a metric; NaN if it was not measured.
-    using Lookup = std::function<double(Metric, crypto::SuiteId, std::optional<channel::Framing>, std::optional<Load>)>;
+    using Lookup = std::function<double(Metric, crypto::SuiteId, std::optional<Framing>, std::optional<Load>)>;
     struct Outcome
     {
         bool measured = false; ///< both sides are finite
@@ -62,7 +62,7 @@ private:
         std::optional<Metric> metric; ///< nullopt: only a number
         std::optional<crypto::SuiteId> suite;
         std::optional<Load> load;
-        std::optional<channel::Framing> framing;
+        std::optional<Framing> framing;
 
         bool isForEachSuite() const { return metric && !suite; }
         double value(const SweepArm &arm, const Lookup &lookup) const;

@@ -1,8 +1,13 @@
 #include "core/experiment/lab.h"
 
 #include "core/base/research.h"
+#include "core/crypto/mavsec_cipher.h"
+#include "core/engine/common/mavsec_settings.h"
+#include "core/keys/file_io.h"
 #include "core/keys/paired_ends.h"
 #include "core/link/steady_now.h"
+#include "core/mavlink/enums.h"
+#include "core/mavlink/messages.h"
 #include "core/metrics/process_usage.h"
 
 #include <QtCore/QFileInfo>
@@ -62,6 +67,31 @@ std::optional<link::PortOwner> programBehind(const link::LinkUrl &vehicle)
     return link::portOwner(vehicle.traits().isStream ? link::PortKind::Tcp : link::PortKind::Udp, vehicle.port());
 }
 
+/// True if the encrypted heartbeat of an autopilot is still one: the agent reads heartbeats, and no key is known to it.
+bool keepsHeartbeats(crypto::MavsecKind kind, const Key32 &key)
+{
+    engine::MavsecSettings settings;
+    settings.kind = kind;
+    auto cipher = engine::makeMavsecCipher(settings, key);
+    if (!cipher)
+        return false;
+    mavlink::Heartbeat heartbeat;
+    heartbeat.autopilot = mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA;
+    std::array<std::uint8_t, mavlink::Heartbeat::kMaxLength> payload{};
+    heartbeat.encode(payload);
+    cipher->apply(payload);
+    return mavlink::Heartbeat::decode(payload).autopilot != mavlink::MAV_AUTOPILOT_INVALID;
+}
+
+Result<void, InputError> writeBareKey(const std::string &path, RandomSource &random)
+{
+    Key32 key;
+    do
+        random.fill(key.mutableView());
+    while (!keepsHeartbeats(crypto::MavsecKind::ChaCha20, key) || !keepsHeartbeats(crypto::MavsecKind::Aes256Ctr, key));
+    return keys::createFile(path, key.view());
+}
+
 } // namespace
 
 Lab::Lab(LabPrograms programs, std::optional<link::LinkUrl> vehicle)
@@ -109,6 +139,8 @@ Result<std::unique_ptr<Lab>, InputError> Lab::create(LabPrograms programs, Rando
         return tl::unexpected(InputError{lab->m_folder.errorString().toStdString(), lab->m_folder.path().toStdString()});
     if (auto written = keys::writePairedEnds(lab->m_folder.path().toStdString(), "air", random); !written)
         return tl::unexpected(written.error());
+    if (auto written = writeBareKey(lab->bareKey(), random); !written)
+        return tl::unexpected(written.error());
     return lab;
 }
 
@@ -152,9 +184,18 @@ void Lab::start(Load load, const Condition &condition, std::uint64_t seed)
         simulator << QStringLiteral("--saturate");
     if (load.isPaced())
         simulator << QStringLiteral("--pps") << QString::number(load.perSecond);
+    if (kResearch)
+        simulator << QStringLiteral("--framing") << QStringLiteral("mavsec2019") << QStringLiteral("--stdin")
+                  << QStringLiteral("--key-file") << file("bare.key");
     m_missedSends.reset();
     m_simulator.setStandardOutputFile(load.isPaced() ? QString() : QProcess::nullDevice());
     launch(m_simulator, m_programs.simulator, simulator);
+}
+
+void Lab::setBareCipher(std::optional<crypto::MavsecKind> cipher)
+{
+    if (m_simulator.state() == QProcess::Running)
+        m_simulator.write(QByteArray::fromStdString(std::string(cipher ? crypto::name(*cipher) : "plain")) + '\n');
 }
 
 /// Lines that are no counts of the paced load name its link.

@@ -39,12 +39,17 @@ public:
     ~Lab() override;
 
     engine::KeyPaths stationKeys() const;
+    /// Key file of the bare ciphers, see setBareCipher().
+    std::string bareKey() const { return file("bare.key").toStdString(); }
     /// UDP port on 127.0.0.1 on which the station must listen.
     quint16 groundPort() const { return m_groundPort; }
     /// Stops the running programs and starts them again. The agent allows plain MAVLink, inline framing and research suites,
     /// since it is reachable on loopback only.
     void start(Load load, const Condition &condition, std::uint64_t seed);
     void stop();
+    /// Has the simulator that runs encrypt the payloads that it sends; nullopt: no longer. It begins in clear. Without effect
+    /// on an autopilot.
+    void setBareCipher(std::optional<crypto::MavsecKind> cipher);
     /// What the kernel says of the programs now.
     ProgramUsage usage() const;
     /// The autopilot that runs already; nullopt where the lab starts the simulator.

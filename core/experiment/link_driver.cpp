@@ -1,5 +1,7 @@
 #include "core/experiment/link_driver.h"
 
+#include "core/crypto/mavsec_cipher.h"
+#include "core/engine/common/mavsec_settings.h"
 #include "core/engine/station/snapshot.h"
 
 #include <utility>
@@ -17,8 +19,8 @@ constexpr Duration kMostSettle = std::chrono::seconds(2); ///< for a vehicle tha
 } // namespace
 
 LinkDriver::LinkDriver(engine::StationConfig config, std::optional<link::LinkUrl> link, engine::Station *borrowed,
-                       std::optional<int> core)
-    : m_station(std::move(config), std::move(link), borrowed, core)
+                       std::optional<int> core, std::string bareKey)
+    : m_station(std::move(config), std::move(link), borrowed, core), m_bareKey(std::move(bareKey))
 {}
 
 LinkDriver::~LinkDriver()
@@ -72,8 +74,38 @@ Result<void, InputError> LinkDriver::open(engine::Protection first)
 
 void LinkDriver::setProtection(std::optional<engine::Protection> protection)
 {
+    if (m_measured.bareCipher())
+        m_station.setBareCipher(std::nullopt);
     m_measured.setProtection(protection, m_snapshot.get());
     m_station.setProtection(protection);
+}
+
+Result<void, InputError> LinkDriver::setBareCipher(std::optional<crypto::MavsecKind> kind)
+{
+    std::optional<crypto::MavsecCipher> cipher;
+    if (kind) {
+        engine::MavsecSettings settings;
+        settings.kind = *kind;
+        settings.keyFile = m_bareKey;
+        settings.work = crypto::MavsecWork::EachFrame;
+        auto made = engine::makeMavsecCipher(settings);
+        if (!made)
+            return tl::unexpected(made.error());
+        cipher = std::move(*made);
+    }
+    m_measured.setBareCipher(kind, m_snapshot.get());
+    m_station.setBareCipher(std::move(cipher));
+    return {};
+}
+
+bool LinkDriver::hasUnreadable() const
+{
+    return m_snapshot && m_snapshot->unreadable > m_unreadableBefore;
+}
+
+void LinkDriver::forgetUnreadable()
+{
+    m_unreadableBefore = m_snapshot ? m_snapshot->unreadable : 0;
 }
 
 void LinkDriver::setSnapshotsPerSecond(int perSecond)

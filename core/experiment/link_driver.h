@@ -16,9 +16,9 @@ public:
 
     static constexpr int kWatching = 20; ///< snapshots a second while the link is brought into a state
 
-    /// The parameters are those of SweepStation.
+    /// The parameters are those of SweepStation. `bareKey`: file of the key of bare ciphers.
     LinkDriver(engine::StationConfig config, std::optional<link::LinkUrl> link, engine::Station *borrowed,
-               std::optional<int> core);
+               std::optional<int> core, std::string bareKey = {});
     /// Gives a borrowed station back.
     ~LinkDriver();
 
@@ -48,6 +48,12 @@ public:
     void close() { m_station.close(suiteToResume()); }
     /// nullopt: that of the station's settings.
     void setProtection(std::optional<engine::Protection> protection);
+    /// The vehicle encrypts payloads by this cipher, or is about to; nullopt: it does not. In plain MAVLink, of a station of
+    /// the sweep's own. Fails if the key file cannot be read.
+    Result<void, InputError> setBareCipher(std::optional<crypto::MavsecKind> cipher);
+    /// True if frames that the bare cipher does not decrypt have come since forgetUnreadable(): the vehicle does not use it.
+    bool hasUnreadable() const;
+    void forgetUnreadable();
     /// Of an open station, as far as it is the sweep's own.
     void setSnapshotsPerSecond(int perSecond);
 
@@ -74,9 +80,11 @@ private:
     bool isRestored() const { return m_isCurrent && m_measured.isRestored(*m_snapshot); }
 
     SweepStation m_station;
+    const std::string m_bareKey;
     MeasuredLink m_measured;
     SuiteSwitch m_switch;
     Snapshot m_snapshot;
+    std::uint64_t m_unreadableBefore = 0;
     bool m_isCurrent = false; ///< while restoring: the snapshot was taken after the orders
 };
 

@@ -29,14 +29,15 @@ double answersIn(const engine::Snapshot &snapshot)
 
 Protection protectionOf(const SweepArm &arm)
 {
-    if (arm.suite == crypto::SuiteId::None)
+    if (arm.suite == crypto::SuiteId::None || arm.framing == Framing::Bare)
         return Protection::Plain;
-    return arm.framing == channel::Framing::Inline ? Protection::Inline : Protection::Sealed;
+    return arm.framing == Framing::Inline ? Protection::Inline : Protection::Sealed;
 }
 
 void MeasuredLink::stationOpened()
 {
     m_protection.reset();
+    m_bareCipher.reset();
     m_ending.reset();
     m_answersBefore = 0;
 }
@@ -48,6 +49,18 @@ void MeasuredLink::setProtection(std::optional<Protection> protection, const eng
         m_ending = up->info.session;
     m_answersBefore = snapshot ? answersIn(*snapshot) : 0;
     m_protection = protection;
+    m_bareCipher.reset();
+}
+
+void MeasuredLink::setBareCipher(std::optional<crypto::MavsecKind> cipher, const engine::Snapshot *snapshot)
+{
+    m_answersBefore = snapshot ? answersIn(*snapshot) : 0;
+    m_bareCipher = cipher;
+}
+
+bool MeasuredLink::isCarriedAs(const SweepArm &arm) const
+{
+    return m_protection == protectionOf(arm) && m_bareCipher == bareCipherOf(arm);
 }
 
 void MeasuredLink::update(const engine::Snapshot &snapshot)
@@ -67,8 +80,11 @@ void MeasuredLink::learnConsent(const engine::Snapshot &snapshot)
     m_inlineRefused = m_inlineRefused || (m_protection == Protection::Inline && m_framing != channel::Framing::Inline);
 }
 
-std::string MeasuredLink::refusal(Protection wanted) const
+std::string MeasuredLink::refusal(const SweepArm &arm) const
 {
+    const Protection wanted = protectionOf(arm);
+    if (bareCipherOf(arm) && m_bareRefused)
+        return kUnreadable;
     if (wanted == Protection::Plain && m_plainRefused)
         return "the other end does not allow plain MAVLink";
     if (wanted == Protection::Inline && m_inlineRefused)
@@ -104,6 +120,11 @@ bool MeasuredLink::hasVehicle(const engine::Snapshot &snapshot) const
 {
     return std::any_of(snapshot.vehicles.begin(), snapshot.vehicles.end(),
                        [&](const engine::VehicleSnapshot &vehicle) { return isHeard(snapshot, vehicle); });
+}
+
+bool MeasuredLink::hasReadableVehicle(const engine::Snapshot &snapshot) const
+{
+    return hasVehicle(snapshot) && (!m_bareCipher || isAnswering(snapshot));
 }
 
 bool MeasuredLink::hasSettledVehicle(const engine::Snapshot &snapshot) const

@@ -8,8 +8,6 @@
 
 namespace skyseal::experiment {
 
-using channel::Framing;
-
 namespace {
 
 constexpr std::string_view kPaced = "pps";
@@ -99,8 +97,9 @@ std::optional<Load> loadFromName(std::string_view text)
 
 std::string name(const SweepArm &arm)
 {
-    const bool isInline = framingName(arm) == name(Framing::Inline);
-    return std::string(crypto::suiteInfo(arm.suite).name) + (isInline ? " inline" : "") + (arm.again ? " (A/A)" : "");
+    const bool isNamed = arm.framing != Framing::Sealed && arm.suite != crypto::SuiteId::None;
+    return std::string(crypto::suiteInfo(arm.suite).name) + (isNamed ? " " + std::string(name(arm.framing)) : "")
+        + (arm.again ? " (A/A)" : "");
 }
 
 std::string fullName(const SweepArm &arm)
@@ -116,12 +115,36 @@ std::string_view framingName(const SweepArm &arm)
 
 std::string_view name(Framing framing)
 {
-    return framing == Framing::Inline ? "inline" : "sealed";
+    switch (framing) {
+    case Framing::Inline: return "inline";
+    case Framing::Bare: return "bare";
+    case Framing::Sealed: break;
+    }
+    return "sealed";
+}
+
+std::optional<Framing> framingFromName(std::string_view text)
+{
+    const auto found = std::ranges::find_if(kFramings, [&](Framing one) { return name(one) == text; });
+    return found == std::end(kFramings) ? std::nullopt : std::optional(*found);
+}
+
+std::optional<crypto::MavsecKind> bareCipherOf(const SweepArm &arm)
+{
+    if (arm.framing != Framing::Bare)
+        return std::nullopt;
+    switch (arm.suite) {
+    case crypto::SuiteId::ChaCha20: return crypto::MavsecKind::ChaCha20;
+    case crypto::SuiteId::Aes256Ctr: return crypto::MavsecKind::Aes256Ctr;
+    default: return std::nullopt;
+    }
 }
 
 bool exists(const SweepArm &arm)
 {
-    return arm.framing == Framing::Sealed || arm.suite == crypto::SuiteId::None || crypto::mayBeInline(arm.suite);
+    if (arm.framing == Framing::Sealed || arm.suite == crypto::SuiteId::None)
+        return true;
+    return arm.framing == Framing::Inline ? crypto::mayBeInline(arm.suite) : bareCipherOf(arm).has_value();
 }
 
 std::vector<SweepArm> armsOf(const std::vector<crypto::SuiteId> &suites, const std::vector<Framing> &framings, bool noise)
@@ -153,7 +176,7 @@ std::vector<SweepArm> armsOf(const std::vector<crypto::SuiteId> &suites, const s
 std::vector<Framing> framingsOf(const Plan &plan)
 {
     std::vector<Framing> out;
-    for (const Framing framing : {Framing::Sealed, Framing::Inline}) {
+    for (const Framing framing : kFramings) {
         const auto has = [framing](const SweepArm &arm) { return framingName(arm) == name(framing); };
         if (std::any_of(plan.arms.begin(), plan.arms.end(), has))
             out.push_back(framing);
@@ -164,7 +187,7 @@ std::vector<Framing> framingsOf(const Plan &plan)
 bool isInsecure(const SweepArm &arm)
 {
     const crypto::SuiteInfo &info = crypto::suiteInfo(arm.suite);
-    return info.research || !info.authenticated;
+    return info.research || !info.authenticated || arm.framing == Framing::Bare;
 }
 
 Result<Condition, InputError> parseCondition(std::string_view text)

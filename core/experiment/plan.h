@@ -3,7 +3,7 @@
 
 #include "core/base/clock.h"
 #include "core/base/result.h"
-#include "core/channel/policy.h"
+#include "core/crypto/mavsec_kind.h"
 #include "core/crypto/suite.h"
 #include "core/impair/impairment.h"
 
@@ -34,30 +34,40 @@ inline constexpr std::uint32_t kMostPaced = 1'000'000;
 std::string name(Load load);
 std::optional<Load> loadFromName(std::string_view name);
 
+/// How an arm protects MAVLink frames.
+enum class Framing : std::uint8_t {
+    Sealed, ///< whole frames in records
+    Inline, ///< payloads sealed in place
+    Bare    ///< INSECURE, as in the paper: the vehicle encrypts payloads by the suite's cipher, one way and without its HMAC
+};
+inline constexpr Framing kFramings[] = {Framing::Sealed, Framing::Inline, Framing::Bare};
+
 /// One alternative of the comparison: a suite in a framing. `again` marks the repetition of another arm under a second name:
 /// any difference between the two is noise (A/A). The framing has no meaning for plain MAVLink.
 struct SweepArm
 {
     crypto::SuiteId suite{};
     bool again = false;
-    channel::Framing framing = channel::Framing::Sealed;
+    Framing framing = Framing::Sealed;
     bool operator==(const SweepArm &) const = default;
 };
-/// "aes-256-gcm"; "aes-256-ctr inline"; "aes-256-gcm (A/A)".
+/// "aes-256-gcm"; "aes-256-ctr inline"; "aes-256-ctr bare"; "aes-256-gcm (A/A)".
 std::string name(const SweepArm &arm);
 /// The same, always with the framing: "aes-256-gcm sealed". Plain MAVLink has none: "none".
 std::string fullName(const SweepArm &arm);
-/// "sealed", "inline"; "plain" for plain MAVLink.
+/// "sealed", "inline", "bare"; "plain" for plain MAVLink.
 std::string_view framingName(const SweepArm &arm);
-std::string_view name(channel::Framing framing);
+std::string_view name(Framing framing);
+std::optional<Framing> framingFromName(std::string_view name);
+/// The cipher of a bare arm that exists; nullopt for all others.
+std::optional<crypto::MavsecKind> bareCipherOf(const SweepArm &arm);
 /// False if the suite does not support the framing. Such an arm is listed in every report, but never run.
 bool exists(const SweepArm &arm);
 
 /// Every suite in every framing, plain MAVLink once. With `noise` one of them is repeated: the default suite if it is included.
-std::vector<SweepArm> armsOf(const std::vector<crypto::SuiteId> &suites, const std::vector<channel::Framing> &framings,
-                             bool noise);
+std::vector<SweepArm> armsOf(const std::vector<crypto::SuiteId> &suites, const std::vector<Framing> &framings, bool noise);
 
-/// True for research suites and for plain MAVLink.
+/// True for research suites, bare ciphers and plain MAVLink.
 bool isInsecure(const SweepArm &arm);
 
 /// The link that all arms share: clean, or impaired in both directions.
@@ -90,8 +100,8 @@ struct Plan
     double margin = 0.03; ///< a smaller relative difference has no practical effect; claims are judged by it
 };
 
-/// The framings of the arms, sealed first; empty if the only arm is plain MAVLink.
-std::vector<channel::Framing> framingsOf(const Plan &plan);
+/// The framings of the arms, in the order of kFramings; empty if the only arm is plain MAVLink.
+std::vector<Framing> framingsOf(const Plan &plan);
 
 /// Indices into the plan.
 struct Run

@@ -4,6 +4,8 @@
 #include "core/experiment/load_check.h"
 #include "core/link/steady_now.h"
 
+#include <limits>
+
 namespace skyseal::experiment {
 
 namespace {
@@ -62,6 +64,12 @@ void RunMeasurement::end(const MeasuredLink &link, const Snapshot &snapshot, con
     const Reading end = readingOf(link, snapshot);
     Values values = valuesBetween(m_begin, end, !link.isPlain(), sequenceNumbersCountLoss(line, load));
     values[Metric::LineLoad] = lineLoad(m_begin, end, line);
+    if (link.bareCipher()) // its time is in that of the ends, and not measured by itself; the agent has no part in it
+        values[Metric::CpuSuite] = values[Metric::AgentCpuSuite] = std::numeric_limits<double>::quiet_NaN();
+    if (snapshot->unreadable > m_begin.station->unreadable) {
+        sample.problem = MeasuredLink::kUnreadable;
+        return;
+    }
     if (!link.hasVehicle(*snapshot) || values[Metric::Packets] == 0) {
         sample.problem = "the vehicle fell silent during the run";
         return;

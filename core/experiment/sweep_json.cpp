@@ -57,7 +57,7 @@ void writePlan(JsonWriter &json, const Plan &plan)
 {
     json.key("plan").beginObject();
     json.key("framings").beginArray();
-    for (const channel::Framing framing : framingsOf(plan))
+    for (const Framing framing : framingsOf(plan))
         json.value(name(framing));
     json.endArray();
     json.field("seconds", seconds(plan.measure)).field("warm_up_seconds", seconds(plan.warmUp));
@@ -312,7 +312,9 @@ constexpr Column kBefore[] = {
     {"condition", "", "link condition: clean, or the impairments of both directions"},
     {"load", "", "natural, saturated, or pps and the frames a second of a paced load"},
     {"suite", "", "cipher suite; none: plain MAVLink"},
-    {"framing", "", "sealed: whole frames in records; inline: payloads sealed in place; plain: neither"},
+    {"framing", "",
+     "sealed: whole frames in records; inline: payloads sealed in place; bare: payloads encrypted without authentication; "
+     "plain: none of them"},
     {"again", "", "1: the repetition of another arm under a second name (A/A)"},
     {"launch", "", "which start of all programs, from 0"},
     {"repeat", "", "block of the launch, condition and load, from 0; every arm is in it once"},

@@ -49,10 +49,8 @@ std::optional<SweepArm> armOf(const QJsonObject &object)
     const auto suite = crypto::suiteFromName(textOf(object[q("suite")]));
     if (!suite)
         return std::nullopt;
-    SweepArm out{*suite, object[q("again")].toBool(), channel::Framing::Sealed};
     const std::string framing = textOf(object[q("framing")]);
-    if (framing == name(channel::Framing::Inline))
-        out.framing = channel::Framing::Inline;
+    const SweepArm out{*suite, object[q("again")].toBool(), framingFromName(framing).value_or(Framing::Sealed)};
     if (framing != framingName(out))
         return std::nullopt;
     return out;

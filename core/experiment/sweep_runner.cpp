@@ -14,6 +14,7 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr Duration kConnectPatience = std::chrono::seconds(20);
+constexpr Duration kClearPatience = std::chrono::seconds(5);   ///< a heartbeat in clear follows the order, and one a second
 constexpr Duration kRestorePatience = std::chrono::seconds(6); ///< a switch is confirmed or rolled back within five
 
 std::function<ProgramUsage()> programsOf(const Lab *lab)
@@ -47,7 +48,7 @@ std::string sourceText(const SweepConfig &config, const engine::Snapshot &snapsh
 SweepRunner::SweepRunner(SweepConfig config)
     : m_config(std::move(config)), m_queue(m_config.plan),
       m_link(m_config.station, m_config.link, m_config.borrowed,
-             m_config.lab ? m_config.lab->placement().station : std::nullopt),
+             m_config.lab ? m_config.lab->placement().station : std::nullopt, m_config.bareKey),
       m_run(m_link, m_config.plan, programsOf(m_config.lab)),
       m_flight(m_link, m_config.lab, m_config.flight, m_config.plan.seed)
 {
@@ -174,9 +175,12 @@ void SweepRunner::handleSnapshot(const LinkDriver::Snapshot &snapshot)
     m_link.take(snapshot);
     m_opened = m_opened || m_link.session();
     switch (m_stage.stage()) {
+    case Stage::Clearing:
+        if (m_link.hasUnreadable())
+            changeLink();
+        break;
     case Stage::Connecting:
-        // The position matters only for a simulator that has just started.
-        if (m_config.lab && !m_config.lab->vehicle() ? m_link.measured().hasSettledVehicle(*snapshot) : m_link.hasVehicle())
+        if (isConnected())
             enter(Stage::Settling, kConnectPatience);
         break;
     case Stage::Settling:
@@ -190,6 +194,14 @@ void SweepRunner::handleSnapshot(const LinkDriver::Snapshot &snapshot)
     case Stage::Idle:
     case Stage::Closing: break;
     }
+}
+
+/// The position matters only for a simulator that has just started.
+bool SweepRunner::isConnected() const
+{
+    const engine::Snapshot &snapshot = *m_link.snapshot();
+    const bool isOwnSimulator = m_config.lab && !m_config.lab->vehicle();
+    return m_link.measured().hasReadableVehicle(snapshot) && (!isOwnSimulator || m_link.measured().hasSettledVehicle(snapshot));
 }
 
 void SweepRunner::handleProbe(const LinkDriver::Snapshot &snapshot)
@@ -224,6 +236,12 @@ void SweepRunner::handleTimeout()
         return;
     if (m_stage.is(Stage::Restoring))
         return closeStation();
+    if (m_stage.is(Stage::Clearing))
+        return changeLink();
+    if (m_link.measured().bareCipher()) {
+        m_link.measured().bareSilent();
+        return endRun(MeasuredLink::kUnreadable);
+    }
     // Without a link each further run would only wait as long.
     if (!m_link.measured().isPlain())
         return giveUp("no sealed session with a vehicle came up");
@@ -241,14 +259,32 @@ void SweepRunner::prepareLink()
         return m_flight.beginLeg(block);
     }
     m_link.measured().learnConsent(*m_link.snapshot());
-    const engine::Protection wanted = protectionOf(arm());
-    if (const std::string refusal = m_link.measured().refusal(wanted); !refusal.empty())
+    if (const std::string refusal = m_link.measured().refusal(arm()); !refusal.empty())
         return refuseRun(refusal);
-    if (m_link.measured().isCarriedAs(wanted)) {
+    if (bareCipherOf(arm()) && (!m_config.lab || m_config.lab->vehicle() || m_config.borrowed))
+        return refuseRun("only the sweep's own simulator encrypts payloads with a bare cipher");
+    if (m_link.measured().isCarriedAs(arm())) {
         m_stage.enterUnlimited(Stage::Running);
         return m_run.begin(sampleOfRun(), m_fresh && !m_link.station().isBorrowed());
     }
-    m_link.setProtection(wanted);
+    if (!m_link.measured().bareCipher())
+        return changeLink();
+    // The vehicle comes first, and the station follows what it hears, so that nothing encrypted is taken for telemetry.
+    m_config.lab->setBareCipher(std::nullopt);
+    m_link.forgetUnreadable();
+    enter(Stage::Clearing, kClearPatience);
+}
+
+/// The vehicle, which is in clear, comes last, for the same reason.
+void SweepRunner::changeLink()
+{
+    if (!m_link.measured().isCarriedAs(protectionOf(arm())))
+        m_link.setProtection(protectionOf(arm()));
+    if (const auto cipher = bareCipherOf(arm())) {
+        if (const auto set = m_link.setBareCipher(cipher); !set)
+            return refuseRun(set.error().text());
+        m_config.lab->setBareCipher(cipher);
+    }
     enter(Stage::Connecting, kConnectPatience);
 }
 

@@ -3,7 +3,7 @@
 // class decides which of them acts on the station's next snapshot or event, and keeps the results. Lives on the station's
 // thread.
 //
-//   Connecting → Settling → Running → (next run: Connecting or Running)
+//   Connecting → Settling → Running → (next run: Connecting or Running; from a bare cipher: Clearing → Connecting)
 //   at the end of a block or of the sweep: Restoring → Closing
 //   with a flight: Flying before the first run of each phase; Landing after the last one, and before the sweep ends in any way
 #pragma once
@@ -29,6 +29,7 @@ struct SweepConfig
     std::optional<link::LinkUrl> link = std::nullopt;
     engine::StationConfig station; ///< keys and policy; the runner sets the rest
     Lab *lab = nullptr;            ///< null if the far end is not started by this program
+    std::string bareKey = {};      ///< file of the key of bare ciphers, as Lab::bareKey()
     HeapFigures *heap = nullptr;   ///< null: Metric::SessionMemory is not measured
     FlightPlan flight = {};        ///< carried out around the runs; with a lab only, and Plan::phases is that of it
     /// In place of a station of its own, whose link and config are not used then: one with a single sealed session. The plan
@@ -63,6 +64,7 @@ private:
     enum class Stage : std::uint8_t {
         Idle,
         Closing,
+        Clearing, ///< the vehicle stops to encrypt payloads
         Connecting,
         Settling,
         Running, ///< RunDriver acts
@@ -81,6 +83,8 @@ private:
     void beginNextRun();
     void openStation();
     void prepareLink();
+    void changeLink();
+    bool isConnected() const;
     void endRun(Sample sample);
     void endRun(const std::string &problem);
     void addSessionMemory(Sample &sample);

@@ -1,5 +1,6 @@
 #include "core/experiment/sweep_station.h"
 
+#include "core/crypto/mavsec_cipher.h"
 #include "core/experiment/placement.h"
 
 #include <QtCore/QTimer>
@@ -72,6 +73,11 @@ void SweepStation::setProtection(std::optional<engine::Protection> protection)
 {
     m_station->holdSuite(std::nullopt);
     m_station->setProtection(protection);
+}
+
+void SweepStation::setBareCipher(std::optional<crypto::MavsecCipher> cipher)
+{
+    m_station->setBareCipher(std::move(cipher));
 }
 
 void SweepStation::close(std::optional<crypto::SuiteId> resume)

@@ -30,7 +30,7 @@ public:
     /// Gives a borrowed station back at once, without closed().
     void giveBack(std::optional<crypto::SuiteId> resume);
 
-    /// These six need an open station.
+    /// These seven need an open station.
     /// Requests a reading of all counters, which comes as probeTaken().
     void requestProbe() { m_station->requestProbe(); }
     vehicle::RequestId perform(std::uint8_t systemId, vehicle::Request request)
@@ -41,6 +41,7 @@ public:
     void setSnapshotsPerSecond(int perSecond);
     /// Ends holdSuite(): the switch to the suite of a run is measured as well.
     void setProtection(std::optional<engine::Protection> protection);
+    void setBareCipher(std::optional<crypto::MavsecCipher> cipher);
     /// Sessions that come up begin with this suite.
     void holdSuite(crypto::SuiteId suite) { m_station->holdSuite(suite); }
     void switchSuite(channel::SessionId session, crypto::SuiteId suite) { m_station->switchSuite(session, suite); }

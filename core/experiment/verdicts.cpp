@@ -7,8 +7,6 @@
 
 namespace skyseal::experiment {
 
-using channel::Framing;
-
 Result<void, InputError> fits(const Expectation &expectation, const Plan &plan)
 {
     for (const crypto::SuiteId suite : expectation.suites()) {
@@ -22,8 +20,8 @@ Result<void, InputError> fits(const Expectation &expectation, const Plan &plan)
             return tl::unexpected(
                 InputError{"the sweep does not measure the " + std::string(name(load)) + " load", expectation.text()});
     }
-    const std::vector<channel::Framing> framings = framingsOf(plan);
-    for (const channel::Framing framing : expectation.framings()) {
+    const std::vector<Framing> framings = framingsOf(plan);
+    for (const Framing framing : expectation.framings()) {
         if (std::find(framings.begin(), framings.end(), framing) == framings.end())
             return tl::unexpected(
                 InputError{"the sweep does not measure the framing " + std::string(name(framing)), expectation.text()});

@@ -67,6 +67,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>bare, insecure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>sealed</source>
         <translation type="unfinished"></translation>
     </message>

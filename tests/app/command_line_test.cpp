@@ -120,9 +120,9 @@ void CommandLineTest::usageErrors_data()
     row("skyseal-cli", "sweep --pps 0", "different rates of 1 to 1000000");
     row("skyseal-cli", "sweep --pps 100 --vehicle tcp:127.0.0.1:5760", "--pps: not with --link or --vehicle");
     row("skyseal-sim", "--link udpout:127.0.0.1:1 --pps 100 --saturate", "--pps: not with --saturate");
-    row("skyseal-cli", "sweep --load saturated,natural --framing rot13", "sealed, inline or both"); // in any order
+    row("skyseal-cli", "sweep --load saturated,natural --framing rot13", "sealed, inline, both, bare or all"); // in any order
     row("skyseal-cli", "sweep --impair loss=2", "loss=2");
-    row("skyseal-cli", "sweep --framing rot13", "sealed, inline or both");
+    row("skyseal-cli", "sweep --framing rot13", "sealed, inline, both, bare or all");
     row("skyseal-cli", "sweep --framing inline --suites aes-256-gcm", "none of them supports this framing");
     row("skyseal-cli", "sweep --expect loss(chacha20,inline)<1", "framing inline");
     row("skyseal-cli", "sweep --expect loss", "comparison");

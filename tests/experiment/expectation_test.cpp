@@ -13,11 +13,11 @@ using crypto::SuiteId;
 
 namespace {
 
-double lookup(Metric metric, SuiteId suite, std::optional<channel::Framing> framing, std::optional<Load> load)
+double lookup(Metric metric, SuiteId suite, std::optional<experiment::Framing> framing, std::optional<Load> load)
 {
     if (metric == Metric::Cpu)
         return (suite == SuiteId::None ? 2.0 : 3.0) * (load == Load::Saturated ? 10 : 1)
-            + (framing == channel::Framing::Inline ? 0.5 : 0);
+            + (framing == experiment::Framing::Inline ? 0.5 : 0);
     if (metric == Metric::Loss)
         return 0.25;
     return std::numeric_limits<double>::quiet_NaN();
@@ -114,7 +114,7 @@ void ExpectationTest::errors_data()
     row(QStringLiteral("loss<=0 and more"), 9, "unexpected 'a'");
     row(QStringLiteral("cpu(des)<1"), 5, "no suite is named 'des'");
     row(QStringLiteral("cpu(none,fast)<1"), 10, "natural, saturated or pps500");
-    row(QStringLiteral("cpu(rc4,inline,sealed)<1"), 16, "sealed or inline is expected");
+    row(QStringLiteral("cpu(rc4,inline,sealed)<1"), 16, "sealed, inline or bare is expected");
     row(QStringLiteral("cpu(none<1"), 9, "')' is expected");
     row(QStringLiteral("1<2"), 4, "a metric is expected on one side");
     row(QStringLiteral("loss<1x"), 7, "after a number");
@@ -208,13 +208,13 @@ void ExpectationTest::eachFramingIsJudged()
 {
     Results both;
     both.plan.arms = armsOf({SuiteId::None, SuiteId::Aes256Gcm, SuiteId::ChaCha20},
-                            {channel::Framing::Sealed, channel::Framing::Inline}, false);
+                            {experiment::Framing::Sealed, experiment::Framing::Inline}, false);
     both.plan.repeats = 1;
     for (const Run &run : schedule(both.plan)) {
         Sample sample;
         sample.run = run;
         const SweepArm &arm = both.plan.arms[run.arm];
-        sample.values[Metric::Cpu] = arm.suite == SuiteId::None ? 1 : arm.framing == channel::Framing::Inline ? 7 : 4;
+        sample.values[Metric::Cpu] = arm.suite == SuiteId::None ? 1 : arm.framing == experiment::Framing::Inline ? 7 : 4;
         both.samples.push_back(sample);
     }
     const auto each = judge(*Expectation::parse("cpu<=4"), both);

@@ -10,10 +10,14 @@ using namespace skyseal;
 using crypto::SuiteId;
 using engine::Protection;
 using experiment::MeasuredLink;
+using experiment::SweepArm;
 
 namespace {
 
 constexpr channel::SessionId kSession{7}, kNextSession{8};
+constexpr SweepArm kPlain{SuiteId::None}, kSealed{SuiteId::Aes256Ctr};
+constexpr SweepArm kInline{SuiteId::Aes256Ctr, false, experiment::Framing::Inline};
+constexpr SweepArm kBare{SuiteId::Aes256Ctr, false, experiment::Framing::Bare};
 
 engine::Snapshot withSession(channel::SessionId session, SuiteId suite = SuiteId::ChaCha20Poly1305)
 {
@@ -43,10 +47,43 @@ class MeasuredLinkTest : public QObject
 private Q_SLOTS:
     void protectionFollowsSuiteAndFraming()
     {
-        using channel::Framing;
+        using experiment::Framing;
         QVERIFY(experiment::protectionOf({SuiteId::None, false, Framing::Inline}) == Protection::Plain);
         QVERIFY(experiment::protectionOf({SuiteId::Aes256Ctr, false, Framing::Sealed}) == Protection::Sealed);
         QVERIFY(experiment::protectionOf({SuiteId::Aes256Ctr, false, Framing::Inline}) == Protection::Inline);
+        QVERIFY(experiment::protectionOf(kBare) == Protection::Plain);
+    }
+
+    void bareCipherIsNoPlainMavlink()
+    {
+        MeasuredLink link;
+        engine::Snapshot before, after;
+        addVehicle(before, std::nullopt, 5);
+        addVehicle(after, std::nullopt, 6);
+        link.setProtection(Protection::Plain, nullptr);
+        QVERIFY(link.isCarriedAs(kPlain) && !link.isCarriedAs(kBare));
+        link.setBareCipher(crypto::MavsecKind::Aes256Ctr, &before);
+        QVERIFY(link.isCarriedAs(kBare) && link.isPlain());
+        QVERIFY(!link.isCarriedAs(kPlain) && !link.isCarriedAs(Protection::Plain));
+        QVERIFY(!link.isCarriedAs({SuiteId::ChaCha20, false, experiment::Framing::Bare}));
+        QVERIFY(link.hasVehicle(before) && !link.hasReadableVehicle(before)); // heard, but under another key nothing answers
+        QVERIFY(link.hasReadableVehicle(after));
+        link.setProtection(Protection::Plain, &before);
+        QVERIFY(link.isCarriedAs(kPlain) && link.hasReadableVehicle(before));
+    }
+
+    void wrongKeyIsToldAndLeavesTheOthers()
+    {
+        MeasuredLink link;
+        QCOMPARE(link.refusal(kBare), std::string());
+        link.bareSilent();
+        QVERIFY(link.refusal(kBare).find("key") != std::string::npos);
+        QCOMPARE(link.refusal(kPlain), std::string());
+        QCOMPARE(link.refusal(kInline), std::string());
+        link.setBareCipher(crypto::MavsecKind::Aes256Ctr, nullptr);
+        link.plainSucceeded();
+        link.bareSilent(); // by the link, then
+        QCOMPARE(link.refusal(kBare), std::string());
     }
 
     void sessionThatIsAboutToEndDoesNotCount()
@@ -111,23 +148,23 @@ private Q_SLOTS:
     void plainNeedsTheOffersConsent()
     {
         MeasuredLink link;
-        QVERIFY(link.refusal(Protection::Plain).empty());
+        QVERIFY(link.refusal(kPlain).empty());
         engine::Snapshot snapshot = withSession(kSession);
         link.learnConsent(snapshot);
-        QCOMPARE(link.refusal(Protection::Plain), std::string("the other end does not allow plain MAVLink"));
+        QCOMPARE(link.refusal(kPlain), std::string("the other end does not allow plain MAVLink"));
         snapshot.sessions.front().info.peerOffered = {SuiteId::None};
         link.learnConsent(snapshot);
-        QVERIFY(link.refusal(Protection::Plain).empty());
+        QVERIFY(link.refusal(kPlain).empty());
     }
 
     void silenceInPlainIsRefusalUntilARunSucceeded()
     {
         MeasuredLink link;
         link.plainSilent();
-        QVERIFY(!link.refusal(Protection::Plain).empty());
+        QVERIFY(!link.refusal(kPlain).empty());
         link.plainSucceeded();
         link.plainSilent();
-        QVERIFY(link.refusal(Protection::Plain).empty());
+        QVERIFY(link.refusal(kPlain).empty());
     }
 
     void inlineNeedsASessionThatAgreesToIt()
@@ -138,12 +175,12 @@ private Q_SLOTS:
         up.framing = channel::Framing::Inline;
         link.sessionUp(up);
         link.learnConsent(withSession(kSession));
-        QVERIFY(link.refusal(Protection::Inline).empty());
+        QVERIFY(link.refusal(kInline).empty());
         up.framing = channel::Framing::Sealed;
         link.sessionUp(up);
         link.learnConsent(withSession(kNextSession));
-        QCOMPARE(link.refusal(Protection::Inline), std::string("the other end does not allow inline framing"));
-        QVERIFY(link.refusal(Protection::Sealed).empty());
+        QCOMPARE(link.refusal(kInline), std::string("the other end does not allow inline framing"));
+        QVERIFY(link.refusal(kSealed).empty());
     }
 
     void pendingSwitchLeavesTheSuite()

@@ -22,6 +22,7 @@ private Q_SLOTS:
     void theSeedDecidesTheOrder();
     void everyArmComesFirstSometimes();
     void loadsHaveNames();
+    void bareArms();
     void conditions();
     void conditionErrors_data();
     void conditionErrors();
@@ -106,6 +107,40 @@ void PlanTest::everyArmComesFirstSometimes()
     QCOMPARE(first.size(), std::size_t(7));
     for (const auto &[arm, times] : first)
         QVERIFY2(times > 60 && times < 150, qPrintable(QString::number(times))); // 100 expected
+}
+
+void PlanTest::bareArms()
+{
+    using crypto::SuiteId;
+    Plan plan;
+    plan.arms = armsOf({SuiteId::None, SuiteId::Aes256Gcm, SuiteId::Aes256Cbc, SuiteId::Aes256Ctr, SuiteId::ChaCha20},
+                       {Framing::Sealed, Framing::Inline, Framing::Bare}, true);
+    QCOMPARE(framingsOf(plan).size(), std::size_t(3));
+    std::vector<std::string> names;
+    for (const SweepArm &arm : plan.arms) {
+        QCOMPARE(isInsecure(arm), arm.framing == Framing::Bare || arm.suite == SuiteId::None);
+        QCOMPARE(bareCipherOf(arm).has_value(), arm.framing == Framing::Bare && exists(arm));
+        if (arm.framing == Framing::Bare && exists(arm))
+            names.push_back(name(arm) + "; " + fullName(arm));
+    }
+    QCOMPARE(names, // MAVSec's published code has these two
+             (std::vector<std::string>{"aes-256-ctr bare; aes-256-ctr bare", "chacha20 bare; chacha20 bare"}));
+    for (const Framing framing : kFramings)
+        QVERIFY(framingFromName(name(framing)) == framing);
+    QVERIFY(!framingFromName("plain"));
+    const auto bare = std::ranges::find(plan.arms, Framing::Bare, &SweepArm::framing);
+    QCOMPARE(bare->suite, SuiteId::Aes256Gcm); // listed, and not run
+    for (const Run &run : schedule(plan))
+        QVERIFY(exists(plan.arms[run.arm]));
+    // One block holds all of them.
+    const std::vector<Run> runs = schedule(plan);
+    const auto isFirst = [](const Run &run) { return run.repeat == 0; };
+    std::set<std::string_view> framings;
+    for (const Run &run : runs) {
+        if (isFirst(run))
+            framings.insert(framingName(plan.arms[run.arm]));
+    }
+    QCOMPARE(framings, (std::set<std::string_view>{"plain", "sealed", "inline", "bare"}));
 }
 
 void PlanTest::loadsHaveNames()

@@ -27,7 +27,7 @@ namespace {
 Results sweepOf(double rc4, unsigned seed)
 {
     Results out;
-    out.plan.arms = armsOf({SuiteId::None, SuiteId::ChaCha20, SuiteId::Rc4}, {channel::Framing::Sealed}, true);
+    out.plan.arms = armsOf({SuiteId::None, SuiteId::ChaCha20, SuiteId::Rc4}, {experiment::Framing::Sealed}, true);
     out.plan.loads = {Load::Natural, Load::Saturated};
     out.plan.launches = 3;
     out.plan.repeats = 2;
@@ -89,6 +89,7 @@ class SweepReaderTest : public QObject
 
 private Q_SLOTS:
     void whatWasWrittenIsRead();
+    void bareArmsAreRead();
     void olderVersionsAreReadable();
     void othersAreRefused();
     void damageIsNoCrash();
@@ -115,6 +116,33 @@ void SweepReaderTest::whatWasWrittenIsRead()
 }
 
 /// Without what later versions added: launches, validity.
+void SweepReaderTest::bareArmsAreRead()
+{
+    Results results = sweepOf(1.2, 7);
+    results.plan.arms = armsOf({SuiteId::None, SuiteId::ChaCha20, SuiteId::Rc4}, {std::begin(kFramings), std::end(kFramings)},
+                               false);
+    for (Sample &sample : results.samples)
+        sample.run.arm = sample.run.arm == 2 ? 3 : sample.run.arm == 3 ? 5 : sample.run.arm; // ChaCha20 in each framing
+    QCOMPARE(fullName(results.plan.arms[5]), std::string("chacha20 bare"));
+    const auto read = readSweep(jsonOf(results));
+    QVERIFY2(read, read ? "" : read.error().text().c_str());
+    QVERIFY(read->results.plan.arms == results.plan.arms);
+    QCOMPARE(jsonOf(read->results), jsonOf(results));
+    const QJsonObject report = QJsonDocument::fromJson(jsonOf(results)).object();
+    const QJsonObject bare = report[QLatin1String("plan")][QLatin1String("arms")][5].toObject();
+    QCOMPARE(bare[QLatin1String("framing")].toString(), QStringLiteral("bare"));
+    QVERIFY(bare[QLatin1String("insecure")].toBool());
+    // What the HMAC adds: the same cipher in place over the bare one.
+    int pairs = 0;
+    for (const QJsonValue one : report[QLatin1String("comparisons")].toArray())
+        pairs += one[QLatin1String("first_framing")] == QLatin1String("bare")
+            && one[QLatin1String("second_framing")] == QLatin1String("inline");
+    QVERIFY(pairs > 0);
+    const std::string page = pageOf(read->results);
+    for (const char *text : {"bare: INSECURE, as in the paper", "with and without their HMAC", "not in this framing"})
+        QVERIFY2(page.find(text) != std::string::npos, text);
+}
+
 void SweepReaderTest::olderVersionsAreReadable()
 {
     for (const int version : {2, 3}) {
@@ -265,7 +293,7 @@ void SweepReaderTest::otherSettingsAreRefused()
             && said.find("board") != std::string::npos;
     };
     QVERIFY(refused("schema version", [](Machine &machine) { machine.schemaVersion = 3; }));
-    QVERIFY(refused("framing", [](Machine &machine) { machine.results.plan.arms[1].framing = channel::Framing::Inline; }));
+    QVERIFY(refused("framing", [](Machine &machine) { machine.results.plan.arms[1].framing = experiment::Framing::Inline; }));
     QVERIFY(refused("load", [](Machine &machine) { machine.results.plan.loads = {Load::Natural}; }));
     QVERIFY(refused("link", [](Machine &machine) { machine.results.plan.conditions = {*parseCondition("loss=0.1")}; }));
     QVERIFY(refused("commit", [](Machine &machine) { machine.results.setting[1].second = "def"; }));

@@ -25,7 +25,12 @@ QString framingText(const SweepArm &arm)
 {
     if (arm.suite == crypto::SuiteId::None)
         return Text::tr("none");
-    return arm.framing == channel::Framing::Inline ? Text::tr("inline") : Text::tr("sealed");
+    switch (arm.framing) {
+    case experiment::Framing::Inline: return Text::tr("inline");
+    case experiment::Framing::Bare: return Text::tr("bare, insecure");
+    case experiment::Framing::Sealed: break;
+    }
+    return Text::tr("sealed");
 }
 
 QString armText(const SweepArm &arm)
