@@ -15,6 +15,23 @@ bool FileTransfer::addEntries(FtpListing part)
     return true;
 }
 
+void FileTransfer::setPart(std::shared_ptr<const KeptPart> kept, std::shared_ptr<PartSink> sink)
+{
+    if (isVirtual()) // it is made anew whenever it is opened
+        return;
+    m_kept = std::move(kept);
+    m_sink = std::move(sink);
+}
+
+bool FileTransfer::beginPart()
+{
+    if (m_kept)
+        return m_kept->size == m_size;
+    if (m_sink)
+        m_sink->begin(static_cast<std::uint32_t>(m_size), 0);
+    return true;
+}
+
 bool FileTransfer::setSource(std::shared_ptr<const Bytes> content)
 {
     if (!content || content->size() > kMostBytes)
@@ -44,6 +61,13 @@ void FileTransfer::store(std::size_t offset, ByteView data)
     std::ranges::copy(data, m_content.begin() + static_cast<std::ptrdiff_t>(offset));
 }
 
+void FileTransfer::take(std::uint32_t offset, ByteView data)
+{
+    store(offset, data);
+    if (m_sink)
+        m_sink->append(offset, data);
+}
+
 bool FileTransfer::endAt(std::size_t bytes)
 {
     if (m_content.size() > bytes)
@@ -70,6 +94,8 @@ FileResult FileTransfer::takeResult(bool ok)
     m_entries.clear();
     m_content = {};
     m_source.reset();
+    m_kept.reset();
+    m_sink.reset();
     return result;
 }
 

@@ -38,6 +38,13 @@ public:
     /// Entries of the folder so far, those that were skipped included.
     std::uint32_t listed() const { return m_listed; }
 
+    /// Of a file to be read, unless it is virtual: goes on from `kept`, and `sink` takes what arrives. Either may be null.
+    void setPart(std::shared_ptr<const KeptPart> kept, std::shared_ptr<PartSink> sink);
+    /// What is there from before; null of a transfer that begins anew.
+    const KeptPart *kept() const { return m_kept.get(); }
+    /// The size is known: tells the sink what begins. Returns false if what is kept has another size.
+    bool beginPart();
+
     /// The file to be written. Returns false if there is none or it is too large.
     bool setSource(std::shared_ptr<const Bytes> content);
     /// The size of the file to be read, as the vehicle says. Returns false if it is too large.
@@ -55,6 +62,8 @@ public:
     std::size_t end() const { return m_content.size(); }
     /// Stores bytes of the file that is read. `offset` is within the size.
     void store(std::size_t offset, ByteView data);
+    /// The same for bytes that have arrived, which the sink takes as well.
+    void take(std::uint32_t offset, ByteView data);
     /// The file ends sooner than it was announced. Returns false if more has arrived already.
     bool endAt(std::size_t bytes);
 
@@ -71,6 +80,8 @@ private:
     std::uint32_t m_listed = 0;
     Bytes m_content;                       ///< read so far
     std::shared_ptr<const Bytes> m_source; ///< to be written
+    std::shared_ptr<const KeptPart> m_kept;
+    std::shared_ptr<PartSink> m_sink;
     std::size_t m_size = 0;
     std::size_t m_announced = 0;
     bool m_isEstimate = false;

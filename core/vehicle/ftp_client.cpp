@@ -13,8 +13,10 @@ bool FtpClient::perform(TimePoint now, RequestId id, const Request &request)
         if (begin(now, id, FileAction::List, list->path))
             stepWithPath(now, Phase::Listing, mavlink::MAV_FTP_OPCODE_LISTDIRECTORY);
     } else if (const auto *read = std::get_if<vehicle::ReadFile>(&request)) {
-        if (begin(now, id, FileAction::Read, read->path))
-            stepWithPath(now, Phase::Opening, mavlink::MAV_FTP_OPCODE_OPENFILERO);
+        if (!begin(now, id, FileAction::Read, read->path))
+            return true;
+        m_transfer.setPart(read->kept, read->sink);
+        stepWithPath(now, Phase::Opening, mavlink::MAV_FTP_OPCODE_OPENFILERO);
     } else if (const auto *write = std::get_if<vehicle::WriteFile>(&request)) {
         if (!begin(now, id, FileAction::Write, write->path))
             return true;
@@ -27,7 +29,7 @@ bool FtpClient::perform(TimePoint now, RequestId id, const Request &request)
         if (begin(now, id, FileAction::Remove, remove->path))
             stepWithPath(now, Phase::Removing, mavlink::MAV_FTP_OPCODE_REMOVEFILE);
     } else if (m_phase != Phase::Idle && !m_ended && isCancelOf(request, m_transfer.id())) {
-        terminate(now);
+        terminate(now, "cancelled");
     } else {
         return false;
     }
@@ -94,17 +96,18 @@ bool FtpClient::read(TimePoint now, const std::string &path, std::function<void(
 void FtpClient::cancelRead(TimePoint now)
 {
     if (m_phase != Phase::Idle && m_ended)
-        terminate(now);
+        terminate(now, "cancelled");
 }
 
-void FtpClient::terminate(TimePoint now)
+/// Closes the file without waiting for an answer.
+void FtpClient::terminate(TimePoint now, std::string reason, bool unfit)
 {
     FtpMessage message;
     message.sequence = ++m_sequence;
     message.opcode = mavlink::MAV_FTP_OPCODE_TERMINATESESSION;
     message.session = m_session;
     transmit(now, message);
-    finish(false, "cancelled");
+    finish(false, std::move(reason), false, unfit);
 }
 
 TransferProgress FtpClient::transferred() const
@@ -191,7 +194,9 @@ void FtpClient::handleStepAnswer(TimePoint now, const FtpMessage &answer)
         return requestChunks(now);
     case Phase::Closing: return check(now);
     case Phase::Checking:
-        return m_transfer.verify(answer.number()) ? finish(true) : finish(false, "the checksums of both ends differ");
+        if (!answer.number())
+            return finishUnchecked();
+        return m_transfer.verify(answer.number()) ? finish(true) : finishUnfit("the checksums of both ends differ");
     case Phase::Removing: return finish(true);
     default: return;
     }
@@ -208,7 +213,7 @@ void FtpClient::handleStepRefusal(TimePoint now, const FtpMessage &nak)
             return finish(true);
         break;
     case Phase::Closing: return check(now); // it is closed
-    case Phase::Checking: return finish(true);
+    case Phase::Checking: return finishUnchecked();
     case Phase::Removing:
         if (error == mavlink::MAV_FTP_ERR_FILENOTFOUND && m_repetition.isRepeated())
             return finish(true); // the lost answer said that it was removed
@@ -252,10 +257,29 @@ void FtpClient::handleOpened(TimePoint now, const FtpMessage &answer)
         return finish(false, "the vehicle does not report the size of the file");
     if (!m_transfer.announce(*size))
         return finish(false, "the file is larger than " + std::to_string(FileTransfer::kMostBytes) + " bytes");
+    if (!m_transfer.beginPart())
+        return terminate(now, "the file has another size than the part that is kept", true);
     if (m_transfer.size() == 0)
         return close(now);
     m_window.setCount(m_transfer.chunks());
+    takeKept(now);
     burst(now);
+}
+
+/// Bursts go on behind the last chunk that is kept; what is missing before it is requested as if it were lost.
+void FtpClient::takeKept(TimePoint now)
+{
+    const KeptPart *kept = m_transfer.kept();
+    if (!kept)
+        return;
+    for (const KeptPart::Piece &piece : kept->pieces) {
+        const std::size_t index = piece.offset / kChunk;
+        const bool isWhole = piece.size == kChunk || piece.offset + std::size_t(piece.size) == m_transfer.size();
+        if (piece.offset % kChunk != 0 || !isWhole || !m_window.arrived(now, index))
+            continue;
+        m_transfer.store(piece.offset, kept->bytesOf(piece));
+        m_reached = std::max(m_reached, index + 1);
+    }
 }
 
 /// Requests the rest of the file; then what was lost.
@@ -372,7 +396,7 @@ bool FtpClient::takeChunk(TimePoint now, std::uint32_t offset, ByteView data)
         return false;
     if (index >= m_window.count() || !m_window.arrived(now, index))
         return true;
-    m_transfer.store(offset, data);
+    m_transfer.take(offset, data);
     m_deadline = now + kGiveUp;
     return true;
 }
@@ -381,7 +405,7 @@ bool FtpClient::takeChunk(TimePoint now, std::uint32_t offset, ByteView data)
 bool FtpClient::endAt(std::size_t bytes)
 {
     if (!m_transfer.endAt(bytes)) {
-        finish(false, "the file changed while it was read");
+        finishUnfit("the file changed while it was read");
         return false;
     }
     m_window.setCount(m_transfer.chunks());
@@ -405,12 +429,21 @@ void FtpClient::check(TimePoint now)
     stepWithPath(now, Phase::Checking, mavlink::MAV_FTP_OPCODE_CALCFILECRC);
 }
 
-void FtpClient::finish(bool ok, std::string reason, bool changeUnanswered)
+/// The vehicle computes no checksum: a part that is kept may be of an older file.
+void FtpClient::finishUnchecked()
+{
+    if (m_transfer.kept())
+        return finishUnfit("without a checksum, the part that is kept is of no use");
+    finish(true);
+}
+
+void FtpClient::finish(bool ok, std::string reason, bool changeUnanswered, bool unfit)
 {
     FileResult result = m_transfer.takeResult(ok);
     result.systemId = addressing().system;
     result.reason = std::move(reason);
     result.changeUnanswered = changeUnanswered;
+    result.unfit = unfit;
     m_phase = Phase::Idle;
     m_deadline = kNever;
     m_repetition.stop();
@@ -424,7 +457,10 @@ void FtpClient::giveUp(TimePoint now)
 {
     switch (m_phase) {
     case Phase::Closing: return check(now); // what was to be transferred is there
-    case Phase::Checking: return finish(true);
+    case Phase::Checking:
+        if (m_transfer.kept())
+            return finish(false, "the vehicle does not send the checksum");
+        return finish(true);
     case Phase::Reading:
     case Phase::Bursting:
         return finish(false, "the vehicle does not send byte " + std::to_string(m_window.firstMissing() * kChunk));

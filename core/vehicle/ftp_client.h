@@ -6,6 +6,8 @@
 //     Write:  CreateFile → WriteFile of every chunk, in a window → TerminateSession → CalcFileCRC32
 //     Remove: RemoveFile
 //
+// A file of which a part is kept is read on from there, if it still has the size, and must have the checksum in the end.
+//
 // A file is a row of chunks of 239 bytes (FileTransfer). All chunks of a virtual file must be read with the same size
 // (AP_Filesystem_Param::read()). Requests are repeated with their sequence number, by which the vehicle recognises them, when
 // the measured round trip has passed without an answer. Jumps in a file are bounded, whatever the vehicle sends.
@@ -88,6 +90,7 @@ private:
     bool resetSessions(TimePoint now, std::uint8_t error);
     void handleListing(TimePoint now, const FtpMessage &answer);
     void handleOpened(TimePoint now, const FtpMessage &answer);
+    void takeKept(TimePoint now);
     void burst(TimePoint now);
     void handleBurst(TimePoint now, const FtpMessage &answer);
     void fillGaps(TimePoint now);
@@ -98,8 +101,10 @@ private:
     bool endAt(std::size_t bytes);
     void close(TimePoint now);
     void check(TimePoint now);
-    void terminate(TimePoint now);
-    void finish(bool ok, std::string reason = {}, bool changeUnanswered = false);
+    void terminate(TimePoint now, std::string reason, bool unfit = false);
+    void finish(bool ok, std::string reason = {}, bool changeUnanswered = false, bool unfit = false);
+    void finishUnfit(std::string reason) { finish(false, std::move(reason), false, true); }
+    void finishUnchecked();
     void giveUp(TimePoint now);
     bool isTransferring() const { return m_phase == Phase::Reading || m_phase == Phase::Writing; }
 

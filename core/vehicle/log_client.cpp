@@ -8,17 +8,17 @@ namespace skyseal::vehicle {
 bool LogClient::perform(TimePoint now, RequestId id, const Request &request)
 {
     if (std::holds_alternative<ListLogs>(request)) {
-        if (begin(now, id, LogAction::List, 0))
+        if (begin(now, id, LogAction::List))
             requestList(now);
     } else if (const auto *read = std::get_if<ReadLog>(&request)) {
-        if (!begin(now, id, LogAction::Read, read->log))
+        if (!begin(now, id, LogAction::Read, *read))
             return true;
         if (read->log == 0 && kind().isArduPilot())
             finish(false, "the vehicle has no such log");
         else
             requestList(now); // for its size
     } else if (std::holds_alternative<EraseLogs>(request)) {
-        if (!begin(now, id, LogAction::Erase, 0))
+        if (!begin(now, id, LogAction::Erase))
             return true;
         send(mavlink::LogErase{});
         m_deadline = now + kEraseTimeout;
@@ -85,19 +85,21 @@ std::optional<TransferProgress> LogClient::progress() const
     return TransferProgress{m_request, m_content.received(), m_content.size()};
 }
 
-bool LogClient::begin(TimePoint now, RequestId id, LogAction action, std::uint16_t log)
+bool LogClient::begin(TimePoint now, RequestId id, LogAction action, ReadLog log)
 {
     if (m_phase != Phase::Idle) {
         report(LogResult{.id = id,
                          .systemId = addressing().system,
                          .action = action,
-                         .log = log,
+                         .log = log.log,
                          .reason = "another request for logs is under way"});
         return false;
     }
     m_request = id;
     m_action = action;
-    m_log = log;
+    m_log = log.log;
+    m_kept = std::move(log.kept);
+    m_sink = std::move(log.sink);
     m_phase = Phase::Listing;
     m_entries.clear();
     m_announced.reset();
@@ -169,13 +171,40 @@ void LogClient::handleListed(TimePoint now)
         return finish(false, "the vehicle has no such log");
     if (entry->second.size > kMostBytes)
         return finish(false, "the log is larger than " + std::to_string(kMostBytes) + " bytes");
+    if (!beginPart(entry->second))
+        return finishUnfit("the log is not the one of which a part is kept");
     m_content = LogContent(entry->second.size);
-    if (m_content.size() == 0)
+    if (m_content.size() == 0 || !takeKept())
         return finish(true);
     m_phase = Phase::Reading;
     m_pace = {};
     m_deadline = now + kGiveUp;
     requestPiece(now);
+}
+
+/// Tells the sink what begins. Returns false if what is kept is of another log, or of one that cannot be told from others.
+bool LogClient::beginPart(const OnboardLog &log)
+{
+    if (m_kept)
+        return m_kept->size == log.size && m_kept->stamp == log.timeSeconds && log.timeSeconds != 0;
+    if (m_sink)
+        m_sink->begin(log.size, log.timeSeconds);
+    return true;
+}
+
+/// Returns false if nothing is missing. What is kept arrived piece by piece.
+bool LogClient::takeKept()
+{
+    if (!m_kept)
+        return true;
+    for (const KeptPart::Piece &piece : m_kept->pieces) {
+        const bool isWhole = piece.size == kChunk || piece.offset + std::size_t(piece.size) == m_content.size();
+        if (piece.offset % kChunk == 0 && isWhole)
+            m_content.store(piece.offset / kChunk, m_kept->bytesOf(piece));
+        if (m_content.isPieceComplete() && !m_content.beginNextPiece())
+            return false;
+    }
+    return true;
 }
 
 /// Requests what is missing of the piece.
@@ -236,10 +265,13 @@ void LogClient::handleData(TimePoint now, const mavlink::LogData &data)
     m_silent = 0;
     m_repeat = now + std::max({m_pace.pause(), m_rtt.timeout(), kLeastPause});
     if (count < kChunk && data.ofs + count < m_content.size() && !m_content.endAt(data.ofs + count))
-        return finish(false, "the log changed while it was read");
-    const bool isNew = m_content.store(index, ByteView(data.data).first(count));
+        return finishUnfit("the log changed while it was read");
+    const ByteView bytes = ByteView(data.data).first(count);
+    const bool isNew = m_content.store(index, bytes);
     if (isNew)
         m_deadline = now + kGiveUp;
+    if (isNew && m_sink && !bytes.empty())
+        m_sink->append(data.ofs, bytes);
     if (!m_content.isPieceComplete()) {
         if (isNew && index == m_lastRequested && m_sweep.nextDeadline() == kNever)
             requestPiece(now);
@@ -250,11 +282,12 @@ void LogClient::handleData(TimePoint now, const mavlink::LogData &data)
     requestPiece(now);
 }
 
-void LogClient::finish(bool ok, std::string reason, bool changeUnanswered)
+void LogClient::finish(bool ok, std::string reason, bool changeUnanswered, bool unfit)
 {
     LogResult result{.id = m_request, .systemId = addressing().system, .action = m_action, .log = m_log, .ok = ok};
     result.reason = std::move(reason);
     result.changeUnanswered = changeUnanswered;
+    result.unfit = unfit;
     if (ok && m_action == LogAction::List) {
         auto list = std::make_shared<std::vector<OnboardLog>>();
         for (const auto &[id, entry] : m_entries)
@@ -268,6 +301,8 @@ void LogClient::finish(bool ok, std::string reason, bool changeUnanswered)
     m_entries.clear();
     m_content = {};
     m_sweep = {};
+    m_kept.reset();
+    m_sink.reset();
     m_phase = Phase::Idle;
     m_repeat = m_deadline = kNever;
     report(std::move(result));

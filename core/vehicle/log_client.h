@@ -55,9 +55,11 @@ public:
 private:
     enum class Phase : std::uint8_t { Idle, Listing, Reading };
 
-    bool begin(TimePoint now, RequestId id, LogAction action, std::uint16_t log);
+    bool begin(TimePoint now, RequestId id, LogAction action, ReadLog log = {});
     void handleEntry(TimePoint now, const mavlink::LogEntry &entry);
     void handleListed(TimePoint now);
+    bool beginPart(const OnboardLog &log);
+    bool takeKept();
     void handleData(TimePoint now, const mavlink::LogData &data);
     void requestList(TimePoint now);
     void requestPiece(TimePoint now);
@@ -65,7 +67,8 @@ private:
     void steer(TimePoint now);
     void requestRun(const LogContent::Run &run);
     void rest(TimePoint now);
-    void finish(bool ok, std::string reason = {}, bool changeUnanswered = false);
+    void finish(bool ok, std::string reason = {}, bool changeUnanswered = false, bool unfit = false);
+    void finishUnfit(std::string reason) { finish(false, std::move(reason), false, true); }
 
     RequestId m_request{};
     Phase m_phase = Phase::Idle;
@@ -73,6 +76,8 @@ private:
     std::uint16_t m_log = 0;
     std::map<std::uint16_t, OnboardLog> m_entries;
     std::optional<std::uint16_t> m_announced; ///< logs of the list
+    std::shared_ptr<const KeptPart> m_kept;
+    std::shared_ptr<PartSink> m_sink;
     LogContent m_content;
     LogSweep m_sweep;                ///< of vehicles other than ArduPilot
     std::size_t m_lastRequested = 0; ///< the chunk that ends the run requested last

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/bytes.h"
+#include "core/vehicle/kept_part.h"
 #include "core/vehicle/request_id.h"
 
 #include <cstdint>
@@ -24,6 +25,9 @@ struct ListLogs
 struct ReadLog
 {
     std::uint16_t log = 0;
+    /// Goes on from here, if the log is listed with the same size and time. The protocol has no checksum.
+    std::shared_ptr<const KeptPart> kept = {};
+    std::shared_ptr<PartSink> sink = {}; ///< takes what arrives
 };
 /// Erases all logs. The protocol has no answer; the vehicle's list tells whether it did.
 struct EraseLogs
@@ -38,8 +42,9 @@ struct LogResult
     LogAction action{};
     std::uint16_t log = 0;
     bool ok = false;
-    std::string reason = {};                                     ///< why it failed, for people
-    bool changeUnanswered = false;                               ///< logs are still there after an erase
+    std::string reason = {};       ///< why it failed, for people
+    bool changeUnanswered = false; ///< logs are still there after an erase
+    bool unfit = false;            ///< what has arrived, or was kept, is not the log: it must be read anew
     std::shared_ptr<const std::vector<OnboardLog>> entries = {}; ///< of List
     std::shared_ptr<const Bytes> content = {};                   ///< of Read
 };

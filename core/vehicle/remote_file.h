@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/bytes.h"
+#include "core/vehicle/kept_part.h"
 #include "core/vehicle/request_id.h"
 
 #include <cstdint>
@@ -28,6 +29,8 @@ struct ListFolder
 struct ReadFile
 {
     std::string path;
+    std::shared_ptr<const KeptPart> kept = {}; ///< goes on from here; then both ends must have the same checksum
+    std::shared_ptr<PartSink> sink = {};       ///< takes what arrives; not of virtual files
 };
 /// Creates or replaces the file.
 struct WriteFile
@@ -55,9 +58,10 @@ struct FileResult
     FileAction action{};
     std::string path = {};
     bool ok = false;
-    std::string reason = {};                                     ///< why it failed, for people
-    bool changeUnanswered = false;                               ///< a write or removal that got no answer at all
-    bool verified = false;                                       ///< the checksums of both ends are the same
+    std::string reason = {};       ///< why it failed, for people
+    bool changeUnanswered = false; ///< a write or removal that got no answer at all
+    bool unfit = false;            ///< what has arrived, or was kept, is not the file: it must be read anew
+    bool verified = false;         ///< the checksums of both ends are the same
     std::shared_ptr<const std::vector<RemoteFile>> entries = {}; ///< of List
     std::shared_ptr<const Bytes> content = {};                   ///< of Read
 };

@@ -25,7 +25,8 @@ public:
     std::size_t entriesInPart = 3;
     int busy = 0; ///< so many opens find no free session
     int resets = 0;
-    int sessions = 0; ///< that are open
+    int sessions = 0;          ///< that are open
+    std::size_t bytesSent = 0; ///< of files
 
     void handle(TimePoint now, const OutMessage &message, std::vector<ToStation> &out) override
     {
@@ -67,6 +68,7 @@ public:
         }
         m_burst.size = 0;
         m_burst.append(chunkAt(content, m_burst.offset));
+        bytesSent += m_burst.size;
         m_burst.burstComplete = ++m_sentInBurst == burstLength;
         reply(m_burst, out);
         m_burst.offset += m_burst.size;
@@ -107,6 +109,7 @@ private:
             if (request.offset >= files[m_open].size())
                 return mavlink::MAV_FTP_ERR_EOF;
             answer.append(chunkAt(files[m_open], request.offset));
+            bytesSent += answer.size;
             return std::nullopt;
         case mavlink::MAV_FTP_OPCODE_WRITEFILE: {
             Bytes &content = files[m_open];

@@ -1,5 +1,6 @@
 // The log protocol against a small server, clean and through a radio that drops, and against hostile answers.
 #include "core/vehicle/log_client.h"
+#include "kept_sink.h"
 #include "transfer_measure.h"
 #include "tests/support/test_runner.h"
 
@@ -23,6 +24,10 @@ private Q_SLOTS:
     void silentVehicleIsGivenUp();
     void transferIsCancelled();
     void lostLinkIsNotFlooded();
+    void logGoesOn_data();
+    void logGoesOn();
+    void otherLogStartsAnew_data();
+    void otherLogStartsAnew();
     void everythingArrivesThroughABadRadio_data();
     void everythingArrivesThroughABadRadio();
     void lossCostsLittleTime_data();
@@ -46,6 +51,8 @@ public:
     Duration cycle = kInterval;
     int ends = 0;     ///< LOG_REQUEST_END that have come
     int requests = 0; ///< for data
+    std::size_t bytesSent = 0;
+    std::uint32_t time = 0; ///< of all logs
 
     void handle(TimePoint now, const OutMessage &message, std::vector<ToStation> &out) override
     {
@@ -59,6 +66,7 @@ public:
             for (const auto &[id, content] : logs) {
                 entry.id = id;
                 entry.size = static_cast<std::uint32_t>(content.size()) + listedMore;
+                entry.time_utc = time;
                 if (id >= list->start && id <= list->end)
                     out.push_back(send(entry));
             }
@@ -109,6 +117,7 @@ private:
         data.count = static_cast<std::uint8_t>(std::min<std::size_t>({90, run.count, rest}));
         std::copy_n(content.begin() + static_cast<std::ptrdiff_t>(content.size() - rest), data.count, data.data.begin());
         out.push_back(send(data));
+        bytesSent += data.count;
         run.ofs += 90;
         run.count -= std::min<std::uint32_t>(run.count, 90);
         if (run.count == 0 || data.count < 90)
@@ -245,6 +254,83 @@ void OnboardLogTest::lostLinkIsNotFlooded()
     QVERIFY(link.run(std::chrono::seconds(60), [&] { return (result = h.poll<LogResult>()).has_value(); }));
     QVERIFY2(result->reason.find("does not send byte") != std::string::npos, result->reason.c_str());
     QVERIFY2(peer.requests - before < 150, std::to_string(peer.requests - before).c_str());
+}
+
+void OnboardLogTest::logGoesOn_data()
+{
+    QTest::addColumn<bool>("isPx4");
+    QTest::addColumn<double>("share"); // of the journal that is there
+    for (const double share : {0.3, 0.95, 1.}) {
+        QTest::addRow("ArduPilot, %.2f", share) << false << share;
+        QTest::addRow("PX4, %.2f", share) << true << share;
+    }
+}
+
+void OnboardLogTest::logGoesOn()
+{
+    QFETCH(bool, isPx4);
+    QFETCH(double, share);
+    constexpr std::size_t kSize = LogClient::kChunk * LogClient::kPiece + 100'005; // two pieces
+    LogPeer peer;
+    peer.isPx4 = isPx4;
+    peer.time = 1'700'000'000;
+    peer.logs[4] = noise(kSize);
+    const auto sink = std::make_shared<JournalSink>();
+    TimePoint now = at(100);
+    std::size_t sent = 0;
+    const auto read = [&](double loss, std::shared_ptr<const KeptPart> kept) { // another program each time
+        Harness h = isPx4 ? Harness::px4() : Harness::copter();
+        h.now = now;
+        LossyLink link(h, peer, loss, 3);
+        peer.bytesSent = 0;
+        const LogResult out = resultOf<LogResult>(h, link, ReadLog{4, std::move(kept), sink});
+        sent = peer.bytesSent;
+        link.run(std::chrono::seconds(5), [] { return false; }); // a PX4 that has not heard of the end goes on
+        now = h.now + std::chrono::seconds(1);
+        return out;
+    };
+    QVERIFY(read(0.1, nullptr).ok);
+    if (share < 1)
+        sink->journal.resize(static_cast<std::size_t>(share * static_cast<double>(sink->journal.size())));
+    const auto kept = sink->kept();
+    sink->journal.resize(kept->journalSize);
+    const std::size_t missing = kSize - bytesIn(*kept);
+    const LogResult result = read(0, kept);
+    QVERIFY2(result.ok, result.reason.c_str());
+    QCOMPARE(*result.content, peer.logs[4]);
+    QCOMPARE(bytesIn(*sink->kept()), kSize);
+    // What lies between the lost chunks comes along from a PX4.
+    QVERIFY2(sent >= missing && sent <= missing + kSize / 3, std::to_string(sent).c_str());
+    QCOMPARE(sent == 0, share == 1.);
+}
+
+void OnboardLogTest::otherLogStartsAnew_data()
+{
+    QTest::addColumn<int>("size");
+    QTest::addColumn<quint32>("time");
+    QTest::newRow("other size") << 50'001 << 1'700'000'000u;
+    QTest::newRow("other time") << 50'000 << 1'700'000'001u;
+    QTest::newRow("unknown time") << 50'000 << 0u;
+}
+
+void OnboardLogTest::otherLogStartsAnew()
+{
+    QFETCH(int, size);
+    QFETCH(quint32, time);
+    Harness h = Harness::copter();
+    LogPeer peer;
+    LossyLink link(h, peer, 0, 1);
+    peer.time = time == 0 ? 0 : 1'700'000'000;
+    peer.logs[4] = noise(50'000);
+    const auto sink = std::make_shared<JournalSink>();
+    QVERIFY(resultOf<LogResult>(h, link, ReadLog{4, nullptr, sink}).ok);
+    peer.time = time;
+    peer.logs[4] = noise(static_cast<std::size_t>(size), 2);
+    const LogResult glued = resultOf<LogResult>(h, link, ReadLog{4, sink->kept(), sink});
+    QVERIFY(!glued.ok && glued.unfit && !glued.content);
+    const LogResult anew = resultOf<LogResult>(h, link, ReadLog{4, nullptr, sink});
+    QVERIFY2(anew.ok, anew.reason.c_str());
+    QCOMPARE(*anew.content, peer.logs[4]);
 }
 
 void OnboardLogTest::everythingArrivesThroughABadRadio_data()
