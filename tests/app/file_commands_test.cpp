@@ -1,4 +1,5 @@
 // skyseal-cli ftp and logs beside the simulator behind an agent, over the sealed link.
+#include "app/cli/transfer/part_file.h"
 #include "tests/support/test_runner.h"
 #include "vehicle_commands.h"
 
@@ -10,6 +11,7 @@
 #include <random>
 
 using namespace skyseal::test;
+using skyseal::app::PartFile;
 
 class FileCommandsTest : public QObject
 {
@@ -20,7 +22,8 @@ private Q_SLOTS:
     void filesAreWrittenListedReadAndRemoved();
     void missingFilesAreReported();
     void parametersAreAFile();
-    void interruptedTransferLeavesNoFile();
+    void interruptedTransferGoesOn();
+    void changedFileIsReadAnew();
     void logsAreListedReadAndErased();
     void vehicleWithoutFilesIsReported();
     void usageIsChecked_data();
@@ -122,7 +125,7 @@ void FileCommandsTest::parametersAreAFile()
     QCOMPARE(contentOf(file), content);
 }
 
-void FileCommandsTest::interruptedTransferLeavesNoFile()
+void FileCommandsTest::interruptedTransferGoesOn()
 {
     const QString big = m_vehicle.write("big", noise(300'000));
     QCOMPARE(run(QStringLiteral("ftp put ") + big + QStringLiteral(" /big")).status, 0);
@@ -136,12 +139,39 @@ void FileCommandsTest::interruptedTransferLeavesNoFile()
     QVERIFY(progress[QLatin1String("done")].toInt() < 300'000);
     QCOMPARE(::kill(static_cast<pid_t>(get.pid()), SIGINT), 0);
     QCOMPARE(get.waitForExit(), 1);
-    QVERIFY(QDir(path("place")).entryList(QDir::Files | QDir::Hidden).isEmpty());
+    const auto files = [this] { return QDir(path("place")).entryList(QDir::Files | QDir::Hidden); };
+    QCOMPARE(files(), QStringList{QStringLiteral("big.part")});
     // The file that the vehicle still has open stands in nobody's way.
-    const RunResult again = run(QStringLiteral("ftp get /big ") + target);
+    const RunResult again = run(QStringLiteral("ftp get /big ") + target + QStringLiteral(" --json"));
     QVERIFY2(again.status == 0, again.err.constData());
+    const auto resumed = eventsIn(again, QStringLiteral("resumed"));
+    QCOMPARE(resumed.size(), std::size_t(1));
+    QVERIFY(resumed[0][QLatin1String("bytes")].toInt() >= progress[QLatin1String("done")].toInt());
     QCOMPARE(contentOf(target), contentOf(big));
+    QCOMPARE(files(), QStringList{QStringLiteral("big")});
     QCOMPARE(run(QStringLiteral("ftp rm /big")).status, 0);
+}
+
+void FileCommandsTest::changedFileIsReadAnew()
+{
+    const QByteArray content = noise(5000);
+    QCOMPARE(run(QStringLiteral("ftp put ") + m_vehicle.write("changed", content) + QStringLiteral(" /changed")).status, 0);
+    const QString target = path("changed.copy");
+    {
+        PartFile part(target.toStdString(), "vehicle 1 file /changed");
+        part.begin(5000, 0);
+        part.append(0, skyseal::Bytes(239, 1)); // of the old file
+    }
+    const RunResult got = run(QStringLiteral("ftp get /changed ") + target);
+    QVERIFY2(got.status == 0, got.err.constData());
+    QVERIFY2(got.err.contains("goes on from 239 bytes"), got.err.constData());
+    QVERIFY2(got.err.contains("starts anew: the checksums of both ends differ"), got.err.constData());
+    QCOMPARE(contentOf(target), content);
+    QVERIFY(!QFile::exists(target + QStringLiteral(".part")));
+    const QString foreign = m_vehicle.write("changed.copy.part", "somebody else's");
+    QCOMPARE(run(QStringLiteral("ftp get /changed ") + target).status, 0);
+    QCOMPARE(contentOf(foreign), QByteArray("somebody else's"));
+    QCOMPARE(run(QStringLiteral("ftp rm /changed")).status, 0);
 }
 
 void FileCommandsTest::logsAreListedReadAndErased()

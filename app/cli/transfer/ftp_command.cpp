@@ -1,6 +1,7 @@
 // skyseal-cli ftp: the files of a vehicle, by MAVLink FTP.
 #include "app/cli/commands.h"
 #include "app/cli/transfer/actions.h"
+#include "app/cli/transfer/download_task.h"
 #include "app/cli/transfer/request_task.h"
 #include "app/cli/transfer/transfer_options.h"
 #include "app/common/exit_status.h"
@@ -75,7 +76,9 @@ int runList(const QString &name, const QStringList &arguments)
 
 int runGet(const QString &name, const QStringList &arguments)
 {
-    Options options(name, QStringLiteral("Reads a file of the vehicle and compares the checksums."));
+    Options options(name,
+                    QStringLiteral("Reads a file of the vehicle and compares the checksums. What has arrived is in "
+                                   "FILE.part until then: a transfer that was broken off goes on from there."));
     options.addArgument("PATH", kPathHelp);
     options.addArgument("[FILE]", "File to write; an existing one is replaced. Without it, the name in PATH, in this folder.");
     declareTransfer(options);
@@ -87,13 +90,18 @@ int runGet(const QString &name, const QStringList &arguments)
         options.fail("'" + path.toStdString() + "' names no file");
     if (const auto status = checkTarget(name, options, file))
         return *status;
-    return runRequest(name, options, vehicle::ReadFile{path.toStdString()}, path.toStdString(),
-                      [file](const FileResult &result, const TaskSettings &settings) {
-                          std::string problem = writeWhole(file, asText(*result.content));
-                          if (problem.empty())
-                              tell(settings, "downloaded", file.toStdString(), result.content->size(), result.verified);
-                          return problem;
-                      });
+    return runTransfer(name, options, [&](const TaskSettings &settings) {
+        const std::string remote = path.toStdString();
+        DownloadTask<FileResult>::Download download{file.toStdString(), "file " + remote, remote + ": ", {}, {}};
+        download.request = [remote](auto kept, auto sink) { return vehicle::ReadFile{remote, kept, sink}; };
+        download.take = [file, settings](const FileResult &result) {
+            std::string problem = writeWhole(file, asText(*result.content));
+            if (problem.empty())
+                tell(settings, "downloaded", file.toStdString(), result.content->size(), result.verified);
+            return problem;
+        };
+        return std::make_shared<DownloadTask<FileResult>>(settings, std::move(download));
+    });
 }
 
 int runPut(const QString &name, const QStringList &arguments)

@@ -1,6 +1,7 @@
 // skyseal-cli logs: the flight logs on a vehicle, by the log protocol.
 #include "app/cli/commands.h"
 #include "app/cli/transfer/actions.h"
+#include "app/cli/transfer/download_task.h"
 #include "app/cli/transfer/request_task.h"
 #include "app/cli/transfer/transfer_options.h"
 #include "app/common/format.h"
@@ -49,7 +50,9 @@ int runList(const QString &name, const QStringList &arguments)
 
 int runGet(const QString &name, const QStringList &arguments)
 {
-    Options options(name, QStringLiteral("Reads a log. ArduPilot sends logs only while it is disarmed."));
+    Options options(name,
+                    QStringLiteral("Reads a log. ArduPilot sends logs only while it is disarmed. What has arrived is in "
+                                   "FILE.part until then: a transfer that was broken off goes on from there."));
     options.addArgument("ID", "Number of the log, as 'logs list' shows it.");
     options.addArgument("[FILE]", "File to write; an existing one is replaced. Without it, log-ID.bin in this folder.");
     declareTransfer(options);
@@ -79,7 +82,10 @@ int runGet(const QString &name, const QStringList &arguments)
             }
             return problem;
         };
-        return std::make_shared<LogTask>(settings, vehicle::ReadLog{log}, save, "log " + std::to_string(log) + ": ");
+        const std::string subject = "log " + std::to_string(log);
+        DownloadTask<LogResult>::Download download{file.toStdString(), subject, subject + ": ", {}, save};
+        download.request = [log](auto kept, auto sink) { return vehicle::ReadLog{log, kept, sink}; };
+        return std::make_shared<DownloadTask<LogResult>>(settings, std::move(download));
     });
 }
 
