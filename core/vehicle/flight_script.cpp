@@ -169,7 +169,7 @@ constexpr std::pair<std::string_view, ComparisonOperator> kComparisons[] = {
     {">=", ComparisonOperator::AtLeast},  {"<=", ComparisonOperator::AtMost}, {"==", ComparisonOperator::Equal},
     {"!=", ComparisonOperator::NotEqual}, {">", ComparisonOperator::Greater}, {"<", ComparisonOperator::Less}};
 
-StepResult parseWait(ScriptTokens &tokens)
+Result<WaitUntil, InputError> parseComparison(ScriptTokens &tokens)
 {
     WaitUntil out;
     const std::string_view name = tokens.peekName();
@@ -206,13 +206,21 @@ StepResult parseWait(ScriptTokens &tokens)
             return tl::make_unexpected(value.error());
         out.number = *value;
     }
+    return out;
+}
+
+StepResult parseWait(ScriptTokens &tokens)
+{
+    auto out = parseComparison(tokens);
+    if (!out)
+        return tl::make_unexpected(out.error());
     if (!tokens.atEnd()) {
         const auto timeout = tokens.duration("a time-out in seconds, 0 to 86400, or the end of the step");
         if (!timeout)
             return tl::make_unexpected(timeout.error());
-        out.timeout = *timeout;
+        out->timeout = *timeout;
     }
-    return Action(out);
+    return Action(*out);
 }
 
 constexpr std::pair<std::string_view, StepResult (*)(ScriptTokens &)> kVerbs[] = {{"mode", parseMode},
@@ -279,6 +287,15 @@ Result<FlightStep, InputError> parseStep(ScriptTokens &tokens)
 }
 
 } // namespace
+
+Result<WaitUntil, InputError> parseCondition(std::string_view condition, std::size_t column)
+{
+    ScriptTokens tokens(condition, column, 0);
+    auto out = parseComparison(tokens);
+    if (out && !tokens.atEnd())
+        return fail(tokens, "the end of the condition");
+    return out;
+}
 
 Result<std::vector<FlightStep>, InputError> parseFlightScript(std::string_view script)
 {

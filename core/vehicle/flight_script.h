@@ -53,6 +53,10 @@ inline constexpr std::size_t kMaxScriptSteps = 1000;
 /// Parses a script. The error gives step number and column, the text found there and the expected one.
 Result<std::vector<FlightStep>, InputError> parseFlightScript(std::string_view script);
 
+/// Parses a condition alone, "battery_percent>=90": FIELD OP VALUE of the grammar above. `column` is that of its first
+/// character, for the error.
+Result<WaitUntil, InputError> parseCondition(std::string_view condition, std::size_t column = 1);
+
 /// The canonical spelling of a step, prefix included; parses to the same step.
 std::string toText(const FlightStep &step);
 

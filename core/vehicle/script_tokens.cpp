@@ -125,9 +125,10 @@ InputError ScriptTokens::errorBefore(const std::string &expected) const
 
 InputError ScriptTokens::errorAt(std::size_t column, std::string_view found, const std::string &expected) const
 {
-    std::string message = "step " + std::to_string(m_step) + ": expected " + expected + ", found ";
+    std::string message = m_step == 0 ? "" : "step " + std::to_string(m_step) + ": ";
+    message += "expected " + expected + ", found ";
     if (found.empty())
-        message += "the end of the step";
+        message += m_step == 0 ? "nothing" : "the end of the step";
     else if (found.size() > kLongestQuote)
         message += "'" + std::string(found.substr(0, kLongestQuote)) + "…'";
     else

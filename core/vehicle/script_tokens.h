@@ -17,6 +17,7 @@ class ScriptTokens
 {
 public:
     /// `column` is that of the first character, `step` the number of the step; both 1-based.
+    /// Errors in a text that is no script, with the step 0, name no step.
     ScriptTokens(std::string_view text, std::size_t column, std::size_t step);
 
     bool atEnd() const { return m_rest.empty(); }

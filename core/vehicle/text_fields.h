@@ -1,6 +1,7 @@
 // Reading of the text files that ground stations share: lines, columns and numbers, independent of the locale.
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -19,6 +20,14 @@ inline std::string_view takeLine(std::string_view &rest)
     if (line.ends_with('\r'))
         line.remove_suffix(1);
     return line;
+}
+
+/// Without the blanks around it.
+inline std::string_view trimmed(std::string_view text)
+{
+    constexpr std::string_view kBlank = " \t";
+    text.remove_prefix(std::min(text.find_first_not_of(kBlank), text.size()));
+    return text.substr(0, text.find_last_not_of(kBlank) + 1);
 }
 
 /// The parts of a line between any of these separators; empty parts are left out.

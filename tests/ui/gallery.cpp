@@ -14,6 +14,7 @@
 #include <QtCore/QBuffer>
 #include <QtCore/QDir>
 #include <QtCore/QEventLoop>
+#include <QtCore/QFile>
 #include <QtCore/QSettings>
 #include <QtCore/QTemporaryDir>
 #include <QtCore/QTimer>
@@ -216,6 +217,20 @@ void addFleet(engine::Snapshot &snapshot)
     snapshot.vehicles[5].lossPercent = 14;
 }
 
+void chooseChecklist(MainWindow &window)
+{
+    static const QTemporaryDir folder; // it is read again when its dialog opens
+    QFile file(folder.filePath(QStringLiteral("quadrotor.txt")));
+    if (!file.open(QIODevice::WriteOnly))
+        return;
+    file.write("Propellers tight\nArea clear of people\nBattery full [battery_percent>=70]\nPosition known [gps_fix>=4]\n"
+               "Charged [charge>90]\n");
+    file.close();
+    Preflight &preflight = window.findChild<VehicleCommands *>()->preflight();
+    preflight.setFile(1, file.fileName());
+    preflight.tick(1, QStringLiteral("Propellers tight"), true);
+}
+
 void waitForTiles(MapView &map)
 {
     QEventLoop loop;
@@ -325,7 +340,7 @@ void play(FakeStation &station, MainWindow &window, const QString &state)
                 snapshot.security = engine::Security::Nothing;
                 snapshot.vehicles.front().ended = engine::EndedSession{"air-1", channel::DownReason::Revoked, 12.6};
             }
-            if (state == QLatin1String("disarmed") || state == QLatin1String("prearm"))
+            if (state == QLatin1String("disarmed") || state == QLatin1String("prearm") || state == QLatin1String("checklist"))
                 refuseArming(snapshot.vehicles.front().state);
             if (state == QLatin1String("served"))
                 addClients(snapshot);
@@ -359,7 +374,9 @@ void play(FakeStation &station, MainWindow &window, const QString &state)
         station.notify(vehicle::CommandResult{vehicle::RequestId{1}, 1, vehicle::CommandOutcome::Refused, 4,
                                               "failed: the vehicle is not landed, and a forced disarm was not requested"});
     }
-    if (state == QLatin1String("prearm"))
+    if (state == QLatin1String("checklist"))
+        chooseChecklist(window);
+    if (state == QLatin1String("prearm") || state == QLatin1String("checklist"))
         window.findChild<QPushButton *>(QStringLiteral("preArmButton"))->click();
     if (state == QLatin1String("fleet"))
         window.findChild<QAbstractButton *>(QStringLiteral("stripVehicle"))->click();

@@ -2,6 +2,7 @@
 
 #include "core/engine/station/snapshot.h"
 #include "ui/flight/altitude_box.h"
+#include "ui/flight/confirm_command.h"
 #include "ui/flight/emergency_stop.h"
 #include "ui/flight/mode_chooser.h"
 #include "ui/flight/pre_arm_button.h"
@@ -59,7 +60,10 @@ ActionBar::ActionBar(VehicleCommands &commands, QWidget *parent)
     }
     const auto send = [this](const vehicle::VehicleCommand &command) { m_commands.send(m_systemId, command); };
     connect(m_arm, &HoldButton::confirmed, this, [this, send] {
-        send(m_armed ? vehicle::VehicleCommand(vehicle::Disarm{}) : vehicle::VehicleCommand(vehicle::Arm{}));
+        if (m_armed)
+            send(vehicle::Disarm{});
+        else
+            armOrAsk(m_commands, window());
     });
     connect(m_mode, &ModeChooser::confirmed, this, [send](const QString &mode) { send(vehicle::SetMode{mode.toStdString()}); });
     connect(m_mode, &ModeChooser::modesChanging, this,

@@ -1,6 +1,8 @@
 #include "ui/flight/pre_arm_button.h"
 
+#include "core/engine/station/vehicle_snapshot.h"
 #include "ui/flight/pre_arm_dialog.h"
+#include "ui/flight/vehicle_commands.h"
 #include "ui/modeless.h"
 #include "ui/text/pre_arm_text.h"
 #include "ui/theme/grid.h"
@@ -29,7 +31,10 @@ void PreArmButton::showViewState(const ViewState &view)
         setText(text);
         setAccessibleName(text);
     }
-    const QString tip = preArmSentence(view) + QLatin1Char('\n') + tr("Opens the list of the reasons.");
+    const auto open = view.vehicle && !view.isReplay() ? m_commands.preflight().open(view.vehicle->state.systemId).size() : 0;
+    const QString list = open == 0 ? tr("Opens the list of the reasons and the checklist.")
+                                   : tr("%1 open on the checklist. Opens it with the list of the reasons.").arg(open);
+    const QString tip = preArmSentence(view) + QLatin1Char('\n') + list;
     if (toolTip() != tip)
         setToolTip(tip);
     const StateColors &colors = stateColors(palette());

@@ -3,6 +3,7 @@
 #include "core/engine/station/vehicle_snapshot.h"
 #include "core/vehicle/flight_modes.h"
 #include "ui/command_guard.h"
+#include "ui/flight/checklist_box.h"
 #include "ui/flight/vehicle_commands.h"
 #include "ui/text/command_permits.h"
 #include "ui/text/pre_arm_text.h"
@@ -30,7 +31,8 @@ vehicle::RawCommand runChecks()
 PreArmDialog::PreArmDialog(VehicleCommands &commands, QWidget *parent)
     : QDialog(parent), m_state(smallPrint({}, this)),
       m_list(named(new QListWidget(this), "preArmList", tr("Reasons against arming, with what to do"))),
-      m_check(named(new QPushButton(tr("Check now"), this), "preArmCheck", tr("Run the pre-arm checks now")))
+      m_check(named(new QPushButton(tr("Check now"), this), "preArmCheck", tr("Run the pre-arm checks now"))),
+      m_checklist(new ChecklistBox(commands.preflight(), this))
 {
     setObjectName(QStringLiteral("preArmDialog"));
     m_state->setObjectName(QStringLiteral("preArmState"));
@@ -57,8 +59,9 @@ PreArmDialog::PreArmDialog(VehicleCommands &commands, QWidget *parent)
     column->setSpacing(kGrid);
     column->addWidget(m_state);
     column->addWidget(m_list, 1);
+    column->addWidget(m_checklist, 1);
     column->addLayout(buttons);
-    resize(60 * kGrid, 40 * kGrid);
+    resize(60 * kGrid, 60 * kGrid);
     close->setFocus();
     showViewState({});
 }
@@ -70,6 +73,7 @@ void PreArmDialog::showViewState(const ViewState &view)
     const QString sentence = preArmSentence(view);
     if (m_state->text() != sentence)
         m_state->setText(sentence);
+    m_checklist->showViewState(view);
     QStringList lines;
     if (preArmOf(view) == PreArm::Refused) {
         for (const std::string &reason : view.vehicle->state.preArmReasons)

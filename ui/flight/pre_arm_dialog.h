@@ -1,4 +1,5 @@
-// The list of the reasons for which the shown vehicle would not arm, each with what to do. Stays open beside the window and
+// The list of the reasons for which the shown vehicle would not arm, each with what to do, and its
+// checklist. Stays open beside the window and
 // follows the vehicle.
 #pragma once
 
@@ -12,6 +13,7 @@ class QPushButton;
 
 namespace skyseal::ui {
 
+class ChecklistBox;
 class VehicleCommands;
 
 class PreArmDialog : public QDialog
@@ -27,6 +29,7 @@ private:
     QLabel *m_state;
     QListWidget *m_list;
     QPushButton *m_check;
+    ChecklistBox *m_checklist;
     std::uint8_t m_systemId = 0;
 };
 

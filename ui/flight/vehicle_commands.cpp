@@ -18,6 +18,7 @@ void VehicleCommands::showViewState(const ViewState &view)
 {
     m_systemId = view.vehicle ? view.vehicle->state.systemId : 0;
     m_severalVehicles = view.snapshot && view.snapshot->vehicles.size() > 1;
+    m_preflight.showViewState(view);
     const QString reason = commandsDisabledReason(view);
     if (reason == m_disabledReason)
         return;

@@ -2,6 +2,7 @@
 // menus. Lives on the GUI thread.
 #pragma once
 
+#include "ui/flight/preflight.h"
 #include "ui/settings.h"
 #include "ui/view_state.h"
 
@@ -30,6 +31,9 @@ public:
     void send(std::uint8_t systemId, const vehicle::VehicleCommand &command);
     void handleEvent(const engine::Event &event);
 
+    /// The checklists of the vehicles; see armOrAsk().
+    Preflight &preflight() { return m_preflight; }
+
     /// Altitude of the next take-off in metres above home, shared by bar and menu.
     double takeOffAltitude() const { return m_takeOffAltitude; }
     void setTakeOffAltitude(double metres);
@@ -42,6 +46,7 @@ Q_SIGNALS:
 
 private:
     StationInterface &m_station;
+    Preflight m_preflight;
     std::uint8_t m_systemId = 0;
     bool m_severalVehicles = false;
     QString m_disabledReason;

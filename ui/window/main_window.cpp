@@ -25,6 +25,7 @@
 #include "ui/window/map_menu.h"
 #include "ui/window/panel_table.h"
 #include "ui/window/problem_reports.h"
+#include "ui/window/remembered_checklists.h"
 #include "ui/window/source_bar.h"
 #include "ui/window/view_selection.h"
 #include "ui/window/window_dialogs.h"
@@ -78,6 +79,7 @@ MainWindow::MainWindow(StationInterface &station, QSettings &store, const Progra
     m_workspaces = new Workspaces(*this, *m_docks);
     makeBars();
     makeCentre(facts);
+    rememberChecklists(m_commands->preflight(), m_store);
     m_commands->setTakeOffAltitude(m_settings.takeOffAltitude);
     makeMenus(facts);
     connectParts();

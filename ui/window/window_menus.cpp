@@ -105,6 +105,10 @@ Menu vehicleMenu(const MenuTargets &on)
     };
     MenuItem arm = command(Text::tr("&Arm…"), QStringLiteral("actionArm"),
                            Text::tr("Arm the motors? The propellers will turn."), vehicle::Arm{});
+    arm.trigger = [on] {
+        confirmCommand(on.commands, vehicle::Arm{}, Text::tr("Arm the motors? The propellers will turn."),
+                       openItemsText(on.commands), &on.window);
+    };
     arm.disabledReason = [on, commandDisabledReason] {
         const auto *vehicle = on.selection.view().vehicle;
         const QString reason = commandDisabledReason();
