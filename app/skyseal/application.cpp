@@ -5,13 +5,15 @@
 #include "core/crypto/passphrase.h"
 #include "core/channel/policy.h"
 #include "core/channel/suite_strength.h"
-#include "app/skyseal/own_files.h"
 #include "core/crypto/x25519.h"
+#include "core/engine/station/snapshot.h"
 #include "core/keys/secret_file.h"
 #include "ui/charts/chart_export.h"
+#include "ui/replay/rescue_bar.h"
 #include "ui/text/command_permits.h"
 
 #include <QtCore/QCoreApplication>
+#include <QtCore/QFileInfo>
 #include <QtCore/QStandardPaths>
 #include <QtCore/QTimer>
 #include <QtGui/QImage>
@@ -174,8 +176,10 @@ bool Application::start()
     collectHeapFigures();
     if (m_demo)
         beginDemo();
-    else
+    else {
         openLinks();
+        offerRescue();
+    }
     if (!m_keyProblem.isEmpty())
         tellKeyProblem();
     if (!m_options.screenshot.isEmpty()) {
@@ -199,6 +203,8 @@ void Application::makeWindow()
     connect(m_memory.get(), &PassphraseMemory::failed, m_window.get(),
             [this](const QString &problem) { m_window->reportProblem(problem); });
     connect(m_station.get(), &StationAdapter::linkAdded, this, &Application::followLink);
+    connect(m_station.get(), &StationAdapter::snapshotReady, this,
+            [this](const engine::SnapshotPtr &snapshot) { markRun(*snapshot); });
     m_window->setKeyring(m_keyring, &m_pairing);
     m_sweep = std::make_unique<SweepController>(*m_station, m_heap);
     m_window->setSweep(*m_sweep);
@@ -217,6 +223,41 @@ void Application::openLinks()
         m_window->addLink(m_window->settings().defaultLink);
     for (const link::LinkUrl &url : m_options.links)
         m_window->addLink(QString::fromStdString(url.toText()));
+}
+
+/// Notes what the next start needs if this run does not end properly. The demo leaves nothing to rescue.
+void Application::markRun(const engine::Snapshot &snapshot)
+{
+    RunRecord record;
+    if (!m_demo) {
+        if (snapshot.recording.bytes > 0)
+            record.recording = QString::fromStdString(snapshot.recording.file);
+        for (const engine::LinkSnapshot &link : snapshot.links)
+            if (!link.listenOnly) // such a link needs its key as well
+                record.links << QString::fromStdString(link.url);
+    }
+    m_marker.update(record);
+}
+
+/// Quietly: a bar with what the last run has left.
+void Application::offerRescue()
+{
+    const auto left = m_marker.takeUnfinished();
+    if (!left)
+        return;
+    ui::UnfinishedRun run{QFileInfo::exists(left->recording) ? left->recording : QString(), {}, left->last};
+    if (!run.recording.isEmpty())
+        run.ended = QFileInfo(run.recording).lastModified(); // it was written until the end
+    QStringList opened{m_window->settings().defaultLink};
+    if (!m_options.links.empty())
+        opened.clear();
+    for (const link::LinkUrl &url : m_options.links)
+        opened << QString::fromStdString(url.toText());
+    for (const QString &url : left->links)
+        if (!opened.contains(url))
+            run.links << url;
+    if (!run.recording.isEmpty() || !run.links.isEmpty())
+        m_window->offerRescue(run);
 }
 
 /// Takes the place of the links, so that it starts only while none is in use.

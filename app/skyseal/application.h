@@ -6,7 +6,9 @@
 #include "app/common/peers_watch.h"
 #include "app/skyseal/demo_flight.h"
 #include "app/skyseal/keyring.h"
+#include "app/skyseal/own_files.h"
 #include "app/skyseal/passphrase_question.h"
+#include "app/skyseal/run_marker.h"
 #include "app/skyseal/station_adapter.h"
 #include "app/skyseal/sweep_controller.h"
 #include "app/skyseal/window_pairing.h"
@@ -40,6 +42,8 @@ private:
     void tellLeftOut(const keys::PeersInForce &peers);
     void makeWindow();
     void openLinks();
+    void markRun(const engine::Snapshot &snapshot);
+    void offerRescue();
     void startDemo();
     void endDemo();
     void beginDemo();
@@ -57,6 +61,7 @@ private:
     Keyring m_keyring{m_store, *m_memory};
     WindowPairing m_pairing;
     engine::KeyPaths m_keys;
+    RunMarker m_marker{dataFolder() + QStringLiteral("/runs")};
     std::unique_ptr<StationAdapter> m_station;
     std::unique_ptr<SweepController> m_sweep;
     std::unique_ptr<PeersWatch> m_peersWatch;

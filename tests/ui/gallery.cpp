@@ -9,6 +9,7 @@
 #include "ui/map/map_view.h"
 #include "ui/tiles/mbtiles_writer.h"
 #include "ui/window/main_window.h"
+#include "ui/replay/rescue_bar.h"
 #include "ui/security/suite_actions.h"
 
 #include <QtCore/QBuffer>
@@ -376,6 +377,9 @@ void play(FakeStation &station, MainWindow &window, const QString &state)
     }
     if (state == QLatin1String("checklist"))
         chooseChecklist(window);
+    if (state == QLatin1String("rescue"))
+        window.offerRescue(
+            {QStringLiteral("/logs/2026-05-02.tlog"), {QStringLiteral("udpin:0.0.0.0:14551")}, QDateTime::currentDateTime()});
     if (state == QLatin1String("prearm") || state == QLatin1String("checklist"))
         window.findChild<QPushButton *>(QStringLiteral("preArmButton"))->click();
     if (state == QLatin1String("fleet"))

@@ -5,6 +5,7 @@
 #include "tests/support/free_port.h"
 #include "tests/support/test_runner.h"
 
+#include <QtCore/QDir>
 #include <QtCore/QFile>
 #include <QtCore/QProcess>
 #include <QtCore/QTemporaryDir>
@@ -120,6 +121,33 @@ private Q_SLOTS:
         QVERIFY(skyseal.waitForFinished());
         QCOMPARE(skyseal.exitStatus(), QProcess::NormalExit);
         QCOMPARE(skyseal.exitCode(), 0);
+    }
+
+    /// What a crash leaves behind is there for the next start; an orderly end leaves nothing.
+    void crashLeavesItsMarker()
+    {
+        const QDir runs(m_folder.filePath(QStringLiteral("data/skyseal/skyseal/runs")));
+        const auto markers = [&runs] { return QDir(runs.path()).entryList({QStringLiteral("run-*")}, QDir::Files); };
+        QVERIFY(runs.exists() && markers().isEmpty()); // after the runs above
+        const QByteArray url = "udpin:127.0.0.1:" + QByteArray::number(freeUdpPort());
+        QProcess skyseal;
+        prepare(skyseal);
+        skyseal.start(program(), {QStringLiteral("--link"), QString::fromLatin1(url)});
+        QVERIFY(skyseal.waitForStarted());
+        const auto isMarked = [&] {
+            QFile file(runs.filePath(markers().value(0)));
+            return markers().size() == 1 && file.open(QIODevice::ReadOnly) && file.readAll().contains("link " + url);
+        };
+        EVENTUALLY(isMarked());
+        skyseal.kill();
+        QVERIFY(skyseal.waitForFinished());
+        QVERIFY(isMarked());
+        skyseal.start(program(), {QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:0")});
+        QVERIFY(skyseal.waitForStarted());
+        EVENTUALLY(!markers().isEmpty() && !isMarked());
+        ::kill(static_cast<pid_t>(skyseal.processId()), SIGTERM);
+        QVERIFY(skyseal.waitForFinished());
+        QVERIFY(markers().isEmpty());
     }
 
     void quittingSaysGoodbyeToTheAgent()

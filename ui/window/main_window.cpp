@@ -12,6 +12,7 @@
 #include "ui/map/empty_state.h"
 #include "ui/map/map_view.h"
 #include "ui/replay/replay_bar.h"
+#include "ui/replay/rescue_bar.h"
 #include "ui/security/allow_plain.h"
 #include "ui/security/suite_actions.h"
 #include "ui/status/status_strip.h"
@@ -302,6 +303,18 @@ void MainWindow::endReplay()
     m_source->showSource(SourceBar::Source::Live);
     m_map->startOver();
     m_selection->endReplay();
+}
+
+void MainWindow::offerRescue(const UnfinishedRun &run)
+{
+    auto *bar = new RescueBar(run, centralWidget());
+    static_cast<QVBoxLayout *>(centralWidget()->layout())->insertWidget(0, bar);
+    connect(bar, &RescueBar::replayRequested, this,
+            [this](const QString &file) { startReplay(fromStd(link::LinkUrl::ofRecording(file.toStdString()))); });
+    connect(bar, &RescueBar::linksRequested, this, [this](const QStringList &urls) {
+        for (const QString &url : urls)
+            addLink(url);
+    });
 }
 
 void MainWindow::setDemo(bool on)

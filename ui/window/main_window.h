@@ -31,6 +31,7 @@ class ViewSelection;
 class WindowDialogs;
 class WindowDocks;
 class Workspaces;
+struct UnfinishedRun;
 
 /// Facts about this program that the window shows.
 struct ProgramFacts
@@ -61,6 +62,8 @@ public:
     /// Shows a replay in place of the live picture, which goes on underneath, until the operator returns to it.
     void startReplay(const QString &url);
     void endReplay();
+    /// Offers to replay and to connect as a run did that has not ended properly, in a bar that waits.
+    void offerRescue(const UnfinishedRun &run);
     /// Marks the window while the station is that of the demo.
     void setDemo(bool on);
     /// Closes the window without a question.
