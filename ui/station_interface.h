@@ -8,6 +8,7 @@
 #include "core/engine/replay/replay_command.h"
 #include "core/engine/station/event.h"
 #include "core/engine/common/mavsec_settings.h"
+#include "core/engine/station/field_reading.h"
 #include "core/engine/station/snapshot_ptr.h"
 #include "core/vehicle/request.h"
 
@@ -56,6 +57,8 @@ public:
     /// Ends an earlier listing.
     virtual void listRecordings(const std::string &folder) = 0;
     virtual void stopListing() = 0;
+    /// Snapshots then have the newest values of these fields, those of a replay as well.
+    virtual void chooseFields(std::vector<engine::FieldChoice> choices) = 0;
 
 Q_SIGNALS:
     void snapshotReady(std::shared_ptr<const skyseal::engine::Snapshot> snapshot);

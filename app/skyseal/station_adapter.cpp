@@ -33,6 +33,7 @@ void StationAdapter::exchange(const engine::StationConfig &config)
     m_station = std::move(*created);
     listen();
     m_station->setInspecting(m_inspecting);
+    m_station->chooseFields(m_fields);
     if (!m_served.empty())
         m_station->serve(m_served);
 }
@@ -123,6 +124,15 @@ void StationAdapter::setInspecting(bool inspecting)
         m_replay->setInspecting(inspecting);
 }
 
+void StationAdapter::chooseFields(std::vector<engine::FieldChoice> choices)
+{
+    m_fields = std::move(choices);
+    if (m_station)
+        m_station->chooseFields(m_fields);
+    if (m_replay)
+        m_replay->chooseFields(m_fields);
+}
+
 void StationAdapter::setRecording(bool recording)
 {
     if (m_station)
@@ -145,6 +155,7 @@ Result<void, InputError> StationAdapter::startReplay(const std::string &url)
     connect(m_replay.get(), &engine::Replay::snapshotReady, this, &StationInterface::replaySnapshotReady);
     connect(m_replay.get(), &engine::Replay::eventOccurred, this, &StationInterface::replayEventOccurred);
     m_replay->setInspecting(m_inspecting);
+    m_replay->chooseFields(m_fields);
     return {};
 }
 

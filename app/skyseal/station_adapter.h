@@ -35,6 +35,7 @@ public:
     void allowPlaintext(std::uint8_t systemId) override;
     vehicle::RequestId perform(std::uint8_t systemId, vehicle::Request request) override;
     void setInspecting(bool inspecting) override;
+    void chooseFields(std::vector<engine::FieldChoice> choices) override;
     void setRecording(bool recording) override;
     std::optional<channel::PublicKey> publicKey() const override;
     Result<void, InputError> startReplay(const std::string &url) override;
@@ -57,6 +58,7 @@ private:
     RecordingList m_recordings;
     std::vector<engine::ServeConfig> m_served; ///< also by the station after an exchange
     bool m_inspecting = false;
+    std::vector<engine::FieldChoice> m_fields;
 };
 
 } // namespace skyseal::app

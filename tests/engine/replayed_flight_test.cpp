@@ -118,6 +118,19 @@ private Q_SLOTS:
         }));
     }
 
+    void chosenFieldsAreThoseOfThePosition()
+    {
+        const mavlink::MessageInfo *message = mavlink::Dialect::builtin().find("GLOBAL_POSITION_INT");
+        const FieldChoice choice{message->id, message->field("relative_alt"), 0};
+        Player player(m_recorded.content);
+        player.flight.chooseFields({choice});
+        player.flight.advance(30s, kAll);
+        const Snapshot picture = player.picture();
+        QCOMPARE(picture.fields.size(), std::size_t(1));
+        QVERIFY(picture.fields[0].choice == choice);
+        QCOMPARE(picture.fields[0].value.asDouble() * 1e-3, picture.vehicles.at(0).state.altitudeRelative);
+    }
+
     void flightTimeIsThatOfTheRecording()
     {
         Player player(m_recorded.content);

@@ -47,6 +47,7 @@ public:
         return vehicle::RequestId{static_cast<std::uint32_t>(requests.size())};
     }
     void setInspecting(bool on) override { inspecting = on; }
+    void chooseFields(std::vector<engine::FieldChoice> choices) override { chosenFields = std::move(choices); }
     void setRecording(bool on) override { recording = on; }
     std::optional<channel::PublicKey> publicKey() const override { return key; }
     Result<void, InputError> startReplay(const std::string &url) override
@@ -82,6 +83,7 @@ public:
     std::vector<std::uint8_t> allowedClear;
     std::vector<std::pair<std::string, double>> written;
     std::vector<std::pair<std::uint8_t, std::vector<vehicle::MissionItem>>> missionWrites;
+    std::vector<engine::FieldChoice> chosenFields; ///< the newest request
     bool allowResearch = false, inspecting = false, recording = false;
     crypto::SuiteId weakest = crypto::SuiteId::Rc4;
     std::optional<channel::PublicKey> key;

@@ -50,4 +50,9 @@ void Replay::setInspecting(bool inspecting)
     d->worker->post(ReplayWorker::Inspecting{inspecting});
 }
 
+void Replay::chooseFields(std::vector<FieldChoice> choices)
+{
+    d->worker->post(ReplayWorker::ChosenFields{std::move(choices)});
+}
+
 } // namespace skyseal::engine

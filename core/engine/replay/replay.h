@@ -11,6 +11,7 @@
 
 #include "core/engine/replay/replay_command.h"
 #include "core/engine/station/event.h"
+#include "core/engine/station/field_reading.h"
 #include "core/engine/station/snapshot_ptr.h"
 #include "core/link/link_url.h"
 
@@ -33,6 +34,8 @@ public:
     /// Returns at once; its effect is shown by the snapshots.
     void perform(const ReplayCommand &command);
     void setInspecting(bool inspecting);
+    /// See Station::chooseFields(). What was played before shows no values of them until the next message or jump.
+    void chooseFields(std::vector<FieldChoice> choices);
 
 Q_SIGNALS:
     /// At most 30 a second; Snapshot::replay is set.

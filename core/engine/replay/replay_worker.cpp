@@ -79,6 +79,7 @@ void ReplayWorker::startOver()
     });
     m_flight->endWhen(m_stopped);
     m_flight->setInspecting(m_inspecting);
+    m_flight->chooseFields(m_fields);
 }
 
 void ReplayWorker::runTasks()
@@ -94,6 +95,10 @@ void ReplayWorker::runTasks()
             m_inspecting = inspecting->on;
             if (m_flight)
                 m_flight->setInspecting(m_inspecting);
+        } else if (const auto *fields = std::get_if<ChosenFields>(&task)) {
+            m_fields = fields->choices;
+            if (m_flight)
+                m_flight->chooseFields(m_fields);
         } else if (m_flight) {
             std::visit([this](const auto &command) { perform(command); }, std::get<ReplayCommand>(task));
         }

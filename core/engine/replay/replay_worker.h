@@ -5,6 +5,7 @@
 #include "core/engine/replay/replay_clock.h"
 #include "core/engine/replay/replay_command.h"
 #include "core/engine/replay/replayed_flight.h"
+#include "core/engine/station/field_reading.h"
 #include "core/engine/station/output_queue.h"
 #include "core/engine/station/replay_status.h"
 #include "core/engine/station/snapshot_pace.h"
@@ -32,10 +33,14 @@ public:
     {
         bool on = false;
     };
+    struct ChosenFields
+    {
+        std::vector<FieldChoice> choices;
+    };
     /// Ends the thread.
     struct End
     {};
-    using Task = std::variant<ReplayCommand, Inspecting, End>;
+    using Task = std::variant<ReplayCommand, Inspecting, ChosenFields, End>;
 
     explicit ReplayWorker(const link::LinkUrl &recording);
 
@@ -82,6 +87,7 @@ private:
     SnapshotPtr m_last;
     TimePoint m_start{};
     bool m_inspecting = false;
+    std::vector<FieldChoice> m_fields;
 };
 
 } // namespace skyseal::engine

@@ -121,6 +121,7 @@ void ReplayedFlight::describe(Snapshot &out, LinkSnapshot link) const
     for (const auto &[systemId, vehicle] : m_fleet.vehicles().all())
         out.vehicles.push_back(m_fleet.describe(now, vehicle));
     out.inspector = m_fleet.inspector().rows(now);
+    out.fields = m_fleet.fields().readings(now);
     out.mavlink = m_fleet.totals();
     out.mavlink.badCrc = m_damaged;
     out.security = securityOf(out);

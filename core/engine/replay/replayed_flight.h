@@ -33,8 +33,9 @@ public:
     /// Recorded time of the newest frame; nullopt in a file without times.
     std::optional<WallTime> time() const { return m_wall; }
     void setInspecting(bool inspecting) { m_fleet.inspector().setWatching(inspecting); }
+    void chooseFields(std::vector<FieldChoice> choices) { m_fleet.fields().choose(std::move(choices)); }
 
-    /// Fills in vehicles, inspector and totals, and adds `link`, over which the vehicles are heard, with its counters.
+    /// Fills in vehicles, inspector, fields and totals, and adds `link`, over which the vehicles are heard, with its counters.
     void describe(Snapshot &out, LinkSnapshot link) const;
 
 private:

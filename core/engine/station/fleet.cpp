@@ -30,6 +30,7 @@ std::optional<VehicleFound> Fleet::take(TimePoint now, WallTime wall, LinkId lin
     m_frameBytes += frame.bytes().size();
     m_sequences.note({link, systemId, frame.componentId()}, frame.sequence(), now);
     m_inspector.note(now, frame);
+    m_fields.note(now, frame);
     const bool found = m_vehicles.handleFrame(now, wall, frame);
     const vehicle::Vehicle *vehicle = m_vehicles.find(systemId);
     if (!vehicle)

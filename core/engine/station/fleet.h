@@ -1,9 +1,10 @@
-// The vehicles that a station knows, and the statistics of its accepted frames: sequence loss, the inspector's table and the
-// watches of each vehicle. I/O thread; no I/O itself.
+// The vehicles that a station knows, and the statistics of its accepted frames: sequence loss, the inspector's table, the
+// chosen fields and the watches of each vehicle. I/O thread; no I/O itself.
 #pragma once
 
 #include "core/engine/common/totals.h"
 #include "core/engine/station/event.h"
+#include "core/engine/station/field_table.h"
 #include "core/engine/station/inspector_table.h"
 #include "core/engine/station/station_config.h"
 #include "core/engine/station/vehicle_watches.h"
@@ -32,6 +33,8 @@ public:
     const VehicleWatches &watches() const { return m_watches; }
     InspectorTable &inspector() { return m_inspector; }
     const InspectorTable &inspector() const { return m_inspector; }
+    FieldTable &fields() { return m_fields; }
+    const FieldTable &fields() const { return m_fields; }
 
     /// Publishes the events of a vehicle. `sealed`: its frames arrive over a session.
     static void publishEvents(vehicle::Vehicle &vehicle, bool sealed, const Notify &notify);
@@ -50,6 +53,7 @@ private:
     VehicleWatches m_watches;
     metrics::SequenceTable m_sequences;
     InspectorTable m_inspector;
+    FieldTable m_fields;
     std::uint64_t m_frameBytes = 0;
 };
 

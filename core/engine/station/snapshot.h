@@ -6,6 +6,7 @@
 #include "core/engine/common/link_snapshot.h"
 #include "core/engine/common/totals.h"
 #include "core/engine/gateway/client_snapshot.h"
+#include "core/engine/station/field_reading.h"
 #include "core/engine/station/inspector_row.h"
 #include "core/engine/station/metrics_sample.h"
 #include "core/engine/station/probe.h"
@@ -55,6 +56,7 @@ struct Snapshot
     ChannelTotals channel;              ///< since the start, including ended sessions
     std::optional<ReplayStatus> replay; ///< set if this is the picture of a replay
     std::shared_ptr<const Probe> probe; ///< null unless it was requested, see Station::requestProbe()
+    std::vector<FieldReading> fields; ///< only those chosen by Station::chooseFields()
 };
 
 } // namespace skyseal::engine

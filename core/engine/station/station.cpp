@@ -291,6 +291,11 @@ void Station::setInspecting(bool inspecting)
     d->post([inspecting](StationCore &core) { core.setInspecting(inspecting); });
 }
 
+void Station::chooseFields(std::vector<FieldChoice> choices)
+{
+    d->post([choices = std::move(choices)](StationCore &core) { core.chooseFields(choices); });
+}
+
 void Station::setRecording(bool recording)
 {
     d->post([recording](StationCore &core) { core.setRecording(recording); });

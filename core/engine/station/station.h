@@ -9,6 +9,7 @@
 #include "core/engine/gateway/serve_config.h"
 #include "core/engine/station/event.h"
 #include "core/engine/station/feed.h"
+#include "core/engine/station/field_reading.h"
 #include "core/engine/station/protection.h"
 #include "core/engine/station/station_config.h"
 #include "core/keys/usable_peers.h"
@@ -78,6 +79,8 @@ public:
     /// Sends a request to a vehicle and returns at once; its result arrives as an event with the returned id.
     vehicle::RequestId perform(std::uint8_t systemId, vehicle::Request request);
     void setInspecting(bool);
+    /// Snapshot::fields then has the newest values of these fields, in place of those chosen before.
+    void chooseFields(std::vector<FieldChoice> choices);
     void setRecording(bool);
     /// While true, the cost of each record is kept for probes, and peers report theirs once a second.
     void setMeasuring(bool);

@@ -88,6 +88,7 @@ public:
 
     // Observation.
     void setInspecting(bool inspecting) { m_fleet.inspector().setWatching(inspecting); }
+    void chooseFields(std::vector<FieldChoice> choices) { m_fleet.fields().choose(std::move(choices)); }
     void setRecording(bool recording);
     /// Whether the reader of snapshots answers; see Station.
     void setReaderAlive(bool alive) { m_sender.setReaderAlive(alive); }

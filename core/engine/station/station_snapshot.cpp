@@ -73,6 +73,7 @@ std::shared_ptr<Snapshot> buildSnapshot(const SnapshotSources &from, TimePoint n
         out->vehicles.push_back(from.fleet.describe(now, vehicle));
     out->samples.assign(from.sampler.samples().begin(), from.sampler.samples().end());
     out->inspector = from.fleet.inspector().rows(now);
+    out->fields = from.fleet.fields().readings(now);
     if (from.recorder)
         out->recording = from.recorder->snapshot();
     if (from.gateway) {
