@@ -31,6 +31,15 @@ MapSource loadMapSource(const QSettings &store)
     return out;
 }
 
+ChosenValues loadValues(const QSettings &store)
+{
+    const QString text = store.value(QStringLiteral("view/values")).toString();
+    if (text.isEmpty())
+        return {};
+    auto read = readValueChoices(text);
+    return read ? ChosenValues{std::move(*read)} : ChosenValues{.problem = read.error()};
+}
+
 } // namespace
 
 Settings loadSettings(const QSettings &store)
@@ -58,6 +67,7 @@ Settings loadSettings(const QSettings &store)
     if (!served.isEmpty())
         s.serving.url = served;
     s.map = loadMapSource(store);
+    s.values = loadValues(store);
     s.serving.write = store.value(QStringLiteral("gateway/write"), s.serving.write).toBool();
     return s;
 }
@@ -87,6 +97,8 @@ void storeSettings(QSettings &store, const Settings &settings)
     store.setValue(QStringLiteral("map/file"), settings.map.file);
     store.setValue(QStringLiteral("map/attribution"), settings.map.attribution);
     store.setValue(QStringLiteral("map/deepest"), settings.map.deepest);
+    if (settings.values.problem.isEmpty()) // else what cannot be read stays until the operator has chosen again
+        store.setValue(QStringLiteral("view/values"), toText(settings.values.list));
 }
 
 } // namespace skyseal::ui

@@ -7,6 +7,7 @@
 #include "ui/text/coordinates.h"
 #include "ui/text/units.h"
 #include "ui/theme/palettes.h"
+#include "ui/value_choice.h"
 
 #include <QtCore/QString>
 
@@ -59,6 +60,7 @@ struct Settings
     QString defaultLink = QStringLiteral("udpin:0.0.0.0:14550");
     Serving serving;
     MapSource map;
+    ChosenValues values; ///< of the grid in Fly
 
     bool operator==(const Settings &) const = default;
 };

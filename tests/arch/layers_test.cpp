@@ -56,15 +56,16 @@ const QHash<QString, QStringList> &allowedInUi()
                                                                  QStringLiteral("mission"),   QStringLiteral("parameters"),
                                                                  QStringLiteral("replay"),    kSecurity,
                                                                  QStringLiteral("status"),    kSweep,
-                                                                 QStringLiteral("vehicles")};
+                                                                 QStringLiteral("vehicles"),
+                                                                 QStringLiteral("values")};
     static const QHash<QString, QStringList> kAllowed{
         {QString(), kBottom}, // the base files
         {kTheme, {}},
         {kText, {kTheme}},
         {QStringLiteral("alerts"), kBottom},
         {QStringLiteral("dialogs"),
-         kBottom + QStringList{QStringLiteral("alerts")}}, // the settings say whether these can speak
-        {QStringLiteral("flight"), kBottom},
+         kBottom + QStringList{QStringLiteral("alerts")}},                           // the settings say whether these can speak
+        {QStringLiteral("flight"), kBottom + QStringList{QStringLiteral("values")}}, // they stand below the horizon
         {QStringLiteral("inspector"), kBottom},
         {QStringLiteral("keys"), kBottom},
         {QStringLiteral("links"), kBottom},
@@ -75,6 +76,7 @@ const QHash<QString, QStringList> &allowedInUi()
         {QStringLiteral("replay"), kBottom},
         {QStringLiteral("status"), kBottom},
         {QStringLiteral("vehicles"), kBottom + QStringList{QStringLiteral("alerts")}}, // the list counts them
+        {QStringLiteral("values"), kBottom},
         {kSecurity, kBottom},
         {QStringLiteral("tiles"), {}},
         // The empty state asks to allow plain MAVLink.

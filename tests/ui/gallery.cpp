@@ -27,6 +27,8 @@
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QPushButton>
 
+#include <cmath>
+
 using namespace skyseal;
 using namespace skyseal::ui;
 
@@ -232,6 +234,31 @@ void chooseChecklist(MainWindow &window)
     preflight.tick(1, QStringLiteral("Propellers tight"), true);
 }
 
+/// Values with lines, a limit that is passed, a field that is old, and one that never came.
+ChosenValues limitedValues()
+{
+    ChosenValues out;
+    const auto source = [](const char *id) { return *findValueSource(QLatin1String(id)); };
+    out.list[0].low = 20;
+    out.list[0].line = true;
+    out.list.push_back({.source = source("BATTERY_STATUS.voltages[2]"), .caption = QStringLiteral("cell 3"), .line = true});
+    out.list.push_back({.source = source("RADIO_STATUS.rssi")});
+    out.list.push_back({.source = source("EXTENDED_SYS_STATE.landed_state")});
+    out.list.push_back({.source = source("RANGEFINDER.distance")});
+    return out;
+}
+
+void addFields(engine::Snapshot &snapshot)
+{
+    const auto add = [&](const char *id, double number, double age) {
+        const engine::FieldChoice choice = findValueSource(QLatin1String(id))->fieldChoice().value();
+        snapshot.fields.push_back({choice, 1, 1, mavlink::FieldValue::fromNumber(choice.field->type, number), age});
+    };
+    add("BATTERY_STATUS.voltages[2]", 3900 + 40 * std::sin(snapshot.time / 3) - snapshot.time, 0.2);
+    add("RADIO_STATUS.rssi", 187, 64);
+    add("EXTENDED_SYS_STATE.landed_state", mavlink::MAV_LANDED_STATE_IN_AIR, 0.4);
+}
+
 void waitForTiles(MapView &map)
 {
     QEventLoop loop;
@@ -345,6 +372,8 @@ void play(FakeStation &station, MainWindow &window, const QString &state)
                 refuseArming(snapshot.vehicles.front().state);
             if (state == QLatin1String("served"))
                 addClients(snapshot);
+            if (state == QLatin1String("limits"))
+                addFields(snapshot);
             if (state == QLatin1String("several"))
                 addVehicles(snapshot);
             if (state == QLatin1String("fleet"))
@@ -454,6 +483,8 @@ int main(int argc, char **argv)
                                                      : CoordinateFormat::Decimal;
                 if (state == QLatin1String("tiles"))
                     settings.map = drawnTiles(folder.filePath(QStringLiteral("drawn.mbtiles")));
+                if (state == QLatin1String("limits"))
+                    settings.values = limitedValues();
                 storeSettings(store, settings);
                 FakeStation station;
                 ProgramFacts facts;

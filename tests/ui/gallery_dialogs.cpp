@@ -10,6 +10,7 @@
 #include "ui/links/link_dialog.h"
 #include "ui/map/map_source_dialog.h"
 #include "ui/sweep/sweep_dialog.h"
+#include "ui/values/values_editor.h"
 
 #include <QtGui/QAction>
 #include <QtWidgets/QAbstractButton>
@@ -153,6 +154,16 @@ const std::map<QString, Open> &dialogs()
              stage.window.findChild<QAction *>(QStringLiteral("actionSweep"))->trigger();
              auto *dialog = stage.window.findChild<SweepDialog *>();
              dialog->findChild<QAbstractButton *>(QStringLiteral("sweepBeside"))->click();
+             return dialog;
+         }},
+        {QStringLiteral("valueseditor"),
+         [](const Stage &stage) -> QWidget * {
+             ValueChoices choices = defaultValues();
+             choices.front().low = 5;
+             choices.push_back({.source = *findValueSource(QStringLiteral("BATTERY_STATUS.voltages[2]")), .line = true});
+             auto *dialog = new ValuesEditor(choices, UnitSystem::Metric, &stage.window);
+             auto *find = dialog->findChild<QLineEdit *>(QStringLiteral("editorFind"));
+             find->setText(QStringLiteral("battery volt"));
              return dialog;
          }},
         {QStringLiteral("map-source"),

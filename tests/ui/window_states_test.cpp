@@ -11,7 +11,7 @@
 #include "ui/links/link_dialog.h"
 #include "ui/map/map_view.h"
 #include "ui/status/strip_item.h"
-#include "ui/text/figures.h"
+#include "ui/values/value_cell.h"
 #include "window_rig.h"
 
 #include <QtGui/QScreen>
@@ -74,7 +74,7 @@ private Q_SLOTS:
         QTest::mouseClick(find<QPushButton>("demoButton"), Qt::LeftButton);
         QCOMPARE(wanted.size(), 1);
         QVERIFY(!find<HoldButton>("armButton")->isEnabled());
-        QCOMPARE(find<FigureLabel>("valueAltitude")->value(), QString(QChar(0x2013)));
+        QCOMPARE(find<ValueCell>("value_alt_rel")->value(), QString(QChar(0x2013)));
         m_station->show(plainSnapshot(1));
         QVERIFY(!find<QWidget>("emptyState")->isVisible());
         QVERIFY(find<HoldButton>("armButton")->isEnabled());
@@ -130,12 +130,12 @@ private Q_SLOTS:
         state.distanceHome = 48.2;
         state.flightTime = 3723;
         m_station->show(snapshot);
-        QCOMPARE(find<FigureLabel>("valueAltitude")->value(), QStringLiteral("12.4"));
-        QCOMPARE(find<FigureLabel>("valueSpeed")->value(), QStringLiteral("3.1"));
-        QCOMPARE(find<FigureLabel>("valueClimb")->value(), QStringLiteral("0.0")); // no minus before a zero
-        QCOMPARE(find<FigureLabel>("valueHeading")->value(), QStringLiteral("000"));
-        QCOMPARE(find<FigureLabel>("valueHome")->value(), QStringLiteral("48"));
-        QCOMPARE(find<FigureLabel>("valueTime")->value(), QStringLiteral("1:02:03"));
+        QCOMPARE(find<ValueCell>("value_alt_rel")->value(), QStringLiteral("12.4"));
+        QCOMPARE(find<ValueCell>("value_ground_speed")->value(), QStringLiteral("3.1"));
+        QCOMPARE(find<ValueCell>("value_climb")->value(), QStringLiteral("0.0")); // no minus before a zero
+        QCOMPARE(find<ValueCell>("value_heading")->value(), QStringLiteral("000"));
+        QCOMPARE(find<ValueCell>("value_distance_home")->value(), QStringLiteral("48"));
+        QCOMPARE(find<ValueCell>("value_flight_time")->value(), QStringLiteral("1:02:03"));
         QCOMPARE(find<StripItem>("stripArmed")->text(), QStringLiteral("ARMED"));
         QCOMPARE(find<StripItem>("stripMode")->text(), QStringLiteral("GUIDED"));
         QVERIFY(find<StripItem>("stripGps")->text().contains(QStringLiteral("3D fix")));
@@ -145,14 +145,14 @@ private Q_SLOTS:
     {
         engine::Snapshot snapshot = sealedSnapshot(1);
         m_station->show(snapshot);
-        QVERIFY(!find<FigureLabel>("valueAltitude")->isStale());
+        QVERIFY(!find<ValueCell>("value_alt_rel")->isStale());
         snapshot.vehicles.front().state.messageAge = 3.4;
         m_station->show(snapshot);
-        QVERIFY(!find<FigureLabel>("valueAltitude")->isStale());
+        QVERIFY(!find<ValueCell>("value_alt_rel")->isStale());
         snapshot.vehicles.front().state.messageAge = 7.2;
         m_station->show(snapshot);
-        QVERIFY(find<FigureLabel>("valueAltitude")->isStale());
-        QCOMPARE(find<FigureLabel>("valueAltitude")->value(), QStringLiteral("12.8")); // nothing is erased
+        QVERIFY(find<ValueCell>("value_alt_rel")->isStale());
+        QCOMPARE(find<ValueCell>("value_alt_rel")->value(), QStringLiteral("12.8")); // nothing is erased
         QVERIFY(find<QLabel>("valueAge")->text().contains(QStringLiteral("00:07")));
         QVERIFY(find<StripItem>("stripLink")->text().contains(QStringLiteral("lost")));
     }
@@ -488,7 +488,7 @@ private Q_SLOTS:
         dialog->findChild<QSpinBox *>(QStringLiteral("settingSystemId"))->setValue(250);
         dialog->findChild<QComboBox *>(QStringLiteral("settingWeakest"))->setCurrentIndex(3);
         QTest::mouseClick(dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
-        QCOMPARE(find<FigureLabel>("valueAltitude")->unit(), QStringLiteral("ft"));
+        QCOMPARE(find<ValueCell>("value_alt_rel")->unit(), QStringLiteral("ft"));
         QVERIFY(m_station->allowResearch);
         QVERIFY(isDark(QApplication::palette()));
         m_store->sync();

@@ -2,9 +2,10 @@
 
 #include "core/engine/station/vehicle_snapshot.h"
 #include "ui/flight/horizon.h"
-#include "ui/flight/values_panel.h"
 #include "ui/settings.h"
+#include "ui/values/values_grid.h"
 
+#include <QtGui/QAction>
 #include <QtWidgets/QVBoxLayout>
 
 #include <numbers>
@@ -13,9 +14,6 @@ namespace skyseal::ui {
 
 namespace {
 
-constexpr double kFeetPerMetre = 3.280839895;
-constexpr double kMilesPerHourPerMetreASecond = 2.236936292;
-
 double degrees(double radians)
 {
     return radians * 180 / std::numbers::pi;
@@ -23,13 +21,17 @@ double degrees(double radians)
 
 } // namespace
 
-FlightPanel::FlightPanel(QWidget *parent) : DockPanel(parent), m_horizon(new Horizon(this)), m_values(new ValuesPanel(this))
+FlightPanel::FlightPanel(StationInterface &station, QWidget *parent)
+    : DockPanel(parent), m_station(station), m_horizon(new Horizon(this)), m_values(new ValuesGrid(this))
 {
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addWidget(m_horizon, 1);
-    column->addWidget(m_values);
+    column->addWidget(m_horizon, 3);
+    column->addWidget(m_values, 2);
+    connect(m_values, &ValuesGrid::editRequested, this, &FlightPanel::editValuesRequested);
+    addAction(m_values->editAction());
+    setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 
 void FlightPanel::onSnapshot(const ViewState &view)
@@ -47,6 +49,7 @@ void FlightPanel::onSnapshot(const ViewState &view)
         values.stale = view.stale();
     }
     m_horizon->showValues(values);
+    m_values->onSnapshot(view);
 }
 
 void FlightPanel::showViewState(const ViewState &view)
@@ -59,6 +62,16 @@ void FlightPanel::applySettings(const Settings &settings)
     m_units = settings.units;
     m_horizon->setUnits(m_units);
     m_values->setUnits(m_units);
+    m_values->setValues(settings.values);
+    std::vector<engine::FieldChoice> fields;
+    for (const ValueChoice &choice : settings.values.list) {
+        if (const auto field = choice.source.fieldChoice())
+            fields.push_back(*field);
+    }
+    if (fields != m_fields) {
+        m_fields = fields;
+        m_station.chooseFields(std::move(fields));
+    }
 }
 
 } // namespace skyseal::ui

@@ -1,4 +1,4 @@
-// The left dock: horizon and values.
+// The left dock: horizon and chosen values.
 #pragma once
 
 #include "ui/dock_panel.h"
@@ -8,14 +8,15 @@
 namespace skyseal::ui {
 
 class Horizon;
-class ValuesPanel;
+class ValuesGrid;
 
 class FlightPanel : public DockPanel
 {
     Q_OBJECT
 
 public:
-    explicit FlightPanel(QWidget *parent = nullptr);
+    /// `station` is told which fields of messages the values need.
+    explicit FlightPanel(StationInterface &station, QWidget *parent = nullptr);
 
     /// The horizon follows every snapshot, numbers are renewed less often.
     void onSnapshot(const ViewState &view) override;
@@ -23,9 +24,15 @@ public:
     void applySettings(const Settings &settings) override;
     bool scrollsAsAWhole() const override { return true; }
 
+Q_SIGNALS:
+    /// The operator wants to choose the values.
+    void editValuesRequested();
+
 private:
+    StationInterface &m_station;
     Horizon *m_horizon;
-    ValuesPanel *m_values;
+    ValuesGrid *m_values;
+    std::vector<engine::FieldChoice> m_fields; ///< that the station reads
     UnitSystem m_units = UnitSystem::Metric;
 };
 

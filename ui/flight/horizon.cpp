@@ -1,6 +1,7 @@
 #include "ui/flight/horizon.h"
 
 #include "ui/flight/tape.h"
+#include "ui/text/figures.h"
 #include "ui/theme/palettes.h"
 
 #include <QtGui/QPainter>
@@ -67,6 +68,7 @@ void Horizon::paintEvent(QPaintEvent *)
 
     const QRectF world(kTape, 0, width() - 2 * kTape, height() - kCompass);
     paintWorld(painter, world);
+    paintNumbers(painter, world);
 
     painter.setRenderHint(QPainter::Antialiasing);
     const QColor ink = m_values.stale ? colors.dim : palette().color(QPalette::WindowText);
@@ -186,6 +188,32 @@ void Horizon::paintAircraft(QPainter &painter, const QRectF &area) const
         painter.drawPoint(QPointF(0, 0));
     }
     painter.translate(-area.center());
+}
+
+/// Roll, heading and pitch, as captions above figures, on a dark band that every sky and ground leaves legible.
+void Horizon::paintNumbers(QPainter &painter, const QRectF &area) const
+{
+    const QFontMetricsF metrics(painter.font());
+    const double height = 2 * metrics.height() + 2;
+    const QRectF band(area.left(), area.bottom() - height, area.width(), height);
+    painter.fillRect(band, QColor(0, 0, 0, 150));
+    const QString degree = QStringLiteral("°");
+    const std::pair<QString, QString> columns[] = {
+        {tr("roll"), number(m_values.roll, 0) + degree},
+        {tr("hdg"), headingFigure(m_values.heading).value + degree},
+        {tr("pitch"), number(m_values.pitch, 0) + degree},
+    };
+    const double width = band.width() / static_cast<double>(std::size(columns));
+    double left = band.left();
+    for (const auto &[caption, figure] : columns) {
+        const double middle = left + width / 2;
+        painter.setPen(QColor(255, 255, 255, 200));
+        painter.drawText(QPointF(middle - metrics.horizontalAdvance(caption) / 2, band.top() + 1 + metrics.ascent()), caption);
+        painter.setPen(m_values.stale ? QColor(190, 190, 190) : QColor(Qt::white));
+        drawFigures(painter, QPointF(middle - figuresWidth(metrics, figure) / 2, band.bottom() - 1 - metrics.descent()),
+                    figure);
+        left += width;
+    }
 }
 
 } // namespace skyseal::ui

@@ -30,6 +30,7 @@ private:
     void paintLadder(QPainter &painter, double pixelsPerDegree, double reach) const;
     void paintRollScale(QPainter &painter, const QRectF &area) const;
     void paintAircraft(QPainter &painter, const QRectF &area) const;
+    void paintNumbers(QPainter &painter, const QRectF &area) const;
 
     HorizonValues m_values;
     UnitSystem m_units = UnitSystem::Metric;

@@ -6,9 +6,6 @@ namespace skyseal::ui {
 
 namespace {
 
-constexpr double kFeetPerMetre = 3.280839895;
-constexpr double kMilesPerHourPerMetreASecond = 2.236936292;
-constexpr double kFeetPerMinutePerMetreASecond = 196.8503937;
 const QChar kThinSpace(0x2009);
 const QChar kMinus(0x2212);
 

@@ -9,6 +9,10 @@ namespace skyseal::ui {
 
 enum class UnitSystem : int { Metric, Imperial };
 
+inline constexpr double kFeetPerMetre = 3.280839895;
+inline constexpr double kMilesPerHourPerMetreASecond = 2.236936292;
+inline constexpr double kFeetPerMinutePerMetreASecond = 196.8503937;
+
 /// A value and its unit, apart, because units are drawn dimmed.
 struct Figure
 {

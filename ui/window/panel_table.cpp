@@ -21,9 +21,11 @@ namespace skyseal::ui {
 
 namespace {
 
-DockPanel *makeFlight(const PanelContext &, QWidget *parent)
+DockPanel *makeFlight(const PanelContext &context, QWidget *parent)
 {
-    return new FlightPanel(parent);
+    auto *panel = new FlightPanel(context.station, parent);
+    QObject::connect(panel, &FlightPanel::editValuesRequested, &context.dialogs, &WindowDialogs::openValues);
+    return panel;
 }
 
 DockPanel *makeSecureLink(const PanelContext &context, QWidget *parent)

@@ -14,6 +14,7 @@
 #include "ui/map/region_dialog.h"
 #include "ui/modeless.h"
 #include "ui/replay/recordings_dialog.h"
+#include "ui/values/values_editor.h"
 #include "ui/view_state.h"
 
 #include <QtWidgets/QMessageBox>
@@ -73,6 +74,20 @@ void WindowDialogs::openSettings()
         changed.takeOffAltitude = m_settings.takeOffAltitude; // set in the panels, perhaps while the dialog was open
         changed.serving = m_settings.serving;
         changed.map = m_settings.map;
+        changed.values = m_settings.values;
+        Q_EMIT settingsAccepted(changed);
+    });
+    showModeless(*dialog);
+}
+
+void WindowDialogs::openValues()
+{
+    if (raiseOpen<ValuesEditor>(m_window))
+        return;
+    auto *dialog = make<ValuesEditor>(m_settings.values.list, m_settings.units, &m_window);
+    connect(dialog, &ValuesEditor::applied, this, [this](const ValueChoices &choices) {
+        Settings changed = m_settings;
+        changed.values = {choices};
         Q_EMIT settingsAccepted(changed);
     });
     showModeless(*dialog);

@@ -35,6 +35,7 @@ public:
     void openLink();
     void openReplay();
     void openSettings();
+    void openValues();
     void openTakeOff();
     /// Offers the present altitude of the vehicle in `view`.
     void openChangeAltitude(const ViewState &view);

@@ -207,6 +207,9 @@ Menu viewMenu(const MenuTargets &on)
          .trigger = [on] { on.map.zoomBy(1 / 1.5); },
          .shortcut = QKeySequence::ZoomOut},
         {.action = on.map.measure().action()},
+        {.id = QStringLiteral("actionEditValues"),
+         .text = Text::tr("&Edit values…"),
+         .trigger = [on] { on.dialogs.openValues(); }},
         {.id = QStringLiteral("actionClearTrack"),
          .text = Text::tr("&Clear the track"),
          .trigger = [on] { on.map.clearTrack(); }},
@@ -271,6 +274,9 @@ Menu helpMenu(const MenuTargets &on)
              {.id = QStringLiteral("actionHelpMap"),
               .text = Text::tr("The &map"),
               .trigger = [on] { on.dialogs.openHelp(QStringLiteral("map")); }},
+             {.id = QStringLiteral("actionHelpValues"),
+              .text = Text::tr("&Values"),
+              .trigger = [on] { on.dialogs.openHelp(QStringLiteral("values")); }},
              {},
              {.id = QStringLiteral("actionAbout"), .text = Text::tr("&About Skyseal"), .trigger = [on] {
                   on.dialogs.openAbout(on.version);

@@ -1,0 +1,236 @@
+#include "ui/text/value_source.h"
+
+#include "ui/text/vehicle_text.h"
+
+#include <QtCore/QCoreApplication>
+
+#include <algorithm>
+#include <string>
+
+namespace skyseal::ui {
+
+namespace {
+
+struct Words
+{
+    std::string_view name; ///< of the state field
+    const char *title, *caption;
+    Measure measure = Measure::Plain; ///< where the unit alone does not say it
+    int decimals = -1;                ///< < 0: those of the unit
+};
+
+/// The translations' context, with the words of the derived quantities.
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(skyseal::ui::ValueSource)
+
+public:
+    // clang-format off
+    static constexpr Words kWords[] = {
+        {"sysid", QT_TR_NOOP("MAVLink system id"), QT_TR_NOOP("system")},
+        {"mode", QT_TR_NOOP("Flight mode"), QT_TR_NOOP("mode")},
+        {"armed", QT_TR_NOOP("Armed"), QT_TR_NOOP("armed")},
+        {"roll", QT_TR_NOOP("Roll, right wing down positive"), QT_TR_NOOP("roll")},
+        {"pitch", QT_TR_NOOP("Pitch, nose up positive"), QT_TR_NOOP("pitch")},
+        {"yaw", QT_TR_NOOP("Yaw"), QT_TR_NOOP("yaw")},
+        {"lat", QT_TR_NOOP("Latitude"), QT_TR_NOOP("lat"), Measure::Plain, 6},
+        {"lon", QT_TR_NOOP("Longitude"), QT_TR_NOOP("lon"), Measure::Plain, 6},
+        {"alt_rel", QT_TR_NOOP("Altitude above home"), QT_TR_NOOP("alt")},
+        {"ground_speed", QT_TR_NOOP("Ground speed"), QT_TR_NOOP("speed")},
+        {"battery_v", QT_TR_NOOP("Battery voltage"), QT_TR_NOOP("battery"), Measure::Plain, 1},
+        {"battery_percent", QT_TR_NOOP("Battery, remaining"), QT_TR_NOOP("battery")},
+        {"gps_fix", QT_TR_NOOP("GPS fix"), QT_TR_NOOP("GPS")},
+        {"satellites", QT_TR_NOOP("Satellites in use"), QT_TR_NOOP("satellites")},
+        {"ekf_ok", QT_TR_NOOP("EKF, the estimate of attitude and position"), QT_TR_NOOP("EKF")},
+        {"heartbeat_age", QT_TR_NOOP("Time since the last heartbeat"), QT_TR_NOOP("heartbeat")},
+        {"alt", QT_TR_NOOP("Altitude above mean sea level"), QT_TR_NOOP("alt MSL")},
+        {"climb", QT_TR_NOOP("Climb rate"), QT_TR_NOOP("climb"), Measure::Climb},
+        {"heading", QT_TR_NOOP("Heading"), QT_TR_NOOP("hdg"), Measure::Heading},
+        {"air_speed", QT_TR_NOOP("Airspeed"), QT_TR_NOOP("airspeed")},
+        {"throttle", QT_TR_NOOP("Throttle"), QT_TR_NOOP("throttle")},
+        {"battery_a", QT_TR_NOOP("Battery current"), QT_TR_NOOP("current")},
+        {"hdop", QT_TR_NOOP("HDOP of the GPS"), QT_TR_NOOP("HDOP"), Measure::Plain, 1},
+        {"distance_home", QT_TR_NOOP("Distance to home"), QT_TR_NOOP("home"), Measure::Distance},
+        {"flight_time", QT_TR_NOOP("Flight time"), QT_TR_NOOP("time"), Measure::Duration},
+        {"mission_current", QT_TR_NOOP("Current mission item"), QT_TR_NOOP("item")},
+        {"custom_mode", QT_TR_NOOP("Number of the flight mode"), QT_TR_NOOP("mode no.")},
+        {"system_status", QT_TR_NOOP("State of the system (MAV_STATE)"), QT_TR_NOOP("state")},
+        {"cpu_load", QT_TR_NOOP("CPU load of the autopilot"), QT_TR_NOOP("CPU")},
+        {"vibration", QT_TR_NOOP("Vibration, the worst axis"), QT_TR_NOOP("vibration"), Measure::Plain, 1},
+        {"latency", QT_TR_NOOP("Round-trip time of the link"), QT_TR_NOOP("latency"), Measure::Plain, 3},
+        {"message_age", QT_TR_NOOP("Time since the last message"), QT_TR_NOOP("age")},
+        {"lost", QT_TR_NOOP("Link lost"), QT_TR_NOOP("lost")},
+        {"firmware", QT_TR_NOOP("Firmware"), QT_TR_NOOP("firmware")},
+    };
+    // clang-format on
+};
+
+const Words *wordsOf(const vehicle::StateField &state)
+{
+    const auto *found = std::ranges::find(Text::kWords, state.name, &Words::name);
+    return found == std::end(Text::kWords) ? nullptr : found;
+}
+
+bool isText(const mavlink::FieldInfo &field)
+{
+    return field.type == mavlink::FieldType::Char;
+}
+
+bool isFloating(const mavlink::FieldInfo &field)
+{
+    return field.type == mavlink::FieldType::Float || field.type == mavlink::FieldType::Double;
+}
+
+std::vector<ValueSource> allSources()
+{
+    std::vector<ValueSource> out;
+    for (const vehicle::StateField &state : vehicle::stateFields())
+        out.push_back({.state = &state});
+    std::vector<const mavlink::MessageInfo *> messages;
+    for (const mavlink::MessageInfo &message : mavlink::Dialect::builtin().messages())
+        messages.push_back(&message);
+    std::ranges::sort(messages, {}, &mavlink::MessageInfo::name);
+    for (const mavlink::MessageInfo *message : messages) {
+        for (const mavlink::FieldInfo &field : message->fields) {
+            if (!isText(field))
+                out.push_back({.message = message, .field = &field});
+        }
+    }
+    return out;
+}
+
+} // namespace
+
+QString ValueSource::id() const
+{
+    if (state)
+        return fromStd(state->name);
+    QString name = fromStd(message->name) + QLatin1Char('.') + fromStd(field->name);
+    if (field->arrayLength)
+        name += QStringLiteral("[%1]").arg(element);
+    return name;
+}
+
+QString ValueSource::title() const
+{
+    const Words *words = state ? wordsOf(*state) : nullptr;
+    return words ? Text::tr(words->title) : id();
+}
+
+QString ValueSource::caption() const
+{
+    const Words *words = state ? wordsOf(*state) : nullptr;
+    return words ? Text::tr(words->caption) : id().section(QLatin1Char('.'), -1);
+}
+
+QString ValueSource::description() const
+{
+    if (state)
+        return Text::tr("derived by the station: %1").arg(id());
+    QStringList parts{fromStd(mavlink::nameOf(field->type))};
+    if (field->arrayLength)
+        parts << Text::tr("%1 elements").arg(field->arrayLength);
+    if (!field->enumName.empty())
+        parts << fromStd(field->enumName);
+    return parts.join(QStringLiteral(" · "));
+}
+
+QString ValueSource::sourceUnit() const
+{
+    return fromStd(state ? state->unit : field->units);
+}
+
+ValueUnit ValueSource::unit() const
+{
+    if (!state)
+        return valueUnit(field->units, !isFloating(*field));
+    ValueUnit unit = valueUnit(state->unit, state->kind != vehicle::StateField::Kind::Number);
+    if (const Words *words = wordsOf(*state)) {
+        if (words->measure != Measure::Plain)
+            unit.measure = words->measure;
+        if (words->decimals >= 0)
+            unit.decimals = words->decimals;
+    }
+    return unit;
+}
+
+bool ValueSource::isNumber() const
+{
+    using Kind = vehicle::StateField::Kind;
+    if (state) // the fix and the state of the EKF are numbers that stand for words
+        return state->kind != Kind::Text && state->kind != Kind::Flag && state->name != "gps_fix" && state->name != "ekf_ok";
+    const mavlink::EnumInfo *names = field->enumName.empty() ? nullptr
+                                                             : mavlink::Dialect::builtin().enumeration(field->enumName);
+    return !names || names->bitmask;
+}
+
+std::optional<engine::FieldChoice> ValueSource::fieldChoice() const
+{
+    if (!field)
+        return std::nullopt;
+    return engine::FieldChoice{message->id, field, element};
+}
+
+std::optional<ValueSource> findValueSource(const QString &id)
+{
+    const qsizetype dot = id.indexOf(QLatin1Char('.'));
+    if (dot < 0) {
+        const vehicle::StateField *state = vehicle::findStateField(id.toStdString());
+        return state ? std::optional(ValueSource{.state = state}) : std::nullopt;
+    }
+    const mavlink::MessageInfo *message = mavlink::Dialect::builtin().find(id.left(dot).toStdString());
+    if (!message)
+        return std::nullopt;
+    QString name = id.mid(dot + 1);
+    std::uint8_t element = 0;
+    const qsizetype bracket = name.indexOf(QLatin1Char('['));
+    if (bracket >= 0) {
+        bool ok = name.endsWith(QLatin1Char(']'));
+        const uint index = ok ? QStringView(name).mid(bracket + 1).chopped(1).toUInt(&ok) : 0;
+        if (!ok || index > 255)
+            return std::nullopt;
+        element = static_cast<std::uint8_t>(index);
+        name.truncate(bracket);
+    }
+    const mavlink::FieldInfo *field = message->field(name.toStdString());
+    if (!field || isText(*field) || element >= field->elements() || (bracket >= 0) != (field->arrayLength > 0))
+        return std::nullopt;
+    return ValueSource{.message = message, .field = field, .element = element};
+}
+
+std::span<const ValueSource> valueSources()
+{
+    static const std::vector<ValueSource> kSources = allSources();
+    return kSources;
+}
+
+bool meansUnknown(const mavlink::FieldInfo &field, mavlink::FieldValue value)
+{
+    // "[0]" stands for each element. NaN needs no rule, since it is never a number.
+    std::string_view unknown = field.invalid;
+    if (unknown.starts_with('[') && unknown.ends_with(']'))
+        unknown = unknown.substr(1, unknown.size() - 2);
+    static constexpr std::pair<std::string_view, std::string_view> kLimits[] = {
+        {"UINT8_MAX", "255"}, {"UINT16_MAX", "65535"}, {"UINT32_MAX", "4294967295"},
+        {"INT8_MAX", "127"},  {"INT16_MAX", "32767"},  {"INT32_MAX", "2147483647"},
+    };
+    for (const auto &[name, number] : kLimits) {
+        if (unknown == name)
+            unknown = number;
+    }
+    return !unknown.empty() && mavlink::parseFieldValue(field.type, unknown) == value;
+}
+
+QString enumEntryText(const mavlink::FieldInfo &field, mavlink::FieldValue value)
+{
+    const mavlink::EnumInfo *names = field.enumName.empty() ? nullptr : mavlink::Dialect::builtin().enumeration(field.enumName);
+    if (!names || names->bitmask)
+        return {};
+    QString text = fromStd(names->nameOf(value.bits()));
+    const QString prefix = fromStd(names->name) + QLatin1Char('_');
+    if (text.startsWith(prefix))
+        text.remove(0, prefix.size());
+    return text.replace(QLatin1Char('_'), QLatin1Char(' '));
+}
+
+} // namespace skyseal::ui

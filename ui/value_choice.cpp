@@ -1,0 +1,114 @@
+#include "ui/value_choice.h"
+
+#include <QtCore/QCoreApplication>
+#include <QtCore/QJsonArray>
+#include <QtCore/QJsonDocument>
+#include <QtCore/QJsonObject>
+
+namespace skyseal::ui {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(skyseal::ui::ValueChoice)
+};
+
+constexpr QLatin1String kSource("source"), kCaption("caption"), kDecimals("decimals"), kLow("low"), kHigh("high"),
+    kLine("line");
+
+tl::expected<std::optional<double>, QString> readLimit(const QJsonObject &object, QLatin1String key)
+{
+    const QJsonValue value = object.value(key);
+    if (value.isUndefined())
+        return std::optional<double>();
+    if (!value.isDouble())
+        return tl::unexpected(Text::tr("\"%1\" is not a number").arg(key));
+    return std::optional(value.toDouble());
+}
+
+tl::expected<ValueChoice, QString> readChoice(const QJsonValue &value)
+{
+    const QJsonObject object = value.toObject();
+    const QString id = object.value(kSource).toString();
+    const auto source = findValueSource(id);
+    if (!source)
+        return tl::unexpected(Text::tr("there is no value \"%1\"").arg(id.left(80)));
+    ValueChoice out{.source = *source};
+    const QJsonValue caption = object.value(kCaption), decimals = object.value(kDecimals), line = object.value(kLine);
+    out.caption = caption.toString();
+    if (!(caption.isUndefined() || caption.isString()) || out.caption.size() > kLongestCaption)
+        return tl::unexpected(Text::tr("\"caption\" is not a text of at most %1 characters").arg(kLongestCaption));
+    out.decimals = decimals.toInt(decimals.isUndefined() ? -1 : -2);
+    if (out.decimals < -1 || out.decimals > kMostDecimals)
+        return tl::unexpected(Text::tr("\"decimals\" is not a number from 0 to %1").arg(kMostDecimals));
+    const auto low = readLimit(object, kLow), high = readLimit(object, kHigh);
+    if (!low || !high)
+        return tl::unexpected(low ? high.error() : low.error());
+    out.low = *low;
+    out.high = *high;
+    if (out.low && out.high && *out.low >= *out.high)
+        return tl::unexpected(Text::tr("\"low\" is not below \"high\""));
+    if (!(line.isUndefined() || line.isBool()))
+        return tl::unexpected(Text::tr("\"line\" is neither true nor false"));
+    out.line = line.toBool();
+    return out;
+}
+
+} // namespace
+
+bool ValueChoice::operator==(const ValueChoice &other) const
+{
+    return source.id() == other.source.id() && caption == other.caption && decimals == other.decimals && low == other.low
+        && high == other.high && line == other.line;
+}
+
+ValueChoices defaultValues()
+{
+    ValueChoices out;
+    for (const char *name : {"alt_rel", "heading", "ground_speed", "distance_home", "climb", "flight_time", "battery_a", "hdop",
+                             "ekf_ok", "throttle"})
+        out.push_back({.source = {.state = vehicle::findStateField(name)}});
+    return out;
+}
+
+QString toText(const ValueChoices &choices)
+{
+    QJsonArray out;
+    for (const ValueChoice &choice : choices) {
+        QJsonObject object{{kSource, choice.source.id()}};
+        if (!choice.caption.isEmpty())
+            object.insert(kCaption, choice.caption);
+        if (choice.decimals >= 0)
+            object.insert(kDecimals, choice.decimals);
+        if (choice.low)
+            object.insert(kLow, *choice.low);
+        if (choice.high)
+            object.insert(kHigh, *choice.high);
+        if (choice.line)
+            object.insert(kLine, true);
+        out.append(object);
+    }
+    return QString::fromUtf8(QJsonDocument(out).toJson(QJsonDocument::Compact));
+}
+
+tl::expected<ValueChoices, QString> readValueChoices(const QString &text)
+{
+    QJsonParseError error;
+    const QJsonDocument document = QJsonDocument::fromJson(text.toUtf8(), &error);
+    if (!document.isArray())
+        return tl::unexpected(error.error ? Text::tr("not JSON: %1").arg(error.errorString()) : Text::tr("not a list"));
+    const QJsonArray entries = document.array();
+    if (entries.size() > static_cast<qsizetype>(kMostValues))
+        return tl::unexpected(Text::tr("more than %1 values").arg(kMostValues));
+    ValueChoices out;
+    for (const QJsonValue &entry : entries) {
+        auto choice = readChoice(entry);
+        if (!choice)
+            return tl::unexpected(Text::tr("value %1: %2").arg(out.size() + 1).arg(choice.error()));
+        out.push_back(std::move(*choice));
+    }
+    return out;
+}
+
+} // namespace skyseal::ui

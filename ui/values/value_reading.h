@@ -1,0 +1,25 @@
+// What the snapshot says about one source of values.
+#pragma once
+
+#include "core/vehicle/vehicle_state.h"
+#include "ui/text/value_source.h"
+
+namespace skyseal::ui {
+
+struct ViewState;
+
+struct ValueReading
+{
+    double number = vehicle::kUnknown; ///< in the metric unit that is shown
+    QString word = {};                 ///< for values that are words; then shown in place of the number
+    bool isBad = false;                ///< the word says that something is wrong
+    double age = vehicle::kUnknown;    ///< seconds; unknown if the source never came
+
+    bool isKnown() const { return !word.isEmpty() || std::isfinite(number); }
+};
+
+/// Of the selected vehicle. A field is that of the vehicle's autopilot, or, if it does not send the message, that of the
+/// component heard last.
+ValueReading readValue(const ValueSource &source, const ViewState &view);
+
+} // namespace skyseal::ui
