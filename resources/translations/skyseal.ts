@@ -2161,6 +2161,18 @@ No link is sealed until this is resolved. Plain MAVLink is shown, but not sealed
         <source>no attitude</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>roll</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hdg</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::InspectorModel</name>
@@ -5025,6 +5037,21 @@ with a pre-shared key</source>
     </message>
 </context>
 <context>
+    <name>skyseal::ui::SourceModel</name>
+    <message>
+        <source>Value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>skyseal::ui::StateText</name>
     <message>
         <source>no GPS</source>
@@ -5754,49 +5781,67 @@ with a pre-shared key</source>
     </message>
 </context>
 <context>
-    <name>skyseal::ui::ValuesPanel</name>
+    <name>skyseal::ui::ValueCell</name>
     <message>
-        <source>alt</source>
+        <source>▼ low</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>speed</source>
+        <source>▲ high</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>climb</source>
+        <source>%1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::ValueChoice</name>
+    <message>
+        <source>&quot;%1&quot; is not a number</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>current</source>
+        <source>there is no value &quot;%1&quot;</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>EKF</source>
+        <source>&quot;caption&quot; is not a text of at most %1 characters</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>hdg</source>
+        <source>&quot;decimals&quot; is not a number from 0 to %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>home</source>
+        <source>&quot;low&quot; is not below &quot;high&quot;</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>time</source>
+        <source>&quot;line&quot; is neither true nor false</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>HDOP</source>
+        <source>not JSON: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>throttle</source>
+        <source>not a list</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Age of the values</source>
+        <source>more than %1 values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>value %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::ValueReading</name>
+    <message>
+        <source>bad</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5804,7 +5849,492 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>bad</source>
+        <source>yes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::ValueSource</name>
+    <message>
+        <source>derived by the station: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 elements</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MAVLink system id</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>system</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flight mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>armed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Roll, right wing down positive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pitch, nose up positive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Yaw</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yaw</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Latitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Longitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lon</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Altitude above home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>alt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ground speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Battery voltage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>battery</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Battery, remaining</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>GPS fix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>GPS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Satellites in use</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>satellites</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>EKF, the estimate of attitude and position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>EKF</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time since the last heartbeat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>heartbeat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Altitude above mean sea level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>alt MSL</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Climb rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>climb</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hdg</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Airspeed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>airspeed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Throttle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>throttle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Battery current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>HDOP of the GPS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>HDOP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance to home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flight time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Current mission item</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>item</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of the flight mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mode no.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State of the system (MAV_STATE)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU load of the autopilot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vibration, the worst axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Round-trip time of the link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>latency</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time since the last message</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>age</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Link lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Firmware</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>firmware</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::ValuesEditor</name>
+    <message>
+        <source>Edit values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chosen values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Values, in the order of the grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The selected value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Caption</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Element of the array</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Decimals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Low limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>High limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>L&amp;ine of the last minute</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line of the last minute</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Caption</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Element</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deci&amp;mals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Low below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;High above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find a value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parts of a name, such as &quot;roll&quot; or &quot;battery volt&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Find</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values that contain what was typed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use for the &amp;selected value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Usual se&amp;t</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The values that Skyseal shows without a choice; takes effect with Apply or OK</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A&amp;pply</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, shown in %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is selected. Find a value below and add it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ &quot;%1&quot; is not a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ The low limit must be below the high one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No more than %1 values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Adds the value that is selected below</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::ValuesGrid</name>
+    <message>
+        <source>Edit values…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Problem with the stored values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No values are chosen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Age of the values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the values that stand here, their limits and their lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The stored values cannot be read (%1). These are the usual ones.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6130,6 +6660,14 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
     </message>
     <message>
         <source>&amp;Find a command…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Edit values…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Values</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
