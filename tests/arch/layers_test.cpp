@@ -56,8 +56,7 @@ const QHash<QString, QStringList> &allowedInUi()
                                                                  QStringLiteral("mission"),   QStringLiteral("parameters"),
                                                                  QStringLiteral("replay"),    kSecurity,
                                                                  QStringLiteral("status"),    kSweep,
-                                                                 QStringLiteral("vehicles"),
-                                                                 QStringLiteral("values")};
+                                                                 QStringLiteral("vehicles"),  QStringLiteral("values")};
     static const QHash<QString, QStringList> kAllowed{
         {QString(), kBottom}, // the base files
         {kTheme, {}},

@@ -1,5 +1,5 @@
-// Whether the intervals of a sweep hold what they promise: sweeps of one suite under two names (A/A) find no difference, and CPU
-// time that is added to the agent during the runs of one name (support/extra_cpu) is found, with its size. The long form
+// Whether the intervals of a sweep hold what they promise: sweeps of one suite under two names (A/A) find no difference, and
+// CPU time that is added to the agent during the runs of one name (support/extra_cpu) is found, with its size. The long form
 // (SKYSEAL_CALIBRATION=long) repeats this often enough for the shares to mean something; the short one shows that it works.
 #include "tests/support/program.h"
 #include "tests/support/run_program.h"

@@ -1,5 +1,5 @@
-// The checklists before a flight, one file for each vehicle that has one: what is ticked by hand, what the values of the vehicle
-// tick by themselves, and what is still open. No widgets. Lives on the GUI thread.
+// The checklists before a flight, one file for each vehicle that has one: what is ticked by hand, what the values of the
+// vehicle tick by themselves, and what is still open. No widgets. Lives on the GUI thread.
 #pragma once
 
 #include "core/vehicle/checklist.h"

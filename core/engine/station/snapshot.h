@@ -56,7 +56,7 @@ struct Snapshot
     ChannelTotals channel;              ///< since the start, including ended sessions
     std::optional<ReplayStatus> replay; ///< set if this is the picture of a replay
     std::shared_ptr<const Probe> probe; ///< null unless it was requested, see Station::requestProbe()
-    std::vector<FieldReading> fields; ///< only those chosen by Station::chooseFields()
+    std::vector<FieldReading> fields;   ///< only those chosen by Station::chooseFields()
 };
 
 } // namespace skyseal::engine

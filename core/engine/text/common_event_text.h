@@ -16,7 +16,7 @@ struct EventText
     /// Remedial action. Each program adds its own way to take it: a menu or an option.
     enum class Remedy : std::uint8_t { None, AllowPlaintext, PairAgent };
 
-    QString sentence;          ///< starts with a capital letter, ends without a full stop
+    QString sentence; ///< starts with a capital letter, ends without a full stop
     std::uint8_t severity = mavlink::MAV_SEVERITY_INFO;
     std::uint8_t systemId = 0; ///< of the vehicle that the event concerns; 0 = this device
     /// Another event or another place reports it as well, so that lists of events omit it.
