@@ -189,22 +189,22 @@ void readConditions(Options &options, bool ownAgent, experiment::Plan &plan)
     }
 }
 
-std::vector<experiment::Framing> readFramings(Options &options)
+std::vector<experiment::ArmFraming> readFramings(Options &options)
 {
-    using experiment::Framing;
+    using experiment::ArmFraming;
     const std::string text = options.text("framing");
     if ((text == "bare" || text == "all") && (options.has("link") || options.has("vehicle")))
         options.fail("--framing " + text
                      + ": bare is for the sweep's own simulator, since no other vehicle encrypts its payloads; "
                      + "without --link and --vehicle");
     if (text == "both")
-        return {Framing::Sealed, Framing::Inline};
+        return {ArmFraming::Sealed, ArmFraming::Inline};
     if (text == "all")
         return {std::begin(experiment::kFramings), std::end(experiment::kFramings)};
     const auto one = experiment::framingFromName(text);
     if (!one)
         options.fail("--framing '" + text + "': sealed, inline, both, bare or all is expected");
-    return {one.value_or(Framing::Sealed)};
+    return {one.value_or(ArmFraming::Sealed)};
 }
 
 void readPlan(Options &options, bool ownAgent, experiment::Plan &plan)

@@ -23,7 +23,7 @@ QString commandOf(const ui::SweepOrder &order)
         if (!suites.contains(name))
             suites << name;
     }
-    for (const experiment::Framing framing : experiment::framingsOf(plan))
+    for (const experiment::ArmFraming framing : experiment::framingsOf(plan))
         framings << QString::fromUtf8(experiment::name(framing).data());
     for (const experiment::Load load : plan.loads)
         loads << QString::fromStdString(experiment::name(load));

@@ -25,12 +25,12 @@ std::string nameOf(SuiteId suite)
 }
 
 /// The framing that the claims are judged in.
-Framing judgedFraming(const Plan &plan)
+ArmFraming judgedFraming(const Plan &plan)
 {
-    std::vector<Framing> framings = framingsOf(plan);
+    std::vector<ArmFraming> framings = framingsOf(plan);
     if (framings.size() > 1)
-        std::erase(framings, Framing::Bare); // of which there are two ciphers only
-    return framings.empty() ? Framing::Sealed : framings.back();
+        std::erase(framings, ArmFraming::Bare); // of which there are two ciphers only
+    return framings.empty() ? ArmFraming::Sealed : framings.back();
 }
 
 /// Where claims are judged: on the clean link where it is among the conditions, packets and CPU under the saturated load.
@@ -319,7 +319,7 @@ std::vector<Claim> paperClaims(const Results &results)
                          "Integrating ChaCha20 does not affect the performance of MAVLink: as many packets as without "
                          "encryption.",
                          Metric::Packets, isAsHigh, chachaToPlain));
-    if (out.back().finding == Finding::Confirmed && judgedFraming(results.plan) == Framing::Sealed)
+    if (out.back().finding == Finding::Confirmed && judgedFraming(results.plan) == ArmFraming::Sealed)
         out.back().reason += " Sealing puts several frames into a record, and sending fewer datagrams makes it faster.";
     out.push_back(judged(results, "packets-plain-above",
                          "Without encryption slightly more packets than with ChaCha20 (by however little).", Metric::Packets,

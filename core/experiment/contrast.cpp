@@ -137,9 +137,9 @@ std::vector<std::pair<std::size_t, std::size_t>> plannedPairs(const Plan &plan, 
         }
     }
     for (std::size_t bare = 0; bare < plan.arms.size(); ++bare) {
-        const auto hmac = std::ranges::find(plan.arms, SweepArm{plan.arms[bare].suite, false, Framing::Inline});
+        const auto hmac = std::ranges::find(plan.arms, SweepArm{plan.arms[bare].suite, false, ArmFraming::Inline});
         const auto with = static_cast<std::size_t>(hmac - plan.arms.begin());
-        if (plan.arms[bare].framing == Framing::Bare && hmac != plan.arms.end() && isArm(bare) && isArm(with)
+        if (plan.arms[bare].framing == ArmFraming::Bare && hmac != plan.arms.end() && isArm(bare) && isArm(with)
             && bare != reference)
             out.emplace_back(bare, with);
     }

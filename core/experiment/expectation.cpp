@@ -162,7 +162,7 @@ private:
             out.load = known;
             return;
         }
-        for (const Framing known : kFramings) {
+        for (const ArmFraming known : kFramings) {
             if (text == name(known) && !out.framing) {
                 out.framing = known;
                 return;
@@ -210,9 +210,9 @@ std::vector<Load> Expectation::loads() const
     return out;
 }
 
-std::vector<Framing> Expectation::framings() const
+std::vector<ArmFraming> Expectation::framings() const
 {
-    std::vector<Framing> out;
+    std::vector<ArmFraming> out;
     for (const Side &side : m_sides) {
         if (side.framing)
             out.push_back(*side.framing);
@@ -220,7 +220,7 @@ std::vector<Framing> Expectation::framings() const
     return out;
 }
 
-std::optional<Framing> Expectation::onlyFraming() const
+std::optional<ArmFraming> Expectation::onlyFraming() const
 {
     for (const Side &side : m_sides) {
         if (side.isForEachSuite() && side.framing)

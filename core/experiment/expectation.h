@@ -37,12 +37,12 @@ public:
     /// The suites, loads and framings that it names. The sweep must measure them, see fits().
     std::vector<crypto::SuiteId> suites() const;
     std::vector<Load> loads() const;
-    std::vector<Framing> framings() const;
+    std::vector<ArmFraming> framings() const;
     /// The framing of a metric without a suite, such as cpu(*,inline); nullopt without one.
-    std::optional<Framing> onlyFraming() const;
+    std::optional<ArmFraming> onlyFraming() const;
 
     /// Returns the mean of a metric; NaN if it was not measured.
-    using Lookup = std::function<double(Metric, crypto::SuiteId, std::optional<Framing>, std::optional<Load>)>;
+    using Lookup = std::function<double(Metric, crypto::SuiteId, std::optional<ArmFraming>, std::optional<Load>)>;
     struct Outcome
     {
         bool measured = false; ///< both sides are finite
@@ -62,7 +62,7 @@ private:
         std::optional<Metric> metric; ///< nullopt: only a number
         std::optional<crypto::SuiteId> suite;
         std::optional<Load> load;
-        std::optional<Framing> framing;
+        std::optional<ArmFraming> framing;
 
         bool isForEachSuite() const { return metric && !suite; }
         double value(const SweepArm &arm, const Lookup &lookup) const;

@@ -127,7 +127,8 @@ std::string pairTable(const Results &results, std::size_t condition, std::size_t
     }
     return rows.empty() ? rows
                         : std::string("<h3>Pairs that a claim of the paper names")
-            + (std::ranges::count(framingsOf(plan), Framing::Bare) > 0 ? ", and bare ciphers with and without their HMAC" : "")
+            + (std::ranges::count(framingsOf(plan), ArmFraming::Bare) > 0 ? ", and bare ciphers with and without their HMAC"
+                                                                          : "")
             + "</h3>\n<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
             + row({"metric", "suite", "to", "ratio", "p corrected"}, "th") + rows + "</table>\n";
 }
@@ -283,17 +284,17 @@ std::string expectationList(const Results &results, const std::vector<Verdict> &
     return out + "</ul>\n";
 }
 
-std::string framingText(Framing framing)
+std::string framingText(ArmFraming framing)
 {
     switch (framing) {
-    case Framing::Inline:
+    case ArmFraming::Inline:
         return "inline: payloads sealed in place, headers clear and authenticated, tags of 8 bytes (only suites that are a "
                "cipher and an HMAC; a frame that cannot be sealed in place travels in a record)";
-    case Framing::Bare:
+    case ArmFraming::Bare:
         return "bare: INSECURE, as in the paper: the simulator encrypts the payloads that it sends by the cipher alone, under "
                "a fixed key and nonce, without authentication, and the way back is clear. The agent passes the frames on as "
                "plain MAVLink, so that its figures contain no cipher: compare those of the station, which decrypts each frame";
-    case Framing::Sealed: break;
+    case ArmFraming::Sealed: break;
     }
     return "sealed: whole frames in records, tags of 16 bytes";
 }
@@ -301,7 +302,7 @@ std::string framingText(Framing framing)
 std::string framingText(const Plan &plan)
 {
     std::string out;
-    for (const Framing framing : framingsOf(plan))
+    for (const ArmFraming framing : framingsOf(plan))
         out += (out.empty() ? "" : "; ") + framingText(framing);
     return out.empty() ? "none, plain MAVLink only" : out;
 }

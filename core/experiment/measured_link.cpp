@@ -29,9 +29,9 @@ double answersIn(const engine::Snapshot &snapshot)
 
 Protection protectionOf(const SweepArm &arm)
 {
-    if (arm.suite == crypto::SuiteId::None || arm.framing == Framing::Bare)
+    if (arm.suite == crypto::SuiteId::None || arm.framing == ArmFraming::Bare)
         return Protection::Plain;
-    return arm.framing == Framing::Inline ? Protection::Inline : Protection::Sealed;
+    return arm.framing == ArmFraming::Inline ? Protection::Inline : Protection::Sealed;
 }
 
 void MeasuredLink::stationOpened()

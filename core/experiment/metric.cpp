@@ -348,8 +348,8 @@ constexpr std::array<MetricInfo, kMetrics> kTable{{
      .key = "throttlings",
      .title = "Throttlings of the processor",
      .description =
-         "how often the processor slowed down during the run, hot or short of power: the kernel's counters of cores and packages, "
-         "or one where the firmware says so at an end of the run",
+         "how often the processor slowed down during the run, hot or short of power: the kernel's counters of cores and "
+         "packages, or one where the firmware says so at an end of the run",
      .explains = true},
 }};
 

@@ -97,7 +97,7 @@ std::optional<Load> loadFromName(std::string_view text)
 
 std::string name(const SweepArm &arm)
 {
-    const bool isNamed = arm.framing != Framing::Sealed && arm.suite != crypto::SuiteId::None;
+    const bool isNamed = arm.framing != ArmFraming::Sealed && arm.suite != crypto::SuiteId::None;
     return std::string(crypto::suiteInfo(arm.suite).name) + (isNamed ? " " + std::string(name(arm.framing)) : "")
         + (arm.again ? " (A/A)" : "");
 }
@@ -113,25 +113,25 @@ std::string_view framingName(const SweepArm &arm)
     return arm.suite == crypto::SuiteId::None ? "plain" : name(arm.framing);
 }
 
-std::string_view name(Framing framing)
+std::string_view name(ArmFraming framing)
 {
     switch (framing) {
-    case Framing::Inline: return "inline";
-    case Framing::Bare: return "bare";
-    case Framing::Sealed: break;
+    case ArmFraming::Inline: return "inline";
+    case ArmFraming::Bare: return "bare";
+    case ArmFraming::Sealed: break;
     }
     return "sealed";
 }
 
-std::optional<Framing> framingFromName(std::string_view text)
+std::optional<ArmFraming> framingFromName(std::string_view text)
 {
-    const auto found = std::ranges::find_if(kFramings, [&](Framing one) { return name(one) == text; });
+    const auto found = std::ranges::find_if(kFramings, [&](ArmFraming one) { return name(one) == text; });
     return found == std::end(kFramings) ? std::nullopt : std::optional(*found);
 }
 
 std::optional<crypto::MavsecKind> bareCipherOf(const SweepArm &arm)
 {
-    if (arm.framing != Framing::Bare)
+    if (arm.framing != ArmFraming::Bare)
         return std::nullopt;
     switch (arm.suite) {
     case crypto::SuiteId::ChaCha20: return crypto::MavsecKind::ChaCha20;
@@ -142,19 +142,19 @@ std::optional<crypto::MavsecKind> bareCipherOf(const SweepArm &arm)
 
 bool exists(const SweepArm &arm)
 {
-    if (arm.framing == Framing::Sealed || arm.suite == crypto::SuiteId::None)
+    if (arm.framing == ArmFraming::Sealed || arm.suite == crypto::SuiteId::None)
         return true;
-    return arm.framing == Framing::Inline ? crypto::mayBeInline(arm.suite) : bareCipherOf(arm).has_value();
+    return arm.framing == ArmFraming::Inline ? crypto::mayBeInline(arm.suite) : bareCipherOf(arm).has_value();
 }
 
-std::vector<SweepArm> armsOf(const std::vector<crypto::SuiteId> &suites, const std::vector<Framing> &framings, bool noise)
+std::vector<SweepArm> armsOf(const std::vector<crypto::SuiteId> &suites, const std::vector<ArmFraming> &framings, bool noise)
 {
     std::vector<SweepArm> out;
     for (const crypto::SuiteId suite : suites) {
         if (suite == crypto::SuiteId::None)
-            out.push_back({suite, false, Framing::Sealed});
+            out.push_back({suite, false, ArmFraming::Sealed});
     }
-    for (const Framing framing : framings) {
+    for (const ArmFraming framing : framings) {
         for (const crypto::SuiteId suite : suites) {
             if (suite != crypto::SuiteId::None)
                 out.push_back({suite, false, framing});
@@ -162,7 +162,7 @@ std::vector<SweepArm> armsOf(const std::vector<crypto::SuiteId> &suites, const s
     }
     if (!noise)
         return out;
-    auto twice = std::find(out.begin(), out.end(), SweepArm{crypto::SuiteId::ChaCha20Poly1305, false, Framing::Sealed});
+    auto twice = std::find(out.begin(), out.end(), SweepArm{crypto::SuiteId::ChaCha20Poly1305, false, ArmFraming::Sealed});
     const auto usable = [](const SweepArm &arm) { return exists(arm) && arm.suite != crypto::SuiteId::None; };
     if (twice == out.end())
         twice = std::find_if(out.begin(), out.end(), usable);
@@ -173,10 +173,10 @@ std::vector<SweepArm> armsOf(const std::vector<crypto::SuiteId> &suites, const s
     return out;
 }
 
-std::vector<Framing> framingsOf(const Plan &plan)
+std::vector<ArmFraming> framingsOf(const Plan &plan)
 {
-    std::vector<Framing> out;
-    for (const Framing framing : kFramings) {
+    std::vector<ArmFraming> out;
+    for (const ArmFraming framing : kFramings) {
         const auto has = [framing](const SweepArm &arm) { return framingName(arm) == name(framing); };
         if (std::any_of(plan.arms.begin(), plan.arms.end(), has))
             out.push_back(framing);
@@ -187,7 +187,7 @@ std::vector<Framing> framingsOf(const Plan &plan)
 bool isInsecure(const SweepArm &arm)
 {
     const crypto::SuiteInfo &info = crypto::suiteInfo(arm.suite);
-    return info.research || !info.authenticated || arm.framing == Framing::Bare;
+    return info.research || !info.authenticated || arm.framing == ArmFraming::Bare;
 }
 
 Result<Condition, InputError> parseCondition(std::string_view text)

@@ -35,12 +35,12 @@ std::string name(Load load);
 std::optional<Load> loadFromName(std::string_view name);
 
 /// How an arm protects MAVLink frames.
-enum class Framing : std::uint8_t {
+enum class ArmFraming : std::uint8_t {
     Sealed, ///< whole frames in records
     Inline, ///< payloads sealed in place
     Bare    ///< INSECURE, as in the paper: the vehicle encrypts payloads by the suite's cipher, one way and without its HMAC
 };
-inline constexpr Framing kFramings[] = {Framing::Sealed, Framing::Inline, Framing::Bare};
+inline constexpr ArmFraming kFramings[] = {ArmFraming::Sealed, ArmFraming::Inline, ArmFraming::Bare};
 
 /// One alternative of the comparison: a suite in a framing. `again` marks the repetition of another arm under a second name:
 /// any difference between the two is noise (A/A). The framing has no meaning for plain MAVLink.
@@ -48,7 +48,7 @@ struct SweepArm
 {
     crypto::SuiteId suite{};
     bool again = false;
-    Framing framing = Framing::Sealed;
+    ArmFraming framing = ArmFraming::Sealed;
     bool operator==(const SweepArm &) const = default;
 };
 /// "aes-256-gcm"; "aes-256-ctr inline"; "aes-256-ctr bare"; "aes-256-gcm (A/A)".
@@ -57,15 +57,15 @@ std::string name(const SweepArm &arm);
 std::string fullName(const SweepArm &arm);
 /// "sealed", "inline", "bare"; "plain" for plain MAVLink.
 std::string_view framingName(const SweepArm &arm);
-std::string_view name(Framing framing);
-std::optional<Framing> framingFromName(std::string_view name);
+std::string_view name(ArmFraming framing);
+std::optional<ArmFraming> framingFromName(std::string_view name);
 /// The cipher of a bare arm that exists; nullopt for all others.
 std::optional<crypto::MavsecKind> bareCipherOf(const SweepArm &arm);
 /// False if the suite does not support the framing. Such an arm is listed in every report, but never run.
 bool exists(const SweepArm &arm);
 
 /// Every suite in every framing, plain MAVLink once. With `noise` one of them is repeated: the default suite if it is included.
-std::vector<SweepArm> armsOf(const std::vector<crypto::SuiteId> &suites, const std::vector<Framing> &framings, bool noise);
+std::vector<SweepArm> armsOf(const std::vector<crypto::SuiteId> &suites, const std::vector<ArmFraming> &framings, bool noise);
 
 /// True for research suites, bare ciphers and plain MAVLink.
 bool isInsecure(const SweepArm &arm);
@@ -101,7 +101,7 @@ struct Plan
 };
 
 /// The framings of the arms, in the order of kFramings; empty if the only arm is plain MAVLink.
-std::vector<Framing> framingsOf(const Plan &plan);
+std::vector<ArmFraming> framingsOf(const Plan &plan);
 
 /// Indices into the plan.
 struct Run

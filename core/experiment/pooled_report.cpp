@@ -21,7 +21,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 std::string framingsText(const Plan &plan)
 {
     std::string out;
-    for (const Framing framing : framingsOf(plan))
+    for (const ArmFraming framing : framingsOf(plan))
         out += (out.empty() ? "" : ", ") + std::string(name(framing));
     return out.empty() ? "plain MAVLink only" : out;
 }

@@ -57,7 +57,7 @@ void writePlan(JsonWriter &json, const Plan &plan)
 {
     json.key("plan").beginObject();
     json.key("framings").beginArray();
-    for (const Framing framing : framingsOf(plan))
+    for (const ArmFraming framing : framingsOf(plan))
         json.value(name(framing));
     json.endArray();
     json.field("seconds", seconds(plan.measure)).field("warm_up_seconds", seconds(plan.warmUp));

@@ -50,7 +50,7 @@ std::optional<SweepArm> armOf(const QJsonObject &object)
     if (!suite)
         return std::nullopt;
     const std::string framing = textOf(object[q("framing")]);
-    const SweepArm out{*suite, object[q("again")].toBool(), framingFromName(framing).value_or(Framing::Sealed)};
+    const SweepArm out{*suite, object[q("again")].toBool(), framingFromName(framing).value_or(ArmFraming::Sealed)};
     if (framing != framingName(out))
         return std::nullopt;
     return out;

@@ -20,8 +20,8 @@ Result<void, InputError> fits(const Expectation &expectation, const Plan &plan)
             return tl::unexpected(
                 InputError{"the sweep does not measure the " + std::string(name(load)) + " load", expectation.text()});
     }
-    const std::vector<Framing> framings = framingsOf(plan);
-    for (const Framing framing : expectation.framings()) {
+    const std::vector<ArmFraming> framings = framingsOf(plan);
+    for (const ArmFraming framing : expectation.framings()) {
         if (std::find(framings.begin(), framings.end(), framing) == framings.end())
             return tl::unexpected(
                 InputError{"the sweep does not measure the framing " + std::string(name(framing)), expectation.text()});
@@ -45,7 +45,8 @@ std::vector<Verdict> judgeAt(const Expectation &expectation, const Results &resu
 {
     const Plan &plan = results.plan;
     bool allRan = true; // every cell that was looked up
-    const auto lookup = [&](Metric metric, crypto::SuiteId suite, std::optional<Framing> framing, std::optional<Load> named) {
+    const auto lookup = [&](Metric metric, crypto::SuiteId suite, std::optional<ArmFraming> framing,
+                            std::optional<Load> named) {
         const auto at = std::find(plan.loads.begin(), plan.loads.end(), named.value_or(plan.loads[load.value_or(0)]));
         const auto arm = std::find_if(plan.arms.begin(), plan.arms.end(), [&](const SweepArm &one) {
             const bool fits = suite == crypto::SuiteId::None || !framing || one.framing == *framing;
@@ -61,7 +62,7 @@ std::vector<Verdict> judgeAt(const Expectation &expectation, const Results &resu
         return {{expectation.text(), condition, {}, load, expectation.check({}, lookup)}};
     std::vector<Verdict> each, without;
     for (const SweepArm &arm : plan.arms) {
-        const Framing wanted = expectation.onlyFraming().value_or(arm.framing);
+        const ArmFraming wanted = expectation.onlyFraming().value_or(arm.framing);
         const bool included = arm.suite == crypto::SuiteId::None || wanted == arm.framing;
         if (arm.again || !included || !exists(arm))
             continue;

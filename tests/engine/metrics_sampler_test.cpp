@@ -80,7 +80,7 @@ private Q_SLOTS:
     {
         QTemporaryDir folder;
         const auto write = [&](const char *file, const char *text) {
-            const QString path = folder.filePath(QLatin1String(file));
+            const QString path = folder.filePath(QStringLiteral("class/powercap/") + QLatin1String(file));
             QVERIFY(QDir().mkpath(QFileInfo(path).path()));
             QFile out(path);
             QVERIFY(out.open(QIODevice::WriteOnly) && out.write(text) > 0);

@@ -94,9 +94,9 @@ void BareSweepTest::theKeyDecides()
     SweepConfig config;
     config.plan.arms = {{SuiteId::None},
                         {SuiteId::Aes256Ctr},
-                        {SuiteId::Aes256Ctr, false, Framing::Inline},
-                        {SuiteId::Aes256Ctr, false, Framing::Bare},
-                        {SuiteId::ChaCha20, false, Framing::Bare}};
+                        {SuiteId::Aes256Ctr, false, ArmFraming::Inline},
+                        {SuiteId::Aes256Ctr, false, ArmFraming::Bare},
+                        {SuiteId::ChaCha20, false, ArmFraming::Bare}};
     config.plan.repeats = 1;
     config.plan.warmUp = std::chrono::milliseconds(200);
     config.plan.measure = std::chrono::seconds(1);
@@ -123,7 +123,7 @@ void BareSweepTest::theKeyDecides()
     QCOMPARE(runner.results().samples.size(), runner.results().plan.arms.size());
     for (const Sample &sample : runner.results().samples) {
         const SweepArm &arm = runner.results().plan.arms[sample.run.arm];
-        const bool fails = !isRight && arm.framing == Framing::Bare;
+        const bool fails = !isRight && arm.framing == ArmFraming::Bare;
         QVERIFY2(sample.problem == (fails ? MeasuredLink::kUnreadable : ""), (fullName(arm) + ": " + sample.problem).c_str());
         QCOMPARE(std::isnan(sample.values[Metric::Packets]), fails);
         if (fails)

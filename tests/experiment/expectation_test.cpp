@@ -13,11 +13,11 @@ using crypto::SuiteId;
 
 namespace {
 
-double lookup(Metric metric, SuiteId suite, std::optional<experiment::Framing> framing, std::optional<Load> load)
+double lookup(Metric metric, SuiteId suite, std::optional<experiment::ArmFraming> framing, std::optional<Load> load)
 {
     if (metric == Metric::Cpu)
         return (suite == SuiteId::None ? 2.0 : 3.0) * (load == Load::Saturated ? 10 : 1)
-            + (framing == experiment::Framing::Inline ? 0.5 : 0);
+            + (framing == experiment::ArmFraming::Inline ? 0.5 : 0);
     if (metric == Metric::Loss)
         return 0.25;
     return std::numeric_limits<double>::quiet_NaN();
@@ -208,13 +208,13 @@ void ExpectationTest::eachFramingIsJudged()
 {
     Results both;
     both.plan.arms = armsOf({SuiteId::None, SuiteId::Aes256Gcm, SuiteId::ChaCha20},
-                            {experiment::Framing::Sealed, experiment::Framing::Inline}, false);
+                            {experiment::ArmFraming::Sealed, experiment::ArmFraming::Inline}, false);
     both.plan.repeats = 1;
     for (const Run &run : schedule(both.plan)) {
         Sample sample;
         sample.run = run;
         const SweepArm &arm = both.plan.arms[run.arm];
-        sample.values[Metric::Cpu] = arm.suite == SuiteId::None ? 1 : arm.framing == experiment::Framing::Inline ? 7 : 4;
+        sample.values[Metric::Cpu] = arm.suite == SuiteId::None ? 1 : arm.framing == experiment::ArmFraming::Inline ? 7 : 4;
         both.samples.push_back(sample);
     }
     const auto each = judge(*Expectation::parse("cpu<=4"), both);

@@ -16,8 +16,8 @@ namespace {
 
 constexpr channel::SessionId kSession{7}, kNextSession{8};
 constexpr SweepArm kPlain{SuiteId::None}, kSealed{SuiteId::Aes256Ctr};
-constexpr SweepArm kInline{SuiteId::Aes256Ctr, false, experiment::Framing::Inline};
-constexpr SweepArm kBare{SuiteId::Aes256Ctr, false, experiment::Framing::Bare};
+constexpr SweepArm kInline{SuiteId::Aes256Ctr, false, experiment::ArmFraming::Inline};
+constexpr SweepArm kBare{SuiteId::Aes256Ctr, false, experiment::ArmFraming::Bare};
 
 engine::Snapshot withSession(channel::SessionId session, SuiteId suite = SuiteId::ChaCha20Poly1305)
 {
@@ -47,10 +47,10 @@ class MeasuredLinkTest : public QObject
 private Q_SLOTS:
     void protectionFollowsSuiteAndFraming()
     {
-        using experiment::Framing;
-        QVERIFY(experiment::protectionOf({SuiteId::None, false, Framing::Inline}) == Protection::Plain);
-        QVERIFY(experiment::protectionOf({SuiteId::Aes256Ctr, false, Framing::Sealed}) == Protection::Sealed);
-        QVERIFY(experiment::protectionOf({SuiteId::Aes256Ctr, false, Framing::Inline}) == Protection::Inline);
+        using experiment::ArmFraming;
+        QVERIFY(experiment::protectionOf({SuiteId::None, false, ArmFraming::Inline}) == Protection::Plain);
+        QVERIFY(experiment::protectionOf({SuiteId::Aes256Ctr, false, ArmFraming::Sealed}) == Protection::Sealed);
+        QVERIFY(experiment::protectionOf({SuiteId::Aes256Ctr, false, ArmFraming::Inline}) == Protection::Inline);
         QVERIFY(experiment::protectionOf(kBare) == Protection::Plain);
     }
 
@@ -65,7 +65,7 @@ private Q_SLOTS:
         link.setBareCipher(crypto::MavsecKind::Aes256Ctr, &before);
         QVERIFY(link.isCarriedAs(kBare) && link.isPlain());
         QVERIFY(!link.isCarriedAs(kPlain) && !link.isCarriedAs(Protection::Plain));
-        QVERIFY(!link.isCarriedAs({SuiteId::ChaCha20, false, experiment::Framing::Bare}));
+        QVERIFY(!link.isCarriedAs({SuiteId::ChaCha20, false, experiment::ArmFraming::Bare}));
         QVERIFY(link.hasVehicle(before) && !link.hasReadableVehicle(before)); // heard, but under another key nothing answers
         QVERIFY(link.hasReadableVehicle(after));
         link.setProtection(Protection::Plain, &before);

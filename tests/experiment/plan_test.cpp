@@ -114,21 +114,21 @@ void PlanTest::bareArms()
     using crypto::SuiteId;
     Plan plan;
     plan.arms = armsOf({SuiteId::None, SuiteId::Aes256Gcm, SuiteId::Aes256Cbc, SuiteId::Aes256Ctr, SuiteId::ChaCha20},
-                       {Framing::Sealed, Framing::Inline, Framing::Bare}, true);
+                       {ArmFraming::Sealed, ArmFraming::Inline, ArmFraming::Bare}, true);
     QCOMPARE(framingsOf(plan).size(), std::size_t(3));
     std::vector<std::string> names;
     for (const SweepArm &arm : plan.arms) {
-        QCOMPARE(isInsecure(arm), arm.framing == Framing::Bare || arm.suite == SuiteId::None);
-        QCOMPARE(bareCipherOf(arm).has_value(), arm.framing == Framing::Bare && exists(arm));
-        if (arm.framing == Framing::Bare && exists(arm))
+        QCOMPARE(isInsecure(arm), arm.framing == ArmFraming::Bare || arm.suite == SuiteId::None);
+        QCOMPARE(bareCipherOf(arm).has_value(), arm.framing == ArmFraming::Bare && exists(arm));
+        if (arm.framing == ArmFraming::Bare && exists(arm))
             names.push_back(name(arm) + "; " + fullName(arm));
     }
     QCOMPARE(names, // MAVSec's published code has these two
              (std::vector<std::string>{"aes-256-ctr bare; aes-256-ctr bare", "chacha20 bare; chacha20 bare"}));
-    for (const Framing framing : kFramings)
+    for (const ArmFraming framing : kFramings)
         QVERIFY(framingFromName(name(framing)) == framing);
     QVERIFY(!framingFromName("plain"));
-    const auto bare = std::ranges::find(plan.arms, Framing::Bare, &SweepArm::framing);
+    const auto bare = std::ranges::find(plan.arms, ArmFraming::Bare, &SweepArm::framing);
     QCOMPARE(bare->suite, SuiteId::Aes256Gcm); // listed, and not run
     for (const Run &run : schedule(plan))
         QVERIFY(exists(plan.arms[run.arm]));

@@ -518,7 +518,7 @@ void ReportTest::comparedIsWhatThePaperCompared()
 void ReportTest::singleRunsAreNotCompared()
 {
     Results results;
-    results.plan.arms = armsOf({SuiteId::None, SuiteId::Aes256Gcm}, {experiment::Framing::Sealed}, false);
+    results.plan.arms = armsOf({SuiteId::None, SuiteId::Aes256Gcm}, {experiment::ArmFraming::Sealed}, false);
     results.plan.repeats = 1;
     for (const Run &run : schedule(results.plan)) {
         Sample sample;
@@ -534,7 +534,7 @@ void ReportTest::framingsAreTold()
 {
     Results results;
     results.plan.arms = armsOf({SuiteId::None, SuiteId::Aes256Gcm, SuiteId::ChaCha20},
-                               {experiment::Framing::Sealed, experiment::Framing::Inline}, false);
+                               {experiment::ArmFraming::Sealed, experiment::ArmFraming::Inline}, false);
     results.plan.repeats = 2;
     for (const Run &run : schedule(results.plan)) {
         Sample sample;

@@ -27,7 +27,7 @@ namespace {
 Results sweepOf(double rc4, unsigned seed)
 {
     Results out;
-    out.plan.arms = armsOf({SuiteId::None, SuiteId::ChaCha20, SuiteId::Rc4}, {experiment::Framing::Sealed}, true);
+    out.plan.arms = armsOf({SuiteId::None, SuiteId::ChaCha20, SuiteId::Rc4}, {experiment::ArmFraming::Sealed}, true);
     out.plan.loads = {Load::Natural, Load::Saturated};
     out.plan.launches = 3;
     out.plan.repeats = 2;
@@ -293,7 +293,8 @@ void SweepReaderTest::otherSettingsAreRefused()
             && said.find("board") != std::string::npos;
     };
     QVERIFY(refused("schema version", [](Machine &machine) { machine.schemaVersion = 3; }));
-    QVERIFY(refused("framing", [](Machine &machine) { machine.results.plan.arms[1].framing = experiment::Framing::Inline; }));
+    QVERIFY(
+        refused("framing", [](Machine &machine) { machine.results.plan.arms[1].framing = experiment::ArmFraming::Inline; }));
     QVERIFY(refused("load", [](Machine &machine) { machine.results.plan.loads = {Load::Natural}; }));
     QVERIFY(refused("link", [](Machine &machine) { machine.results.plan.conditions = {*parseCondition("loss=0.1")}; }));
     QVERIFY(refused("commit", [](Machine &machine) { machine.results.setting[1].second = "def"; }));

@@ -4,7 +4,6 @@
 #include "core/mavlink/crc.h"
 #include "core/mavlink/enums.h"
 #include "core/mavlink/frame_intake.h"
-#include "core/mavlink/frame_scanner.h"
 #include "core/mavlink/messages.h"
 #include "tests/support/eventually.h"
 #include "tests/support/program.h"

@@ -204,9 +204,10 @@ private Q_SLOTS:
         QCOMPARE(powerOf("/nonexistent").remark, QStringLiteral("not readable here"));
         QVERIFY(powerOf("/nonexistent").note.contains(QStringLiteral("/nonexistent")));
         QTemporaryDir folder;
-        QVERIFY(QDir(folder.path()).mkdir(QStringLiteral("intel-rapl:0")));
+        const QString package = folder.filePath(QStringLiteral("class/powercap/intel-rapl:0"));
+        QVERIFY(QDir().mkpath(package));
         for (const auto &[name, text] : {std::pair("name", "package-0\n"), std::pair("energy_uj", "5000\n")}) {
-            QFile file(folder.filePath(QStringLiteral("intel-rapl:0/") + QLatin1String(name)));
+            QFile file(package + QLatin1Char('/') + QLatin1String(name));
             QVERIFY(file.open(QIODevice::WriteOnly) && file.write(text) > 0);
         }
         QVERIFY(powerOf(folder.path().toStdString()).remark.isEmpty());

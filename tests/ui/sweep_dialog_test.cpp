@@ -158,7 +158,7 @@ private Q_SLOTS:
         auto *place = page.findChild<QComboBox *>(QStringLiteral("sweepPlace"));
         auto *status = page.findChild<QLabel *>(QStringLiteral("sweepStatus"));
         experiment::Plan plan;
-        plan.arms = experiment::armsOf({crypto::SuiteId::Aes256Gcm}, {experiment::Framing::Sealed}, false);
+        plan.arms = experiment::armsOf({crypto::SuiteId::Aes256Gcm}, {experiment::ArmFraming::Sealed}, false);
         page.begin(plan);
         QVERIFY(!place->isVisible()); // one clean link under one load needs no name
         plan.conditions = {*experiment::parseCondition("rate=57600,delay=20")};

@@ -268,11 +268,11 @@ SweepOrder SweepDialog::order() const
         if (choice.box->isChecked())
             suites.push_back(choice.suite);
     }
-    std::vector<experiment::Framing> framings;
+    std::vector<experiment::ArmFraming> framings;
     if (m_sealed->isChecked())
-        framings.push_back(experiment::Framing::Sealed);
+        framings.push_back(experiment::ArmFraming::Sealed);
     if (m_inline->isChecked())
-        framings.push_back(experiment::Framing::Inline);
+        framings.push_back(experiment::ArmFraming::Inline);
     experiment::Plan &plan = out.plan;
     plan.repeats = static_cast<unsigned>(m_repeats->value());
     plan.measure = std::chrono::duration_cast<Duration>(std::chrono::duration<double>(m_seconds->value()));

@@ -26,9 +26,9 @@ QString framingText(const SweepArm &arm)
     if (arm.suite == crypto::SuiteId::None)
         return Text::tr("none");
     switch (arm.framing) {
-    case experiment::Framing::Inline: return Text::tr("inline");
-    case experiment::Framing::Bare: return Text::tr("bare, insecure");
-    case experiment::Framing::Sealed: break;
+    case experiment::ArmFraming::Inline: return Text::tr("inline");
+    case experiment::ArmFraming::Bare: return Text::tr("bare, insecure");
+    case experiment::ArmFraming::Sealed: break;
     }
     return Text::tr("sealed");
 }

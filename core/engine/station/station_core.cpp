@@ -213,11 +213,6 @@ void StationCore::setProtection(std::optional<Protection> protection)
     finishWake();
 }
 
-void StationCore::setBareCipher(std::optional<crypto::MavsecCipher> cipher)
-{
-    m_receiver.setBareCipher(std::move(cipher));
-}
-
 void StationCore::setMeasuring(bool measuring)
 {
     m_measuring = measuring;

@@ -81,7 +81,7 @@ public:
     void resumeSuite(crypto::SuiteId suite);
     void setProtection(std::optional<Protection> protection);
     /// See StationReceiver.
-    void setBareCipher(std::optional<crypto::MavsecCipher> cipher);
+    void setBareCipher(std::optional<crypto::MavsecCipher> &&cipher) { m_receiver.setBareCipher(std::move(cipher)); }
     void setMeasuring(bool measuring);
     void requestProbe();
     void setSnapshotsPerSecond(int perSecond);

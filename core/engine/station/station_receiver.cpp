@@ -34,7 +34,7 @@ void StationReceiver::addLink(LinkId id, const link::LinkTraits &traits)
     m_parts.ingress.addLink(id, rulesFor(traits), sinkFor(traits));
 }
 
-void StationReceiver::setBareCipher(std::optional<crypto::MavsecCipher> cipher)
+void StationReceiver::setBareCipher(std::optional<crypto::MavsecCipher> &&cipher)
 {
     m_bare.reset();
     if (cipher)

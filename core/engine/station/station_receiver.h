@@ -66,7 +66,7 @@ public:
     void addLink(LinkId id, const link::LinkTraits &traits);
     void addMavsecLink(LinkId id, const link::LinkTraits &traits, crypto::MavsecCipher cipher);
     /// For a measurement: clear frames on live links are those of a vehicle that encrypts their payloads; nullopt: no longer.
-    void setBareCipher(std::optional<crypto::MavsecCipher> cipher);
+    void setBareCipher(std::optional<crypto::MavsecCipher> &&cipher);
     /// Call after the link was closed.
     void removeLink(LinkId id);
     /// Call when the protection in force has changed: the classification of blocks depends on it.
