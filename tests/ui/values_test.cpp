@@ -353,6 +353,25 @@ private Q_SLOTS:
         QVERIFY2(inkOf() > small * 3 / 2, qPrintable(QStringLiteral("%1 %2").arg(small).arg(inkOf())));
     }
 
+    void onlyRowsWithALineKeepRoomForIt()
+    {
+        ValueChoices choices = defaultValues();
+        choices[3].line = true; // the second row of two columns
+        CellArea area;
+        area.setChoices(choices);
+        area.show();
+        area.resize(area.minimumSizeHint().width(), 1);
+        area.resize(area.minimumSizeHint()); // of two columns
+        QVERIFY(QTest::qWaitForWindowExposed(&area, test::kDeadlineMs));
+        QCOMPARE(area.columns(), 2);
+        const auto &cells = area.cells();
+        QCOMPARE(cells[2]->height(), cells[0]->height() + ValueCell::kLineHeight);
+        QCOMPARE(cells[3]->geometry().top(), cells[2]->geometry().top());
+        QCOMPARE(cells[4]->geometry().top(), cells[2]->geometry().bottom() + 1);
+        QCOMPARE(cells[4]->height(), cells[0]->height());
+        QVERIFY(cells.back()->geometry().bottom() < area.height());
+    }
+
     void lineShowsTheLastMinute()
     {
         Sparkline line;

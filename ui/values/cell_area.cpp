@@ -53,7 +53,27 @@ int CellArea::rows() const
 QSize CellArea::minimumSizeHint() const
 {
     const QSize cell = smallestCell();
-    return {std::min<int>(static_cast<int>(m_cells.size()), kFewestColumns) * cell.width(), rows() * cell.height()};
+    return {std::min<int>(static_cast<int>(m_cells.size()), kFewestColumns) * cell.width(),
+            rows() * cell.height() + allLineRoom()};
+}
+
+int CellArea::lineRoom(int row) const
+{
+    const auto first = static_cast<std::size_t>(row * m_columns);
+    const std::size_t end = std::min(m_cells.size(), first + static_cast<std::size_t>(m_columns));
+    for (std::size_t i = first; i < end; ++i) {
+        if (m_cells[i]->choice().line)
+            return ValueCell::kLineHeight;
+    }
+    return 0;
+}
+
+int CellArea::allLineRoom() const
+{
+    int sum = 0;
+    for (int row = 0; row < rows(); ++row)
+        sum += lineRoom(row);
+    return sum;
 }
 
 void CellArea::place()
@@ -67,18 +87,21 @@ void CellArea::place()
         updateGeometry();
     }
     const int font = QFontInfo(this->font()).pixelSize();
-    const int line = std::ranges::any_of(m_cells, [](auto *cell) { return cell->choice().line; }) ? ValueCell::kLineHeight : 0;
-    const int greatest = std::max(least.height(), kGreatestCellHeight * font + line);
-    setMaximumHeight(rows() * greatest);
-    const int cellHeight = std::clamp(height() / rows(), least.height(), greatest);
+    const int lines = allLineRoom();
+    const int greatest = std::max(least.height(), kGreatestCellHeight * font);
+    setMaximumHeight(rows() * greatest + lines);
+    const int cellHeight = std::clamp((height() - lines) / rows(), least.height(), greatest);
     const int cellWidth = width() / m_columns;
-    const int digitRoom = cellHeight - m_cells.front()->captionHeight() - line - kHalfGrid;
+    const int digitRoom = cellHeight - m_cells.front()->captionHeight() - kHalfGrid;
     const int digits = std::clamp(std::min(digitRoom * 4 / 5, (cellWidth - 2 * kGrid) / kDigitsInWidth), font,
                                   kGreatestDigits * font);
+    int top = 0;
     for (std::size_t i = 0; i < m_cells.size(); ++i) {
-        const int at = static_cast<int>(i);
+        const int column = static_cast<int>(i) % m_columns, line = lineRoom(static_cast<int>(i) / m_columns);
         m_cells[i]->setRoom(digits, line);
-        m_cells[i]->setGeometry(at % m_columns * cellWidth, at / m_columns * cellHeight, cellWidth, cellHeight);
+        m_cells[i]->setGeometry(column * cellWidth, top, cellWidth, cellHeight + line);
+        if (column == m_columns - 1)
+            top += cellHeight + line;
     }
 }
 

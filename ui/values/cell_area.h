@@ -33,6 +33,9 @@ protected:
 private:
     QSize smallestCell() const;
     int rows() const;
+    /// Height below the digits of a row that is kept for lines: none if no cell of the row has one.
+    int lineRoom(int row) const;
+    int allLineRoom() const;
     void place();
 
     std::vector<ValueCell *> m_cells;

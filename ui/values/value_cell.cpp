@@ -98,9 +98,8 @@ QSize ValueCell::minimumSizeHint() const
     const QFontMetricsF metrics(font());
     const qreal width = figuresWidth(metrics, QStringLiteral("-88888.8")) + kUnitGap
         + metrics.horizontalAdvance(QLatin1String("ft/min"));
-    const int line = m_choice.line ? kLineHeight : 0;
     return {static_cast<int>(std::ceil(width)) + 2 * kGrid,
-            captionHeight() + static_cast<int>(std::ceil(metrics.height())) + line + kHalfGrid};
+            captionHeight() + static_cast<int>(std::ceil(metrics.height())) + kHalfGrid};
 }
 
 void ValueCell::paintEvent(QPaintEvent *)

@@ -38,6 +38,7 @@ public:
     int captionHeight() const;
     static constexpr int kLineHeight = 16; ///< pixels
     QSize sizeHint() const override { return minimumSizeHint(); }
+    /// Without the room of a line, which is the same in a whole row.
     QSize minimumSizeHint() const override;
 
 protected:

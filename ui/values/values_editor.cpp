@@ -166,7 +166,7 @@ QWidget *ValuesEditor::makeFinder()
     m_found->header()->setStretchLastSection(true);
     const QFontMetrics metrics(font());
     m_found->header()->resizeSection(
-        SourceModel::Name, metrics.horizontalAdvance(QStringLiteral("EXTENDED_SYS_STATE.vtol_state[88]")) + 2 * kGrid);
+        SourceModel::Name, metrics.horizontalAdvance(QStringLiteral("BATTERY_INFO.charging_minimum_voltage")) + 2 * kGrid);
     m_found->header()->resizeSection(SourceModel::Unit, metrics.horizontalAdvance(QStringLiteral("cm^3/min")) + 2 * kGrid);
     m_add = makeButton(tr("&Add"), "editorAdd", box);
     m_use = makeButton(tr("Use for the &selected value"), "editorUse", box);
