@@ -3,6 +3,7 @@
 // MavsecSink, such a link is sent to, in clear. I/O thread.
 #pragma once
 
+#include "core/crypto/mavsec_cipher.h"
 #include "core/engine/common/ingress.h"
 #include "core/engine/common/mavsec_stream.h"
 #include "core/mavlink/enums.h"
