@@ -50,8 +50,8 @@ struct Reading
 /// where jitter lets a frame overtake more than metrics::SequenceTracker::kShortWindow others.
 bool sequenceNumbersCountLoss(const impair::ImpairmentSettings &link, Load load);
 
-/// All values but Metric::LineLoad, Metric::Switch, Metric::SessionMemory and those that depend on the idle power (idle_power.h);
-/// NaN where one could not be measured. `sealed`:
+/// All values but Metric::LineLoad, Metric::Switch, Metric::SessionMemory and those that depend on the idle power
+/// (idle_power.h); NaN where one could not be measured. `sealed`:
 /// the link carries records. `countsLoss`: see sequenceNumbersCountLoss().
 Values valuesBetween(const Reading &begin, const Reading &end, bool sealed, bool countsLoss);
 
