@@ -59,7 +59,7 @@ QSize CellArea::minimumSizeHint() const
 
 int CellArea::lineRoom(int row) const
 {
-    const auto first = static_cast<std::size_t>(row * m_columns);
+    const auto first = static_cast<std::size_t>(row) * static_cast<std::size_t>(m_columns);
     const std::size_t end = std::min(m_cells.size(), first + static_cast<std::size_t>(m_columns));
     for (std::size_t i = first; i < end; ++i) {
         if (m_cells[i]->choice().line)
