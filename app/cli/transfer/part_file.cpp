@@ -16,7 +16,7 @@ constexpr std::size_t kMostJournal = vehicle::KeptPart::kMostBytes / 4 * 5;
 
 } // namespace
 
-PartFile::PartFile(std::string file, std::string source) : m_path(file + ".part"), m_source(std::move(source))
+PartFile::PartFile(const std::string &file, std::string source) : m_path(file + ".part"), m_source(std::move(source))
 {
     std::error_code error;
     const auto status = std::filesystem::status(file, error);

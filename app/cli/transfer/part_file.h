@@ -14,7 +14,7 @@ class PartFile final : public vehicle::PartSink
 {
 public:
     /// `file`: FILE. `source`: what is downloaded.
-    PartFile(std::string file, std::string source);
+    PartFile(const std::string &file, std::string source);
     ~PartFile() override;
     PartFile(const PartFile &) = delete;
     PartFile &operator=(const PartFile &) = delete;
