@@ -51,8 +51,8 @@ struct Reading
 bool sequenceNumbersCountLoss(const impair::ImpairmentSettings &link, Load load);
 
 /// All values but Metric::LineLoad, Metric::Switch, Metric::SessionMemory and those that depend on the idle power
-/// (idle_power.h); NaN where one could not be measured. `sealed`:
-/// the link carries records. `countsLoss`: see sequenceNumbersCountLoss().
+/// (idle_power.h); NaN where one could not be measured. `sealed`: the link carries records. `countsLoss`: see
+/// sequenceNumbersCountLoss().
 Values valuesBetween(const Reading &begin, const Reading &end, bool sealed, bool countsLoss);
 
 /// Metric::LineLoad between two readings; NaN if the line has no limited rate.

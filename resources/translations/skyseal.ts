@@ -146,6 +146,10 @@
         <source>the load of a connected vehicle cannot be changed</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the autopilot sets its own rates</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Text</name>
@@ -1489,6 +1493,61 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
     </message>
 </context>
 <context>
+    <name>skyseal::ui::ChecklistBox</name>
+    <message>
+        <source>Checklist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a file…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the file of the checklist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No checklist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use no checklist for this vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checklist of vehicle %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Texts (*.txt);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · by itself: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · not yet: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No checklist without a vehicle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No checklist for vehicle %1. It is a text file; Help → First steps describes it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checklist %1 cannot be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checklist %1: %2 of %3 done</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>skyseal::ui::ClientModel</name>
     <message>
         <source>reads</source>
@@ -1640,6 +1699,18 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
     </message>
     <message>
         <source>Confirm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not done on the checklist:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm although the checklist is not done?</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2069,10 +2140,6 @@ No link is sealed until this is resolved. Plain MAVLink is shown, but not sealed
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Telemetry, parameters, missions and files can be read; commands and changes are refused</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Read and write</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2114,6 +2181,10 @@ No link is sealed until this is resolved. Plain MAVLink is shown, but not sealed
     </message>
     <message>
         <source>%1; %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Telemetry, parameters and missions can be read; commands and changes are refused, and so are files and logs</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2787,14 +2858,6 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Vehicle %1 · %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Vehicle %1 · %2 · not sealed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>End the demo before you replay a log</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3305,6 +3368,10 @@ Fingerprint %3</source>
         <source>The mission, and the fence and the rally points where the vehicle has them</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Send a mission to vehicle %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::ModeChooser</name>
@@ -3612,6 +3679,10 @@ Then there is no code to compare. It is valid for this pairing only.</source>
         <source>not written: %1 is not a whole number</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Value · vehicle %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::ParametersPanel</name>
@@ -3836,7 +3907,11 @@ with a pre-shared key</source>
 <context>
     <name>skyseal::ui::PreArmButton</name>
     <message>
-        <source>Opens the list of the reasons.</source>
+        <source>Opens the list of the reasons and the checklist.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 open on the checklist. Opens it with the list of the reasons.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4055,6 +4130,17 @@ with a pre-shared key</source>
     </message>
 </context>
 <context>
+    <name>skyseal::ui::Preflight</name>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the checklist, which cannot be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>skyseal::ui::ProblemBanner</name>
     <message>
         <source>Resolve the problem</source>
@@ -4228,10 +4314,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Power of the processor</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>W</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4320,7 +4402,11 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>From the kernel&apos;s energy counters, over the last second: the whole processor and everything that runs on it, not this program alone (%1).</source>
+        <source>Power of the machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the kernel&apos;s energy counters or the sensor of the supply, over the last second: everything that runs on the machine, not this program alone (%1).</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4619,6 +4705,33 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>%1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::RescueBar</name>
+    <message>
+        <source>The last run did not end properly, about %1. What it recorded is kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replay its recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replay the recording of the last run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open its links</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the links of the last run again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5531,6 +5644,26 @@ with a pre-shared key</source>
         <source>The noise shows only in repeats: 2 or more.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>An &amp;autopilot that runs already, beside an agent of its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An autopilot that runs already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Link to the autopilot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Suites and impairments change on the sweep&apos;s own link; the autopilot is not commanded. Flights: skyseal-cli sweep --vehicle URL --fly SCRIPT.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The autopilot&apos;s link is not a link URL, such as tcp:127.0.0.1:5760.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::SweepPage</name>
@@ -6362,6 +6495,132 @@ with a pre-shared key</source>
     </message>
 </context>
 <context>
+    <name>skyseal::ui::VehicleListModel</name>
+    <message>
+        <source>Vehicle %1, selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicle %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Battery</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alerts</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::VehicleListRow</name>
+    <message>
+        <source>Vehicle %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicle %1, agent %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · low</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 V</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No frames arrive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · poor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of the frames that arrived within the last second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt; 1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Since the newest frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sealed · %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Under attack · %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No alerts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>severe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>notice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disarmed</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>skyseal::ui::VehicleMarker</name>
     <message>
         <source>Vehicle %1 · %2 s ago</source>
@@ -6380,6 +6639,65 @@ with a pre-shared key</source>
     <name>skyseal::ui::VehicleName</name>
     <message>
         <source>%1, vehicle %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::VehiclesPanel</name>
+    <message>
+        <source>Vehicles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disarmed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · low</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · poor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Filter of the vehicles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number or words, such as &quot;rover armed&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicles shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 · order kept under the pointer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No vehicle. A vehicle appears here as soon as it is heard.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No vehicle matches &quot;%1&quot;.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6437,6 +6755,10 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
     </message>
     <message>
         <source>Altitude profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicles</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

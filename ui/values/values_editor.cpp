@@ -1,5 +1,6 @@
 #include "ui/values/values_editor.h"
 
+#include "ui/list_keys.h"
 #include "ui/theme/form_pieces.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
@@ -7,7 +8,6 @@
 
 #include <QtGui/QKeyEvent>
 #include <QtGui/QShortcut>
-#include <QtWidgets/QApplication>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QDialogButtonBox>
 #include <QtWidgets/QFormLayout>
@@ -382,19 +382,8 @@ bool ValuesEditor::eventFilter(QObject *watched, QEvent *event)
 {
     if (watched != m_find || event->type() != QEvent::KeyPress)
         return QDialog::eventFilter(watched, event);
-    auto *key = static_cast<QKeyEvent *>(event);
-    switch (key->key()) {
-    case Qt::Key_Up:
-    case Qt::Key_Down:
-    case Qt::Key_PageUp:
-    case Qt::Key_PageDown: QApplication::sendEvent(m_found, event); return true;
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
-        if (!key->isAutoRepeat())
-            addFound();
-        return true;
-    default: return QDialog::eventFilter(watched, event);
-    }
+    return takeListKey(*static_cast<QKeyEvent *>(event), *m_found, [this] { addFound(); })
+        || QDialog::eventFilter(watched, event);
 }
 
 } // namespace skyseal::ui

@@ -1,6 +1,7 @@
 #include "ui/vehicles/vehicles_panel.h"
 
 #include "core/engine/station/snapshot.h"
+#include "ui/list_keys.h"
 #include "ui/theme/form_pieces.h"
 #include "ui/theme/grid.h"
 
@@ -193,23 +194,12 @@ bool VehiclesPanel::eventFilter(QObject *watched, QEvent *event)
         QApplication::sendEvent(m_typed, event);
         return true;
     }
-    switch (key->key()) {
-    case Qt::Key_Up:
-    case Qt::Key_Down:
-    case Qt::Key_PageUp:
-    case Qt::Key_PageDown: QApplication::sendEvent(m_list, event); return true;
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
-        if (!key->isAutoRepeat())
-            choose(m_order.rowCount() == 1 ? m_order.index(0, 0) : m_list->currentIndex());
+    if (takeListKey(*key, *m_list, [this] { choose(m_order.rowCount() == 1 ? m_order.index(0, 0) : m_list->currentIndex()); }))
         return true;
-    case Qt::Key_Escape:
-        if (m_typed->text().isEmpty())
-            return DockPanel::eventFilter(watched, event);
-        m_typed->clear();
-        return true;
-    default: return DockPanel::eventFilter(watched, event);
-    }
+    if (key->key() != Qt::Key_Escape || m_typed->text().isEmpty())
+        return DockPanel::eventFilter(watched, event);
+    m_typed->clear();
+    return true;
 }
 
 } // namespace skyseal::ui

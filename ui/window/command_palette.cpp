@@ -1,5 +1,6 @@
 #include "ui/window/command_palette.h"
 
+#include "ui/list_keys.h"
 #include "ui/modeless.h"
 #include "ui/text/plain_tip.h"
 #include "ui/theme/grid.h"
@@ -7,7 +8,6 @@
 #include <QtGui/QAction>
 #include <QtGui/QKeyEvent>
 #include <QtGui/QStandardItemModel>
-#include <QtWidgets/QApplication>
 #include <QtWidgets/QHeaderView>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QMainWindow>
@@ -147,19 +147,7 @@ bool CommandPalette::eventFilter(QObject *watched, QEvent *event)
 {
     if (watched != m_typed || event->type() != QEvent::KeyPress)
         return QDialog::eventFilter(watched, event);
-    auto *key = static_cast<QKeyEvent *>(event);
-    switch (key->key()) {
-    case Qt::Key_Up:
-    case Qt::Key_Down:
-    case Qt::Key_PageUp:
-    case Qt::Key_PageDown: QApplication::sendEvent(m_list, event); return true;
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
-        if (!key->isAutoRepeat())
-            choose();
-        return true;
-    default: return QDialog::eventFilter(watched, event);
-    }
+    return takeListKey(*static_cast<QKeyEvent *>(event), *m_list, [this] { choose(); }) || QDialog::eventFilter(watched, event);
 }
 
 } // namespace skyseal::ui
