@@ -102,7 +102,7 @@ tl::expected<ValueChoices, QString> readValueChoices(const QString &text)
     if (entries.size() > static_cast<qsizetype>(kMostValues))
         return tl::unexpected(Text::tr("more than %1 values").arg(kMostValues));
     ValueChoices out;
-    for (const QJsonValue &entry : entries) {
+    for (const QJsonValue entry : entries) {
         auto choice = readChoice(entry);
         if (!choice)
             return tl::unexpected(Text::tr("value %1: %2").arg(out.size() + 1).arg(choice.error()));
