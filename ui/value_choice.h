@@ -29,7 +29,7 @@ using ValueChoices = std::vector<ValueChoice>;
 inline constexpr std::size_t kMostValues = 32;
 inline constexpr int kLongestCaption = 24; ///< characters
 
-/// What is shown until the operator has chosen.
+/// Shown until the operator has chosen.
 ValueChoices defaultValues();
 
 /// JSON: [{"source": "alt_rel", "caption": "height", "decimals": 1, "low": 5, "high": 120, "line": true}, …]; all but the

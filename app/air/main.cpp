@@ -165,7 +165,7 @@ int main(int argc, char **argv)
     if (!pairings.problem().isEmpty())
         remark("no pairing: " + pairings.problem().toStdString());
     const PeersWatch watch(paths.peers, [&](std::vector<channel::Peer> peers) { agent.setPeers(std::move(peers)); });
-    tellPeers(watch, options.has("json"));
+    reportPeers(watch, options.has("json"));
     QElapsedTimer clock;
     clock.start();
     const auto elapsed = [&clock] { return static_cast<double>(clock.elapsed()) / 1000; };

@@ -124,7 +124,7 @@ int runStation(StationRun run)
     std::optional<PeersWatch> watch;
     if (run.config.secure == engine::SecureMode::Required) {
         watch.emplace(run.config.keys.peers, [&](std::vector<channel::Peer> peers) { (*station)->setPeers(std::move(peers)); });
-        tellPeers(*watch, run.json);
+        reportPeers(*watch, run.json);
     }
     ServiceReport service(**station, headless, links);
     StopSignals signals;

@@ -28,7 +28,7 @@ namespace {
 const QString kName = QStringLiteral("skyseal-cli sweep");
 
 /// Reports the precision of the sweep and the effort to reach its goal. Returns true if there is no goal, or if it is reached.
-bool tellPrecision(const experiment::Results &results, const SweepOptions &options)
+bool reportPrecision(const experiment::Results &results, const SweepOptions &options)
 {
     constexpr double kUsualGoal = 0.03;
     if (!options.until && !options.forecast)
@@ -96,7 +96,7 @@ int conclude(const experiment::Results &results, const SweepOptions &options)
     }
     if (!ended.empty())
         complain(kName, ended);
-    const bool isPrecise = tellPrecision(results, options);
+    const bool isPrecise = reportPrecision(results, options);
     return hold && isPrecise && failed.empty() && invalid.empty() && ended.empty() ? kDone : kNotReached;
 }
 

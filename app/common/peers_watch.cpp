@@ -239,7 +239,7 @@ std::string peersWatchText(bool failed)
                   : "the system notifies of changes of the list of known peers again";
 }
 
-void tellPeers(const PeersWatch &watch, bool json)
+void reportPeers(const PeersWatch &watch, bool json)
 {
     const auto say = [json](const auto &what) {
         if (!hasRoom(json ? stdout : stderr))

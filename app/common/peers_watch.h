@@ -83,6 +83,6 @@ std::string peersWatchEvent(bool failed);
 std::string peersWatchText(bool failed);
 
 /// Reports the results of the watch on stdout (with `json`) or stderr.
-void tellPeers(const PeersWatch &watch, bool json);
+void reportPeers(const PeersWatch &watch, bool json);
 
 } // namespace skyseal::app

@@ -86,7 +86,7 @@ void Application::useKeys(const engine::KeyPaths &keys)
         keys.peers, [this](std::vector<channel::Peer> peers) { m_station->setPeers(std::move(peers)); });
     connect(m_peersWatch.get(), &PeersWatch::reloaded, this, [this](const keys::PeersInForce &peers) {
         m_keyring.touched();
-        tellLeftOut(peers);
+        reportLeftOutPeers(peers);
     });
     connect(m_peersWatch.get(), &PeersWatch::refused, this, [this](const QString &problem) {
         m_keyring.touched();
@@ -98,13 +98,13 @@ void Application::useKeys(const engine::KeyPaths &keys)
     });
 }
 
-void Application::tellLeftOut(const keys::PeersInForce &peers)
+void Application::reportLeftOutPeers(const keys::PeersInForce &peers)
 {
     if (!peers.leftOut.empty())
         m_window->reportProblem(tr("Ignored entries in the list of peers: %1").arg(QString::fromStdString(peers.leftOut)));
 }
 
-void Application::tellKeyProblem()
+void Application::showKeyProblem()
 {
     const auto facts = keys::readIdentityFacts(m_keys.identity);
     const QString text = tr("No sealed links: %1").arg(m_keyProblem);
@@ -126,7 +126,7 @@ void Application::tryKeysAgain()
     });
     m_keyProblem = opened ? QString() : QString::fromStdString(opened.error().text());
     if (!opened) {
-        tellKeyProblem();
+        showKeyProblem();
         return;
     }
     m_question.opened();
@@ -181,7 +181,7 @@ bool Application::start()
         offerRescue();
     }
     if (!m_keyProblem.isEmpty())
-        tellKeyProblem();
+        showKeyProblem();
     if (!m_options.screenshot.isEmpty()) {
         m_window->resize(m_window->size().expandedTo(kLeastPicture));
         QTimer::singleShot(qRound(m_options.screenshotAfter * 1000), this, &Application::takeScreenshot);
@@ -302,7 +302,7 @@ void Application::endDemo()
     useKeys(keys);
     openLinks();
     if (!m_keyProblem.isEmpty())
-        tellKeyProblem();
+        showKeyProblem();
 }
 
 /// The vehicle of the demo is met on a port of its own on loopback, unless the command line names links.

@@ -37,9 +37,9 @@ private:
     engine::StationConfig configOf(const ui::Settings &settings, engine::KeyPaths keys) const;
     engine::KeyPaths chooseKeys();
     void useKeys(const engine::KeyPaths &keys);
-    void tellKeyProblem();
+    void showKeyProblem();
     void tryKeysAgain();
-    void tellLeftOut(const keys::PeersInForce &peers);
+    void reportLeftOutPeers(const keys::PeersInForce &peers);
     void makeWindow();
     void openLinks();
     void markRun(const engine::Snapshot &snapshot);

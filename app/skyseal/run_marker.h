@@ -33,7 +33,7 @@ public:
 
     /// Stores what a rescue needs, if it has changed.
     void update(const RunRecord &record);
-    /// What the newest run that did not end properly has left; nullopt without one. Removes the files of all of them, so that
+    /// Record of the newest run that did not end properly; nullopt without one. Removes the files of all of them, so that
     /// each is reported once.
     std::optional<RunRecord> takeUnfinished() const;
 

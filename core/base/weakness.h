@@ -51,7 +51,7 @@ enum class Weakness : std::uint8_t {
     NoRateLimit,        ///< unlimited Diffie-Hellman computations for unknown senders
     AnswerTwice,        ///< responses are larger than requests
     NoForm,             ///< announcements and cookies are hashed whatever their form
-    TellEverything,     ///< every refused handshake is an event
+    NotifyEverything,   ///< every refused handshake is an event
     SharedNotices,      ///< unknown agents keep other refusals from the owner of a station
     TrustAnnouncements, ///< an announcement starts a handshake even while a session lives
     NoCookie,           ///< an agent under load computes without asking for a cookie

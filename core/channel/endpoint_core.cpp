@@ -54,7 +54,7 @@ const Peer *EndpointCore::peer(const PublicKey &key) const
 
 void EndpointCore::notifyRefused(TimePoint now, const Path &path, RefusalReason reason, const PublicKey &key)
 {
-    if (weakened(Weakness::TellEverything))
+    if (weakened(Weakness::NotifyEverything))
         return context.events.push_back(HandshakeRefused{path, reason, key});
     // A station shows each agent that it does not know.
     const bool isUnknownAgent = config.role == Role::Station && reason == RefusalReason::UnknownPeer;

@@ -1,4 +1,4 @@
-// What one arm costs relative to another, by the blocks in which the runs were randomised.
+// Ratio of one arm's cost to another's, estimated from the blocks in which the runs were randomised.
 //
 // Every block holds each arm once, so that what a block shares (heat, other programs, the programs' start) cancels. How much
 // the difference of two arms varies from one start of the programs to the next is a property of these starts, and repeats

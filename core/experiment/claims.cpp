@@ -83,7 +83,7 @@ std::optional<Contrast> ratioOf(const Results &results, Metric metric, SuiteId f
     return std::nullopt;
 }
 
-/// What a claim says of a ratio. `margin` is the factor that counts: 1.03.
+/// A claim about a ratio. `margin` is the equivalence margin as a factor: 1.03.
 using Judge = Finding (*)(double low, double high, double margin);
 
 Finding isLower(double low, double high, double margin)
@@ -200,7 +200,7 @@ Claim judged(const Results &results, std::string_view key, std::string text, Met
     return out;
 }
 
-/// What a suite adds to the memory of a process: the heap of a session, or of a keyed cipher. NaN if not measured.
+/// Memory that a suite adds to a process: the heap of a session, or of a keyed cipher. NaN if not measured.
 double heapOf(const Results &results, SuiteId suite, bool ofSession)
 {
     constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();

@@ -1,4 +1,4 @@
-// What may have disturbed a run, as sentences without a full stop: its values beyond thresholds. They warn and exclude nothing.
+// Possible disturbances of a run, as sentences without a full stop: its values beyond thresholds. They warn, no more.
 // Pure functions of the results.
 #pragma once
 

@@ -50,11 +50,11 @@ public:
     /// Has the simulator that runs encrypt the payloads that it sends; nullopt: no longer. It begins in clear. Without effect
     /// on an autopilot.
     void setBareCipher(std::optional<crypto::MavsecKind> cipher);
-    /// What the kernel says of the programs now.
+    /// Resource usage of the programs now, from the kernel.
     ProgramUsage usage() const;
     /// The autopilot that runs already; nullopt where the lab starts the simulator.
     const std::optional<link::LinkUrl> &vehicle() const { return m_vehicle; }
-    /// What the vehicle is, for a report: "the sweep's own simulator", or the link and whether its process was found.
+    /// Description of the vehicle for a report: "the sweep's own simulator", or the link and whether its process was found.
     std::string sourceText() const;
     /// Which core each program runs on. The owner of the station places that.
     const Placement &placement() const { return m_placement; }

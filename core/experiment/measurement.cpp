@@ -140,8 +140,8 @@ double load(const std::optional<Duration> &begin, const std::optional<Duration> 
     return begin && end ? 100 * seconds(*end - *begin) / time : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// What may explain the values of the run. The programs and the machine are read beside the station's thread, with a clock of
-/// their own.
+/// Circumstances that may explain the values of the run. Programs and machine are read beside the station's thread, with a
+/// clock of their own.
 void addCircumstances(Values &out, const Reading &begin, const Reading &end, double stationTime)
 {
     const engine::Probe &before = *begin.station->probe, &after = *end.station->probe;

@@ -26,7 +26,7 @@ struct AgentCostReport
 /// nullopt before the first report.
 std::optional<AgentCostReport> agentCostReport(const engine::SessionSnapshot &session);
 
-/// What the kernel says of the programs of a sweep at one time; empty for those that are no known processes of this machine.
+/// Resource usage of a sweep's programs at one time, from the kernel; empty for those that are not known processes here.
 struct ProgramUsage
 {
     TimePoint at{};

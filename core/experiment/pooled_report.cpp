@@ -48,7 +48,7 @@ struct Fact
     std::string (*of)(const Machine &machine);
 };
 
-/// What must be the same for the ratios to be ones of the same thing.
+/// Settings that must match for ratios of several sweeps to be comparable.
 const Fact kFacts[] = {
     {"schema version", [](const Machine &one) { return std::to_string(one.schemaVersion); }},
     {"framing", [](const Machine &one) { return framingsText(one.results.plan); }},

@@ -26,7 +26,7 @@ std::function<ProgramUsage()> programsOf(const Lab *lab)
     };
 }
 
-/// What the vehicle is, for Results::source.
+/// Description of the vehicle, for Results::source.
 std::string sourceText(const SweepConfig &config, const engine::Snapshot &snapshot)
 {
     std::string out = "the vehicle of the connected station";

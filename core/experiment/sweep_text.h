@@ -8,7 +8,7 @@
 
 namespace skyseal::experiment {
 
-/// What ratios are to: "plain MAVLink", or an arm's name.
+/// The reference of ratios: "plain MAVLink", or an arm's name.
 std::string referenceText(const Plan &plan);
 
 /// Shown in place of a value: "not measured", or "not in this framing" for an arm that does not exist.

@@ -35,7 +35,7 @@ std::string signingTimeText(std::uint64_t time)
     return std::string(kHeader) + std::to_string(time) + "\n";
 }
 
-/// What both threads share.
+/// State shared by both threads.
 class SigningTimeFile::Writer
 {
 public:

@@ -1,5 +1,5 @@
-// What one pass over a recording tells about it: length, gaps, vehicles, modes and times armed. For the time line of a replay
-// and the list of recordings. Positions are those of LogTime.
+// Index of a recording, made in one pass: length, gaps, vehicles, modes and times armed. For the time line of a replay and the
+// list of recordings. Positions are those of LogTime.
 //
 // A recording does not hold the cipher suites of the link: its frames are recorded in clear, after they were opened.
 #pragma once

@@ -25,7 +25,7 @@ public:
     /// often than the smallest one wraps (some minutes at full load). The power of a sensor counts from call to call, as the
     /// mean of the two readings, so that it has to be called some ten times a second.
     std::optional<std::uint64_t> microjoules(TimePoint now);
-    /// What is read, "package-0, package-1" or "power1 of ina226 (hwmon)", or the reason why there is nothing, "not readable
+    /// The sensors, "package-0, package-1" or "power1 of ina226 (hwmon)", or the reason why there is nothing, "not readable
     /// here: …".
     std::string describe() const;
 

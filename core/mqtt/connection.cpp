@@ -24,7 +24,7 @@ namespace {
 constexpr std::chrono::milliseconds kWake{50};
 constexpr std::chrono::milliseconds kConnecting{20}; ///< between two looks at a connection that is being made
 constexpr Duration kGoodbye = std::chrono::seconds(1);
-/// What waits in the kernel cannot be replaced by newer states, so this is less than its default.
+/// Smaller than the kernel's default: newer states cannot replace those that wait in the kernel.
 constexpr int kSendBuffer = 128 * 1024;
 
 std::string gatewayState(const char *state)

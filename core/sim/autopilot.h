@@ -26,7 +26,7 @@ public:
     const FlightContext &flight() const { return m_flight; }
     const Craft &craft() const { return m_flight.physics.craft(); }
 
-    // What most readers need.
+    // Shortcuts for the most used states.
     bool armed() const { return m_arming.armed(); }
     bool landed() const { return m_flight.landed(); }
     const Estimate &estimate() const { return m_flight.estimate(); }

@@ -16,7 +16,7 @@ class Parameters;
 class Craft
 {
 public:
-    /// What a step depends on besides the demand.
+    /// Inputs of a step besides the demand.
     struct Surroundings
     {
         double supply = 1;  ///< voltage relative to a full battery

@@ -11,7 +11,7 @@ namespace skyseal::sim {
 
 class Parameters;
 
-/// What the failsafes do; nullopt: report only.
+/// Actions of the failsafes; nullopt: report only.
 struct FailsafeSettings
 {
     using Action = std::optional<FlightMode>;
@@ -31,7 +31,7 @@ struct FailsafeSettings
 
 struct FlightSettings
 {
-    // What the craft can do.
+    // Abilities of the craft.
     bool hovers = true;        ///< stands still in the air
     bool flies = true;         ///< leaves the ground
     double loiterRadius = 60;  ///< m, of an aeroplane around a place

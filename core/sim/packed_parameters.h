@@ -7,7 +7,7 @@
 
 namespace skyseal::sim {
 
-/// What a file name asks for by "?start=N&count=N&withdefaults=1".
+/// Selection requested in a file name by "?start=N&count=N&withdefaults=1".
 struct PackedSelection
 {
     std::uint16_t start = 0;

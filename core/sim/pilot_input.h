@@ -33,7 +33,7 @@ public:
     void expire(TimePoint now, Duration timeout);
     void releaseAll();
 
-    /// What is wrong with the transmitter; overrides are not affected.
+    /// Fault of the transmitter; overrides are not affected.
     void setFault(RadioFault fault) { m_fault = fault; }
     /// Whether anybody holds the sticks: a transmitter or a station.
     bool hasSignal() const { return m_fault != RadioFault::NoSignal || overridden(); }

@@ -56,8 +56,8 @@ struct SimulatedVehicle::Parts
     TimePoint last;
     TimePoint look;  ///< when to look next for what flying brought up
     Duration owed{}; ///< of flight, not stepped yet
-    bool homeTold = false;
-    std::uint16_t breachesTold = 0;
+    bool homeSent = false;
+    std::uint16_t breachesReported = 0;
     bool actedOnSilence = false; ///< of the station, in this flight
 };
 
@@ -149,10 +149,10 @@ void SimulatedVehicle::Parts::speak(TimePoint now)
 void SimulatedVehicle::Parts::notifyStatus()
 {
     missions.reportProgress();
-    if (const auto breaches = autopilot.flight().fence.breachCount(); breaches != std::exchange(breachesTold, breaches))
+    if (const auto breaches = autopilot.flight().fence.breachCount(); breaches != std::exchange(breachesReported, breaches))
         telemetry.send(mavlink::FenceStatus::kId);
-    if (!homeTold)
-        homeTold = telemetry.send(mavlink::HomePosition::kId);
+    if (!homeSent)
+        homeSent = telemetry.send(mavlink::HomePosition::kId);
     while (const auto text = autopilot.texts().take())
         telemetry.sendText(*text);
 }

@@ -40,7 +40,7 @@ public:
 
     /// Of a file to be read, unless it is virtual: goes on from `kept`, and `sink` takes what arrives. Either may be null.
     void setPart(std::shared_ptr<const KeptPart> kept, std::shared_ptr<PartSink> sink);
-    /// What is there from before; null of a transfer that begins anew.
+    /// The part of an earlier attempt; null if the transfer begins anew.
     const KeptPart *kept() const { return m_kept.get(); }
     /// The size is known: tells the sink what begins. Returns false if what is kept has another size.
     bool beginPart();

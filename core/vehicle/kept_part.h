@@ -1,5 +1,5 @@
-// What a download keeps of a file or log while it is under way, so that one that is broken off goes on from there: a journal of
-// the pieces in the order in which they arrived. It only grows, so that a program may be killed at any byte of it.
+// Journal of a download under way, from which an interrupted one resumes: the pieces of the file or log in the order in which
+// they arrived. It only grows, so that a program may be killed at any byte of it.
 //
 //     "skyseal part 1 SIZE STAMP SOURCE\n", then of each piece: offset (4 bytes), size (2), checksum of offset, size and bytes
 //     (4), bytes. Numbers are little endian; the checksum is that of MAVLink FTP.

@@ -60,7 +60,7 @@ struct MissionResult
     bool ok = false;
     std::string reason = {};       ///< why it failed, for people
     bool changeUnanswered = false; ///< an upload or clear that got no answer at all
-    /// What the vehicle now has; null unless ok.
+    /// The items that the vehicle now has; null unless ok.
     MissionItems items = {};
 };
 

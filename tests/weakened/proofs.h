@@ -90,10 +90,10 @@ inline constexpr Proof kProofs[] = {
     {"NoForm", "attack_stranger_test", "malformedMessagesCostNoHash", "a datagram without the form costs no hash"},
     {"NoRateLimit", "attack_stranger_test", "announcementsForManyPeers", "a message of a stranger costs two hashes"},
     {"NoRateLimit", "attack_stranger_test", "cookiesForManyAttempts", "a message of a stranger costs two hashes"},
-    {"TellEverything", "attack_stranger_test", "floodRaisesOneEventASecond",
+    {"NotifyEverything", "attack_stranger_test", "floodRaisesOneEventASecond",
      "strangers cause one event a second of each reason"},
     {"SharedNotices", "attack_stranger_test", "unknownAgentsHideNoRefusal", "a station reports its own refusals"},
-    {"TellEverything", "attack_flood_test", "floodRaisesFewEvents", "a flood from everywhere is told in few words"},
+    {"NotifyEverything", "attack_flood_test", "floodRaisesFewEvents", "a flood from everywhere causes few notices"},
     {"AnswerTwice", "attack_flood_test", "noMoreOutThanIn", "no more goes out than came in"},
     {"AnswerTwice", "attack_flood_test", "noMoreOutThanInDuringASession", "no more goes out than came in"},
 
@@ -118,7 +118,7 @@ inline constexpr Proof kProofs[] = {
     {"NoWipe", "attack_memory_test", "switchSecretsAreGone", "the secrets of a switch are gone"},
     {"NoSwitchExchange", "attack_memory_test", "stolenChainOpensNoLaterEpoch", "a stolen chain opens no later epoch"},
 
-    {"TellEverything", "attack_flight_test", "strangersCauseOneEventASecond", "strangers cause one event a second"},
+    {"NotifyEverything", "attack_flight_test", "strangersCauseOneEventASecond", "strangers cause one event a second"},
     {"ClearAccepted", "attack_flight_test", "injectionReachesNoAutopilot", "the autopilot's state never changes"},
     {"NoRoleCheck", "attack_flight_test", "observerCommandsNothing", "an observer moves nothing"},
     {"Misreadable,UnlimitedQuestions", "attack_observer_test", "nothingIsNestedInAQuestion",

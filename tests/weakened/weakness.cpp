@@ -65,7 +65,7 @@ constexpr Named kNames[] = {
     {Weakness::NoRateLimit, "NoRateLimit"},
     {Weakness::AnswerTwice, "AnswerTwice"},
     {Weakness::NoForm, "NoForm"},
-    {Weakness::TellEverything, "TellEverything"},
+    {Weakness::NotifyEverything, "NotifyEverything"},
     {Weakness::SharedNotices, "SharedNotices"},
     {Weakness::TrustAnnouncements, "TrustAnnouncements"},
     {Weakness::NoCookie, "NoCookie"},

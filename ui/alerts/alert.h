@@ -43,7 +43,7 @@ struct Alert
     std::uint64_t count = 1; ///< frames, or repetitions
     double since = 0;        ///< seconds on the clock of the list
     bool ongoing = false;    ///< a state that lasts; otherwise an event
-    /// What an ongoing alert is about; another subject is announced like a new alert, even if the former one was dismissed: the
+    /// Subject of an ongoing alert; another one is announced like a new alert, even if the former one was dismissed: the
     /// address of an aircraft, the state of a failing autopilot.
     std::uint64_t subject = 0;
     bool operator==(const Alert &) const = default;

@@ -1,5 +1,5 @@
-// What the operator should notice: derived from the views and events of the station, counted, dismissed and forgotten here. No
-// widgets and no clock; times are seconds on any steady clock. Bounded: at most one alert of each kind and system id.
+// Alerts for the operator: derived from the station's views and events, counted, dismissed and forgotten here. No widgets and
+// no clock; times are seconds on any steady clock. Bounded: at most one alert of each kind and system id.
 #pragma once
 
 #include "core/engine/common/peer_names.h"
@@ -58,7 +58,7 @@ private:
         std::optional<std::uint64_t> total; ///< of the last view
         std::uint64_t count = 0;
     };
-    /// What sessions report about attacks on one vehicle.
+    /// Attacks on one vehicle as its sessions report them.
     struct Attack
     {
         std::uint64_t forged = 0, forgedLastMinute = 0;

@@ -17,7 +17,7 @@ class VehicleCommands;
 QMessageBox *confirmCommand(VehicleCommands &commands, const vehicle::VehicleCommand &command, const QString &question,
                             const QString &details, QWidget *window);
 
-/// What is open on the checklist of the shown vehicle, as the details of a question; empty if nothing is.
+/// Open items of the shown vehicle's checklist, as the details of a question; empty if nothing is.
 QString openItemsText(VehicleCommands &commands);
 /// Arms the shown vehicle: at once if nothing is open on its checklist, else once the operator has confirmed.
 void armOrAsk(VehicleCommands &commands, QWidget *window);

@@ -16,7 +16,7 @@ namespace skyseal::ui {
 struct RouteStop
 {
     enum class Loiter : std::uint8_t { None, Unlimited, Turns, Time, ToAltitude };
-    /// What an altitude counts from.
+    /// Reference of an altitude.
     enum class Reference : std::uint8_t { Home, SeaLevel, Terrain };
 
     QPointF at;

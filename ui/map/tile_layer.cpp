@@ -54,7 +54,7 @@ void TileLayer::show(const MapViewport &viewport)
     if (!isOn())
         return;
     m_range = tilesIn(viewport.visible(), std::clamp(qRound(viewport.zoomLevel()), 0, m_deepest));
-    // What is seen must fit, or it would be loaded again and again.
+    // The visible tiles must fit, or they would be loaded again and again.
     constexpr qsizetype kTileKilobytes = 256;
     m_kept.setMaxCost(std::max<qsizetype>(kKeptKilobytes, 3 * m_range.count() * kTileKilobytes / 2));
     QList<TileId> lacking;

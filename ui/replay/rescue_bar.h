@@ -9,7 +9,7 @@ class QPushButton;
 
 namespace skyseal::ui {
 
-/// What the last run has left behind.
+/// Remains of a run that ended without closing its files.
 struct UnfinishedRun
 {
     QString recording; ///< path of the .tlog; empty if there is none

@@ -58,7 +58,7 @@ QString actionDisabledReason(const vehicle::VehicleCommand &command, const ViewS
         return nothingCanBeSent(nothing);
     QString reason = std::visit(Reasons(view), command);
     if (reason.isEmpty()) {
-        // What the client would refuse to send: take-off in another mode, and commands that the vehicle lacks.
+        // Commands that the client would refuse to send: take-off in another mode, and commands that the vehicle lacks.
         if (const auto plan = vehicle::planCommand(command, view.vehicle->state, {}); !plan)
             reason = fromStd(plan.error());
     }

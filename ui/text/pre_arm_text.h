@@ -21,7 +21,7 @@ QString preArmText(const ViewState &view);
 QString widestPreArmText();
 /// The same as a sentence.
 QString preArmSentence(const ViewState &view);
-/// What to do about a reason, as the vehicle says it, in one line.
+/// Advice for a reason in the vehicle's words, in one line.
 QString preArmRemedy(const QString &reason);
 
 } // namespace skyseal::ui

@@ -7,7 +7,7 @@
 
 namespace skyseal::ui {
 
-/// What a number means, as far as its text depends on it.
+/// Kind of quantity, as far as its text depends on it.
 enum class Measure { Plain, Length, Distance, Speed, Climb, Heading, Duration };
 
 /// How the numbers of one source are shown.

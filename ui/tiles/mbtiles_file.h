@@ -21,7 +21,7 @@ namespace skyseal::ui {
 class MbtilesFile
 {
 public:
-    /// What the file says of itself.
+    /// Metadata of the file.
     struct Facts
     {
         QString name, attribution; ///< plain text

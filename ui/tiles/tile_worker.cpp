@@ -55,13 +55,13 @@ void TileWorker::setSource(int number, const MapSource &source)
     if (source.kind == MapSource::Kind::File) {
         auto file = MbtilesFile::open(source.file);
         if (!file)
-            return tell(file.error());
+            return reportProblem(file.error());
         m_file.emplace(std::move(*file));
         Q_EMIT opened(m_number, m_file->facts().attribution, m_file->facts().deepest);
     } else if (source.kind == MapSource::Kind::Server) {
         auto server = TileTemplate::parse(source.url);
         if (!server)
-            return tell(server.error());
+            return reportProblem(server.error());
         m_server.emplace(std::move(*server));
         Q_EMIT opened(m_number, source.attribution, source.deepest);
     }
@@ -95,7 +95,7 @@ void TileWorker::loadFromFile()
     const Running job{m_wanted.takeFirst(), {}, false};
     const auto bytes = m_file->tile(job.tile);
     if (!bytes) {
-        tell(bytes.error());
+        reportProblem(bytes.error());
         Q_EMIT missing(m_number, job.tile);
     } else if (!*bytes) {
         absent(job);
@@ -161,7 +161,7 @@ void TileWorker::finished(QNetworkReply *reply)
     const Running job = m_running.take(reply);
     const int status = reply->attribute(QNetworkRequest::HttpStatusCodeAttribute).toInt();
     if (job.oversized) {
-        tell(tr("a tile is larger than %1 kB").arg(kLargestTile / 1024));
+        reportProblem(tr("a tile is larger than %1 kB").arg(kLargestTile / 1024));
         absent(job);
     } else if (reply->error() == QNetworkReply::OperationCanceledError) { // by the time-out
         failed(job, tr("the server does not answer"));
@@ -180,7 +180,7 @@ void TileWorker::finished(QNetworkReply *reply)
     work();
 }
 
-/// What the server sent once, however old, while it does not answer.
+/// The server's last answer, however old, while the server does not answer.
 QByteArray TileWorker::fromCache(const QUrl &url) const
 {
     if (!m_network->cache())
@@ -193,11 +193,11 @@ void TileWorker::arrived(const Running &job, const QByteArray &bytes)
 {
     const auto image = decodeTile(bytes);
     if (!image) {
-        tell(image.error());
+        reportProblem(image.error());
         return absent(job);
     }
     if (!job.region) {
-        tell({});
+        reportProblem({});
         Q_EMIT loaded(m_number, job.tile, *image);
     } else if (m_region) {
         if (const auto written = m_region->tileArrived(*job.region, bytes); !written)
@@ -222,7 +222,7 @@ void TileWorker::failed(const Running &job, const QString &why)
         m_pauseMs = std::clamp(2 * m_pauseMs, m_config.pauseMs, kLongestPauseMs);
         m_pause.start(m_pauseMs);
     }
-    tell(why);
+    reportProblem(why);
     if (!job.region) {
         m_wanted << job.tile; // again, unless it is no longer looked at by then
         return;
@@ -237,7 +237,7 @@ void TileWorker::failed(const Running &job, const QString &why)
         endRegionIfDone();
 }
 
-void TileWorker::tell(const QString &problemText)
+void TileWorker::reportProblem(const QString &problemText)
 {
     if (problemText == m_problem)
         return;

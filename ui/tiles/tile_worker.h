@@ -70,7 +70,7 @@ private:
     void absent(const Running &job);
     void failed(const Running &job, const QString &why);
     QByteArray fromCache(const QUrl &url) const;
-    void tell(const QString &problem);
+    void reportProblem(const QString &problem);
     void endRegionIfDone();
     void endRegion(const RegionEnd &end);
 

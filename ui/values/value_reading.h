@@ -1,4 +1,4 @@
-// What the snapshot says about one source of values.
+// Reading of one value source from a snapshot.
 #pragma once
 
 #include "core/vehicle/vehicle_state.h"

@@ -39,7 +39,7 @@ protected:
         const auto kept = m_part->resume();
         m_isResumed = kept != nullptr;
         if (m_isResumed)
-            tellResumed(*kept);
+            reportResumed(*kept);
         ask(m_download.request(kept, m_part));
     }
     void fileEnded(const vehicle::FileResult &result) override { end(result); }
@@ -54,7 +54,7 @@ private:
             if (result.unfit)
                 m_part->remove();
             if (result.unfit && std::exchange(m_isResumed, false)) {
-                tellRestarted(result.reason);
+                reportRestarted(result.reason);
                 return ask(m_download.request(nullptr, m_part));
             }
             finish(m_download.prefix + result.reason
@@ -70,7 +70,7 @@ private:
         finishSaved(std::move(problem));
     }
 
-    void tellResumed(const vehicle::KeptPart &kept)
+    void reportResumed(const vehicle::KeptPart &kept)
     {
         std::uint64_t bytes = 0;
         for (const vehicle::KeptPart::Piece &piece : kept.pieces)
@@ -82,7 +82,7 @@ private:
         printLine(out.text());
     }
 
-    void tellRestarted(const std::string &reason)
+    void reportRestarted(const std::string &reason)
     {
         if (!isJson())
             return remark(m_part->path() + ": starts anew: " + reason);

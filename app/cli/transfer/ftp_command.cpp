@@ -48,7 +48,7 @@ void show(const vehicle::RemoteFile &file, const TaskSettings &settings)
 }
 
 /// A transfer of a whole file has succeeded.
-void tell(const TaskSettings &settings, const char *event, const std::string &file, std::size_t bytes, bool verified)
+void reportDone(const TaskSettings &settings, const char *event, const std::string &file, std::size_t bytes, bool verified)
 {
     if (!settings.json)
         return remark(file + ": " + counted(bytes, "byte") + (verified ? ", the checksums agree" : ", without a checksum"));
@@ -97,7 +97,7 @@ int runGet(const QString &name, const QStringList &arguments)
         download.take = [file, settings](const FileResult &result) {
             std::string problem = writeWhole(file, asText(*result.content));
             if (problem.empty())
-                tell(settings, "downloaded", file.toStdString(), result.content->size(), result.verified);
+                reportDone(settings, "downloaded", file.toStdString(), result.content->size(), result.verified);
             return problem;
         };
         return std::make_shared<DownloadTask<FileResult>>(settings, std::move(download));
@@ -125,7 +125,7 @@ int runPut(const QString &name, const QStringList &arguments)
     const auto bytes = std::make_shared<const Bytes>(content->begin(), content->end());
     return runRequest(name, options, vehicle::WriteFile{path, bytes}, path,
                       [bytes, path](const FileResult &result, const TaskSettings &settings) {
-                          tell(settings, "uploaded", path, bytes->size(), result.verified);
+                          reportDone(settings, "uploaded", path, bytes->size(), result.verified);
                           return std::string();
                       });
 }

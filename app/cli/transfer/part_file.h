@@ -22,7 +22,7 @@ public:
     const std::string &path() const { return m_path; }
     /// True while there is a journal.
     bool isOpen() const { return m_descriptor >= 0; }
-    /// What an earlier program left of the source; null if there is nothing.
+    /// The part of the source that an earlier program has fetched; null if there is none.
     std::shared_ptr<const vehicle::KeptPart> resume();
     /// Of a download that has succeeded, or whose content is unfit.
     void remove();

@@ -27,7 +27,7 @@ std::shared_ptr<VehicleTask> planTask(const TaskSettings &settings, vehicle::Req
 }
 
 /// A sentence for people or an event for machines, of a transfer that has succeeded.
-void tell(bool json, const char *event, std::size_t items, const std::string &sentence)
+void reportDone(bool json, const char *event, std::size_t items, const std::string &sentence)
 {
     if (!json)
         return remark(sentence);
@@ -85,7 +85,8 @@ int runDownload(const QString &name, const QStringList &arguments, MissionType t
         return planTask(settings, vehicle::ReadMission{type}, [=](const Items &items) {
             std::string problem = writeWhole(file, vehicle::missionText(items));
             if (problem.empty())
-                tell(settings.json, "downloaded", items.size(), file.toStdString() + ": " + counted(items.size(), "item"));
+                reportDone(settings.json, "downloaded", items.size(),
+                           file.toStdString() + ": " + counted(items.size(), "item"));
             return problem;
         });
     });
@@ -109,7 +110,7 @@ int runUpload(const QString &name, const QStringList &arguments, MissionType typ
         return kCannotOpen;
     return runTransfer(name, options, [&](const TaskSettings &settings) {
         return planTask(settings, vehicle::WriteMission{*items, type}, [settings](const Items &written) {
-            tell(settings.json, "uploaded", written.size(), counted(written.size(), "item") + " accepted by the vehicle");
+            reportDone(settings.json, "uploaded", written.size(), counted(written.size(), "item") + " accepted by the vehicle");
             return std::string();
         });
     });
@@ -124,7 +125,7 @@ int runClear(const QString &name, const QStringList &arguments, MissionType type
     options.arguments(0, 0);
     return runTransfer(name, options, [&](const TaskSettings &settings) {
         return planTask(settings, vehicle::ClearMission{type}, [settings](const Items &) {
-            tell(settings.json, "cleared", 0, "cleared");
+            reportDone(settings.json, "cleared", 0, "cleared");
             return std::string();
         });
     });

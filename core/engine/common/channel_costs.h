@@ -1,4 +1,4 @@
-// What the ciphers of the secure channel cost this process: for each session, and, while a measurement is on, for each record.
+// CPU cost of the secure channel's ciphers in this process: for each session, and, while a measurement is on, for each record.
 // The caller reads the clock directly around each call of the endpoint. I/O thread.
 #pragma once
 

@@ -10,7 +10,7 @@ namespace skyseal::engine {
 
 bool limitsStrangers()
 {
-    return !weakened(Weakness::TellEverything);
+    return !weakened(Weakness::NotifyEverything);
 }
 
 std::optional<StrangerCause> ChannelCauses::operator()(const channel::HandshakeRefused &refused) const

@@ -53,11 +53,11 @@ Client::Verdict Client::judgeUncounted(TimePoint now, const mavlink::ScanItem &i
 
 std::optional<Denial> Client::takeDenial(TimePoint now, const mavlink::ScanItem &item)
 {
-    if (now < m_tellAt)
+    if (now < m_nextNoticeAt)
         return std::nullopt;
-    m_tellAt = now + kTellEvery;
+    m_nextNoticeAt = now + kNoticeInterval;
     Denial out;
-    out.frames = m_counters.denied - std::exchange(m_told, m_counters.denied);
+    out.frames = m_counters.denied - std::exchange(m_noticed, m_counters.denied);
     out.message = item.frame ? std::string(item.frame->info().name) : std::to_string(mavlink::messageIdOf(item.bytes));
     return out;
 }

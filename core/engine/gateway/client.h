@@ -28,7 +28,7 @@ class Client
 public:
     /// A client whose address is not configured is forgotten after this time of silence.
     static constexpr Duration kForgetAfter = std::chrono::seconds(60);
-    static constexpr Duration kTellEvery = std::chrono::minutes(1);
+    static constexpr Duration kNoticeInterval = std::chrono::minutes(1);
 
     enum class Verdict : std::uint8_t {
         Forward,
@@ -66,8 +66,8 @@ private:
     ClientCounters m_counters;
     TimePoint m_heard{};
     bool m_reported = false;
-    TimePoint m_tellAt = TimePoint::min();
-    std::uint64_t m_told = 0; ///< denied frames in earlier notices to the client
+    TimePoint m_nextNoticeAt = TimePoint::min();
+    std::uint64_t m_noticed = 0; ///< denied frames in earlier notices to the client
 };
 
 } // namespace skyseal::engine

@@ -40,7 +40,7 @@ public:
 Q_SIGNALS:
     /// At most 30 a second; Snapshot::replay is set.
     void snapshotReady(std::shared_ptr<const skyseal::engine::Snapshot> snapshot);
-    /// What happens while the recording is played; events that a seek passes over are not emitted.
+    /// Events of the recording as it is played; those that a seek passes over are not emitted.
     void eventOccurred(skyseal::engine::Event event);
 
 private:

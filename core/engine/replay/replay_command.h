@@ -1,4 +1,4 @@
-// What can be requested of a replay.
+// Commands to a replay.
 #pragma once
 
 #include "core/base/clock.h"
