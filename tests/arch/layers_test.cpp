@@ -33,6 +33,7 @@ const QHash<QString, QStringList> &allowed()
         {QStringLiteral("metrics"), {QStringLiteral("base")}},
         {QStringLiteral("sim"), {QStringLiteral("base"), QStringLiteral("mavlink")}},
         {QStringLiteral("impair"), {QStringLiteral("base")}},
+        {QStringLiteral("overlay"), {QStringLiteral("base")}},
         {QStringLiteral("link"), kProtocol},
         {QStringLiteral("mqtt"), {QStringLiteral("base"), QStringLiteral("keys"), QStringLiteral("link")}},
         {QStringLiteral("engine"), kProtocol + QStringList{QStringLiteral("link"), QStringLiteral("mqtt")}},
@@ -56,7 +57,8 @@ const QHash<QString, QStringList> &allowedInUi()
                                                                  QStringLiteral("mission"),   QStringLiteral("parameters"),
                                                                  QStringLiteral("replay"),    kSecurity,
                                                                  QStringLiteral("status"),    kSweep,
-                                                                 QStringLiteral("vehicles"),  QStringLiteral("values")};
+                                                                 QStringLiteral("vehicles"),  QStringLiteral("values"),
+                                                                 QStringLiteral("overlays")};
     static const QHash<QString, QStringList> kAllowed{
         {QString(), kBottom}, // the base files
         {kTheme, {}},
@@ -79,7 +81,8 @@ const QHash<QString, QStringList> &allowedInUi()
         {kSecurity, kBottom},
         {QStringLiteral("tiles"), {}},
         // The empty state asks to allow plain MAVLink.
-        {QStringLiteral("map"), kBottom + QStringList{kSecurity, QStringLiteral("tiles")}},
+        {QStringLiteral("map"), kBottom + QStringList{kSecurity, QStringLiteral("tiles"), QStringLiteral("overlays")}},
+        {QStringLiteral("overlays"), kBottom + QStringList{QStringLiteral("tiles")}}, // the projection
         {kSweep, kBottom + QStringList{kSecurity}},                // a sweep takes over the choice of the suite
         {QStringLiteral("charts"), kBottom + QStringList{kSweep}}, // the diagnostics show the page of the sweep
         {QStringLiteral("window"), kEverything},
@@ -93,7 +96,8 @@ QString roomOf(const QString &path)
     return path.count(QLatin1Char('/')) > 1 ? path.section(QLatin1Char('/'), 1, 1) : QString();
 }
 
-const QStringList kWithQt{QStringLiteral("link"), QStringLiteral("engine"), QStringLiteral("experiment")};
+const QStringList kWithQt{QStringLiteral("link"), QStringLiteral("overlay"), QStringLiteral("engine"),
+                          QStringLiteral("experiment")};
 
 struct SourceFile
 {
