@@ -8,9 +8,9 @@
 // The window closes when the client that opened it disconnects.
 #pragma once
 
-#include "app/common/file_thread.h"
 #include "app/common/pairing_status.h"
 #include "core/engine/agent/agent_core.h"
+#include "core/engine/common/file_thread.h"
 
 #include <QtCore/QJsonObject>
 #include <QtNetwork/QLocalServer>
@@ -62,7 +62,7 @@ private:
     std::string m_name;            ///< the confirmed name of the peer
     channel::PeerRole m_role = channel::PeerRole::Observer;
     bool m_replace = false;
-    FileThread m_files; ///< the list of peers; the agent must not wait for the disk
+    engine::FileThread m_files; ///< the list of peers; the agent must not wait for the disk
 };
 
 } // namespace skyseal::app

@@ -3,8 +3,8 @@
 // the file once a second does. An invalid edit is reported, and the previous list stays in force.
 #pragma once
 
-#include "app/common/file_thread.h"
 #include "core/base/result.h"
+#include "core/engine/common/file_thread.h"
 #include "core/keys/usable_peers.h"
 
 #include <QtCore/QElapsedTimer>
@@ -68,7 +68,7 @@ private:
     bool m_first = true;      ///< no look has ended
     bool m_unwatched = false; ///< the system does not notify
     unsigned m_looks = 0;     ///< while it does not
-    FileThread m_files;
+    engine::FileThread m_files;
 };
 
 /// {"event":"peers","count":…}, with a "problem" if a peer is excluded, and {"event":"peers","problem":…}

@@ -3,7 +3,7 @@
 // GUI thread.
 #pragma once
 
-#include "app/common/file_thread.h"
+#include "core/engine/common/file_thread.h"
 #include "core/engine/replay/recording_info.h"
 
 #include <QtCore/QObject>
@@ -44,7 +44,7 @@ private:
     std::map<Key, engine::RecordingInfo> m_known;
     std::deque<engine::RecordingInfo> m_waiting;
     std::shared_ptr<std::atomic<bool>> m_stopped; ///< of the listing that runs; null without one
-    FileThread m_thread;
+    engine::FileThread m_thread;
 };
 
 } // namespace skyseal::app

@@ -7,8 +7,8 @@
 //                                              {"ok":false,"error":"…"}
 #pragma once
 
-#include "app/common/file_thread.h"
 #include "core/base/result.h"
+#include "core/engine/common/file_thread.h"
 #include "core/engine/station/station.h"
 
 #include <QtCore/QJsonObject>
@@ -66,7 +66,7 @@ private:
     std::set<channel::SessionId> m_sessions; ///< that are up
     std::vector<Switch> m_switches;
     QLocalServer m_server;
-    FileThread m_files;
+    engine::FileThread m_files;
 };
 
 } // namespace skyseal::app

@@ -13,7 +13,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace skyseal::app {
+namespace skyseal::engine {
 
 /// Used by one thread, that of its owner's event loop.
 class FileThread
@@ -39,7 +39,7 @@ public:
     {
         using Outcome = std::invoke_result_t<Work>;
         // Work and result change hands in mailboxes, whose locks ThreadSanitizer sees; Qt only wakes the other side.
-        const auto outcome = std::make_shared<engine::Mailbox<Outcome>>();
+        const auto outcome = std::make_shared<Mailbox<Outcome>>();
         const auto promise = std::make_shared<QPromise<void>>();
         promise->start();
         auto *watcher = new QFutureWatcher<void>(context);
@@ -62,8 +62,8 @@ private:
     using Task = std::function<void()>;
 
     std::chrono::milliseconds m_patience;
-    std::unique_ptr<engine::Mailbox<Task>> m_tasks = std::make_unique<engine::Mailbox<Task>>();
+    std::unique_ptr<Mailbox<Task>> m_tasks = std::make_unique<Mailbox<Task>>();
     std::unique_ptr<QThreadPool> m_pool = std::make_unique<QThreadPool>();
 };
 
-} // namespace skyseal::app
+} // namespace skyseal::engine
