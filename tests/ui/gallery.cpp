@@ -24,8 +24,10 @@
 #include <QtGui/QMouseEvent>
 #include <QtGui/QPainter>
 #include <QtWidgets/QApplication>
+#include <QtWidgets/QDialog>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QPushButton>
+#include <QtWidgets/QTreeView>
 
 #include <cmath>
 
@@ -271,6 +273,41 @@ void waitForTiles(MapView &map)
     loop.exec();
 }
 
+/// A field with a hole, a way and a place, an area to keep out of, and a file that is not read, with their dialog.
+void showOverlays(MainWindow &window, const QString &folder)
+{
+    const auto write = [&folder](const char *name, const QByteArray &content) {
+        QFile file(folder + QLatin1Char('/') + QLatin1String(name));
+        if (file.open(QIODevice::WriteOnly))
+            file.write(content);
+        return file.fileName();
+    };
+    OverlayModel &overlays = window.findChild<MapView *>(QStringLiteral("map"))->overlays();
+    int read = 0;
+    QEventLoop loop;
+    QObject::connect(&overlays, &OverlayModel::pictureChanged, &loop, [&] { ++read == 3 ? loop.quit() : void(); });
+    overlays.add(
+        write("fields.kml", R"(<kml><Placemark><name>North field</name><Polygon><outerBoundaryIs><LinearRing><coordinates>
+8.5444,47.3979 8.5467,47.3980 8.5469,47.3986 8.5450,47.3987 8.5443,47.3983</coordinates></LinearRing></outerBoundaryIs>
+<innerBoundaryIs><LinearRing><coordinates>8.5458,47.3982 8.5463,47.3982 8.5463,47.39845
+8.5458,47.39845</coordinates></LinearRing>
+</innerBoundaryIs></Polygon></Placemark><Placemark><name>Track</name><LineString><coordinates>8.5440,47.3976 8.5450,47.3975
+8.5462,47.39755 8.5475,47.3972</coordinates></LineString></Placemark>
+<Placemark><name>Gate</name><Point><coordinates>8.5449,47.3973
+</coordinates></Point></Placemark></kml>)"));
+    overlays.add(
+        write("no-fly areas.geojson", R"({"type":"Feature","properties":{"name":"Hospital"},"geometry":{"type":"Polygon",
+"coordinates":[[[8.5463,47.3966],[8.5478,47.3967],[8.5476,47.3971],[8.5464,47.3971]]]}})"));
+    overlays.setColor(1, OverlayColor::Red);
+    overlays.add(
+        write("survey.kml", "<kml>\n<Placemark><Point><coordinates>8.54,473.97</coordinates></Point></Placemark></kml>"));
+    loop.exec();
+    window.findChild<QAction *>(QStringLiteral("actionOverlays"))->trigger();
+    QDialog *dialog = window.findChild<QDialog *>(QStringLiteral("overlayDialog"));
+    dialog->move(window.pos() + QPoint(window.width() - dialog->width() - 8, window.height() - dialog->height() - 60));
+    dialog->findChild<QTreeView *>()->setCurrentIndex(overlays.index(2, 0));
+}
+
 /// The window, with the menus and dialogs that it has opened over it.
 QPixmap pictureOf(MainWindow &window)
 {
@@ -507,6 +544,8 @@ int main(int argc, char **argv)
                 window.findChild<DiagnosticsPanel *>()->refresh();
                 if (state == QLatin1String("tiles"))
                     waitForTiles(*window.findChild<MapView *>());
+                if (state == QLatin1String("overlays"))
+                    showOverlays(window, folder.path());
                 QCoreApplication::processEvents();
                 pictureOf(window).save(out.filePath(QStringLiteral("%1-%2-%3.png").arg(shown, size, theme)));
             }

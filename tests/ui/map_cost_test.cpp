@@ -7,6 +7,8 @@
 #include "tests/support/test_runner.h"
 #include "ui/map/map_view.h"
 
+#include <QtCore/QFile>
+#include <QtCore/QTemporaryDir>
 #include <QtGui/QPainter>
 #include <QtTest/QTest>
 
@@ -22,6 +24,7 @@ constexpr QSize kSize(1600, 900);
 constexpr int kPoints = 10'000;
 /// Reference drawings that a frame may cost; measured 1.1. Not of a debug build.
 [[maybe_unused]] constexpr double kFrameLimit = 2.5;
+[[maybe_unused]] constexpr double kOverlayLimit = 20; ///< measured 8
 
 double cpuMilliseconds()
 {
@@ -78,6 +81,34 @@ double referenceDrawing()
     return frames.at(0.5);
 }
 
+/// A hundred fields with a thousand points each, 100,000 in all: rows of circles of 40 m with a wave on their edge; or their
+/// corners, each a place with a name.
+bool writeFields(const QString &path, bool asPoints)
+{
+    constexpr double kDegree = 111319.5;
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly))
+        return false;
+    file.write("<kml>");
+    for (int field = 0; field < 100; ++field) {
+        const QByteArray name = "<Placemark><name>Field " + QByteArray::number(field) + "</name>";
+        if (!asPoints)
+            file.write(name + "<Polygon><outerBoundaryIs><LinearRing><coordinates>");
+        for (int i = 0; i < 1000; ++i) {
+            const double angle = i * 0.0062832, radius = 18 + 2 * std::sin(40 * angle);
+            const double north = (field / 10) * 42 - 190 + radius * std::sin(angle);
+            const double east = (field % 10) * 70 - 315 + 1.6 * radius * std::cos(angle);
+            const QByteArray place = QByteArray::number(8.5456 + east / kDegree / 0.677, 'f', 8) + ','
+                + QByteArray::number(47.3977 + north / kDegree, 'f', 8) + ' ';
+            file.write(asPoints ? name + "<Point><coordinates>" + place + "</coordinates></Point></Placemark>" : place);
+        }
+        if (!asPoints)
+            file.write("</coordinates></LinearRing></outerBoundaryIs></Polygon></Placemark>");
+    }
+    file.write("</kml>");
+    return true;
+}
+
 } // namespace
 
 class MapCostTest : public QObject
@@ -121,6 +152,52 @@ private Q_SLOTS:
               pans.at(0.5), pans.at(0.99), zooms.at(0.5), zooms.at(0.99), reference);
 #ifdef NDEBUG
         QVERIFY(pans.at(0.5) < kFrameLimit * reference);
+#endif
+    }
+
+    void panOverOverlays_data()
+    {
+        QTest::addColumn<bool>("points");
+        QTest::newRow("areas") << false;
+        QTest::newRow("points") << true;
+    }
+
+    void panOverOverlays()
+    {
+        QFETCH(bool, points);
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("fields.kml"));
+        QVERIFY(writeFields(path, points));
+        MapView map;
+        map.resize(kSize);
+        map.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&map, test::kDeadlineMs));
+        map.showViewState(viewOf(std::make_shared<const engine::Snapshot>(sealedSnapshot(0)), 1));
+        map.overlays().setFiles({OverlayFile{.path = path}});
+        EVENTUALLY(map.overlays().entries().front().shapes);
+        QCOMPARE(map.overlays().entries().front().shapes->size(), std::size_t(points ? 100'000 : 100));
+        const auto costs = [&map](int steps) {
+            Frames frames;
+            QPoint pointer(800, 450);
+            QTest::mousePress(&map, Qt::LeftButton, {}, pointer);
+            for (int i = 0; i < steps; ++i) {
+                pointer += QPoint(i < steps / 2 ? 3 : -3, i % 30 < 15 ? 2 : -2);
+                const double before = cpuMilliseconds();
+                QTest::mouseMove(&map, pointer);
+                map.repaint();
+                frames.costs.push_back(cpuMilliseconds() - before);
+            }
+            QTest::mouseRelease(&map, Qt::LeftButton, {}, pointer);
+            return frames;
+        };
+        const Frames shown = costs(60);
+        map.overlays().setFiles({});
+        const Frames none = costs(60);
+        const double reference = referenceDrawing();
+        qInfo("pan over 100,000 points: median %.1f ms, 99 %% %.1f ms; without them %.1f ms; reference drawing %.1f ms",
+              shown.at(0.5), shown.at(0.99), none.at(0.5), reference);
+#ifdef NDEBUG
+        QVERIFY(shown.at(0.5) - none.at(0.5) < kOverlayLimit * reference);
 #endif
     }
 };

@@ -4,6 +4,7 @@
 #include "ui/map/map_text.h"
 #include "ui/map/mission_painter.h"
 #include "ui/map/nice_step.h"
+#include "ui/map/overlay_painter.h"
 #include "ui/map/tile_painter.h"
 #include "ui/text/figures.h"
 #include "ui/text/units.h"
@@ -50,7 +51,8 @@ MapPainter::MapPainter(QPainter &painter, const MapContent &content, const MapVi
     : m_painter(painter), m_content(content), m_viewport(viewport), m_palette(palette)
 {}
 
-void MapPainter::paintGround(const TileLayer &tiles, const FenceContent &fence, UnitSystem units, bool moving)
+void MapPainter::paintGround(const TileLayer &tiles, const OverlayModel &overlays, const FenceContent &fence, UnitSystem units,
+                             bool moving)
 {
     const Graticule graticule = graticuleOf(m_viewport);
     paintGraticule(graticule);
@@ -61,6 +63,7 @@ void MapPainter::paintGround(const TileLayer &tiles, const FenceContent &fence, 
         paintLabels(graticule);
     }
     m_painter.setRenderHint(QPainter::Antialiasing);
+    OverlayPainter(m_painter, m_viewport, m_palette).paint(overlays);
     FencePainter(m_painter, m_viewport, m_palette).paint(fence);
     paintMission();
     paintTrack();

@@ -1,5 +1,5 @@
-// Paints the content of the map: the ground (graticule, tiles, fence, mission, track, home, scale bar), and the vehicle above
-// it. Made for one paint event.
+// Paints the content of the map: the ground (graticule, tiles, overlays, fence, mission, track, home, scale bar), and the
+// vehicle above it. Made for one paint event.
 #pragma once
 
 #include "ui/map/graticule.h"
@@ -16,6 +16,7 @@ class QPainter;
 namespace skyseal::ui {
 
 class FenceContent;
+class OverlayModel;
 class TileLayer;
 
 class MapPainter
@@ -27,7 +28,8 @@ public:
     MapPainter(QPainter &painter, const MapContent &content, const MapViewport &viewport, const QPalette &palette);
 
     /// Everything except the vehicle. The caller fills the background. `moving`: quickly rather than finely.
-    void paintGround(const TileLayer &tiles, const FenceContent &fence, UnitSystem units, bool moving);
+    void paintGround(const TileLayer &tiles, const OverlayModel &overlays, const FenceContent &fence, UnitSystem units,
+                     bool moving);
     /// All of them; with words beside each if there are several.
     void paintVehicles();
     /// A place that the operator is asked about.

@@ -39,6 +39,7 @@ MapView::MapView(const TileConfig &tiles, QWidget *parent) : QWidget(parent), m_
     connect(&m_motion, &MapMotion::moved, this, &MapView::markGroundDirty);
     connect(&m_motion, &MapMotion::settled, this, &MapView::markGroundDirty); // finely
     connect(&m_tiles, &TileLayer::changed, this, &MapView::markGroundDirty);
+    connect(&m_overlays, &OverlayModel::pictureChanged, this, &MapView::markGroundDirty);
     connect(&m_measure, &MeasureTool::changed, this, &MapView::showMeasurement);
     connect(m_measure.action(), &QAction::triggered, this, [this] { setFocus(Qt::ShortcutFocusReason); }); // for its keys
 }
@@ -230,7 +231,8 @@ void MapView::paintGround()
     m_ground.fill(palette().color(QPalette::Base));
     QPainter painter(&m_ground);
     painter.setFont(font());
-    MapPainter(painter, m_content, m_viewport, palette()).paintGround(m_tiles, m_fence, m_units, m_drag || m_motion.isMoving());
+    MapPainter(painter, m_content, m_viewport, palette())
+        .paintGround(m_tiles, m_overlays, m_fence, m_units, m_drag || m_motion.isMoving());
 }
 
 void MapView::resizeEvent(QResizeEvent *)

@@ -1,7 +1,7 @@
 // The map: north is up, tiles of the chosen source or a graticule, a scale bar, home, fence, mission, the track coloured by
-// suite, and all vehicles. A click selects another one. Drag or the arrow keys move the map, the wheel or + and − zoom, Home
-// follows the vehicle again; while the operator measures, clicks and keys go to MeasureTool. Holds the content, the viewport
-// and a picture of the ground; MapPainter paints.
+// suite, the overlays of the operator, and all vehicles. A click selects another one. Drag or the arrow keys move the map, the
+// wheel or + and − zoom, Home follows the vehicle again; while the operator measures, clicks and keys go to MeasureTool. Holds
+// the content, the viewport and a picture of the ground; MapPainter paints.
 #pragma once
 
 #include "ui/map/fence.h"
@@ -11,6 +11,7 @@
 #include "ui/map/measure_tool.h"
 #include "ui/map/tile_layer.h"
 #include "ui/map/traffic.h"
+#include "ui/overlays/overlay_model.h"
 #include "ui/text/coordinates.h"
 #include "ui/text/units.h"
 
@@ -47,6 +48,7 @@ public:
     const MapViewport &viewport() const { return m_viewport; }
     TileLayer &tiles() { return m_tiles; }
     MeasureTool &measure() { return m_measure; }
+    OverlayModel &overlays() { return m_overlays; }
     UnitSystem units() const { return m_units; }
     CoordinateFormat coordinateFormat() const { return m_coordinates; }
     /// The place under the pointer or, while the map has the focus without it, in the middle; nullopt otherwise.
@@ -98,6 +100,7 @@ private:
     MapMotion m_motion{m_viewport};
     TileLayer m_tiles;
     MeasureTool m_measure;
+    OverlayModel m_overlays;
     UnitSystem m_units = UnitSystem::Metric;
     CoordinateFormat m_coordinates = CoordinateFormat::Decimal;
     std::optional<QPointF> m_pointer; ///< pixels

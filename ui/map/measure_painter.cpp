@@ -11,17 +11,6 @@
 
 namespace skyseal::ui {
 
-namespace {
-
-/// `x` moved by whole turns around the globe, nearest to `to`.
-double nearestTurn(double x, double to)
-{
-    constexpr double kTurn = 2 * mercator::kHalfWorld;
-    return x + kTurn * std::round((to - x) / kTurn);
-}
-
-} // namespace
-
 void MeasurePainter::paint(const MeasureTool &tool, const std::optional<LatLong> &pointed, UnitSystem units)
 {
     std::vector<LatLong> places = tool.points();
@@ -51,7 +40,7 @@ QPolygonF MeasurePainter::pixelsOf(const std::vector<LatLong> &places) const
     double near = m_viewport.centre().x();
     for (const LatLong &place : places) {
         QPointF metres = mercator::project(place);
-        metres.setX(nearestTurn(metres.x(), near));
+        metres.setX(mercator::nearestTurn(metres.x(), near));
         near = metres.x();
         out << m_viewport.toPixels(metres);
     }

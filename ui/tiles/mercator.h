@@ -37,6 +37,12 @@ inline LatLong unproject(const QPointF &metres)
     return {std::atan(std::sinh(metres.y() / kRadius)) / kRadians, metres.x() / kMetresPerDegree - 360 * turns};
 }
 
+/// `x` moved by whole turns around the globe, nearest to `to`.
+inline double nearestTurn(double x, double to)
+{
+    return x + 2 * kHalfWorld * std::round((to - x) / (2 * kHalfWorld));
+}
+
 /// How many metres of the map a metre on the ground has, at a height of the map.
 inline double stretch(double y)
 {

@@ -88,6 +88,7 @@ MainWindow::MainWindow(StationInterface &station, QSettings &store, const Progra
     resize(kFirstSize.boundedTo(screen()->availableSize() - kFrame));
     m_workspaces->restore(m_store);
     applySettings(m_settings);
+    m_map->overlays().setFiles(loadOverlays(m_store));
     setFocus(); // no control has the focus at the start; the map takes the keys once it is clicked or reached by Tab
 }
 
@@ -216,6 +217,8 @@ void MainWindow::connectParts()
         storeSettings(m_store, m_settings);
         m_map->setSource(source);
     });
+    connect(&m_map->overlays(), &OverlayModel::filesChanged, this,
+            [this] { storeOverlays(m_store, m_map->overlays().files()); });
     connect(m_problems, &ProblemReports::linkRequested, this, &MainWindow::addLink);
     connect(m_commands, &VehicleCommands::takeOffAltitudeChanged, this, [this](double metres) {
         m_settings.takeOffAltitude = metres;

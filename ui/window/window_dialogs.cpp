@@ -13,6 +13,7 @@
 #include "ui/map/map_view.h"
 #include "ui/map/region_dialog.h"
 #include "ui/modeless.h"
+#include "ui/overlays/overlay_dialog.h"
 #include "ui/replay/recordings_dialog.h"
 #include "ui/values/values_editor.h"
 #include "ui/view_state.h"
@@ -113,6 +114,12 @@ void WindowDialogs::openMapSource()
     auto *dialog = make<MapSourceDialog>(m_settings.map, &m_window);
     connect(dialog, &QDialog::accepted, this, [this, dialog] { Q_EMIT mapSourceAccepted(dialog->source()); });
     showModeless(*dialog);
+}
+
+void WindowDialogs::openOverlays(MapView &map)
+{
+    if (!raiseOpen<OverlayDialog>(m_window))
+        showModeless(*make<OverlayDialog>(map.overlays(), &m_window));
 }
 
 void WindowDialogs::openRegion(MapView &map)

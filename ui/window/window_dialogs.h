@@ -41,6 +41,7 @@ public:
     void openChangeAltitude(const ViewState &view);
     void openKeys();
     void openMapSource();
+    void openOverlays(MapView &map);
     /// Fetches what `map` shows, for use without a network.
     void openRegion(MapView &map);
     /// `page` is the name of a help page without its suffix.
