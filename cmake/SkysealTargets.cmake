@@ -39,13 +39,44 @@ endif()
 
 include(SkysealPrecompiled)
 
-# skyseal_library(NAME SOURCES … PUBLIC … PRIVATE … [QT [WIDGETS]]): the static library skyseal_NAME, alias skyseal::NAME.
-# Without QT it has no include path of Qt, which enforces the rule that the protocol layers do not use Qt.
+# skyseal_unite(TARGET SOURCE …): compiles these source files of one folder as eight where SKYSEAL_UNITY is on: less to do in
+# all, and more after a change of one file. The name of a file alone decides with which others it is compiled, so that a new file brings no two
+# old ones together.
+function(skyseal_unite target)
+  if(NOT SKYSEAL_UNITY)
+    return()
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME folder)
+  foreach(source IN LISTS ARGN)
+    cmake_path(GET source FILENAME name)
+    # A file of free functions has a context of its own for its translated texts, and all of these have one name.
+    if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${source})
+      file(STRINGS ${source} alone REGEX "^struct Text$" LIMIT_COUNT 1)
+      if(alone)
+        continue()
+      endif()
+    endif()
+    string(MD5 hash ${name})
+    string(SUBSTRING ${hash} 0 1 digit)
+    math(EXPR group "0x${digit} % 8")
+    set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP ${folder}_${group})
+  endforeach()
+  # A class with members of types from an anonymous namespace is as local in an included source file as in its own.
+  target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+endfunction()
+
+# skyseal_library(NAME SOURCES … PUBLIC … PRIVATE … [QT [WIDGETS]] [SEPARATE]): the static library skyseal_NAME, alias skyseal::NAME.
+# Without QT it has no include path of Qt, which enforces the rule that the protocol layers do not use Qt. SEPARATE: its files
+# have functions of the same names and cannot be compiled as one.
 function(skyseal_library name)
-  cmake_parse_arguments(arg "QT;WIDGETS" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(arg "QT;WIDGETS;SEPARATE" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   add_library(skyseal_${name} STATIC ${arg_SOURCES})
   add_library(skyseal::${name} ALIAS skyseal_${name})
   target_link_libraries(skyseal_${name} PUBLIC skyseal_options ${arg_PUBLIC} PRIVATE skyseal_hardening ${arg_PRIVATE})
+  if(NOT arg_SEPARATE)
+    skyseal_unite(skyseal_${name} ${arg_SOURCES})
+  endif()
   if(arg_QT)
     skyseal_automoc(skyseal_${name})
   endif()
@@ -67,26 +98,6 @@ function(skyseal_program name)
   target_link_libraries(${name} PRIVATE skyseal_options skyseal_hardening ${arg_LINK})
   skyseal_precompile(${name} engine)
   install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${arg_COMPONENT})
-endfunction()
-
-# skyseal_unite(TARGET SOURCE …): compiles these source files of one folder as eight where SKYSEAL_UNITY is on: less to do in
-# all, more after a change. The name of a file alone decides with which others it is compiled, so that a new file brings no two
-# old ones together.
-function(skyseal_unite target)
-  if(NOT SKYSEAL_UNITY)
-    return()
-  endif()
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-  cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME folder)
-  foreach(source IN LISTS ARGN)
-    cmake_path(GET source FILENAME name)
-    string(MD5 hash ${name})
-    string(SUBSTRING ${hash} 0 1 digit)
-    math(EXPR group "0x${digit} % 8")
-    set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP ${folder}_${group})
-  endforeach()
-  # A class with members of types from an anonymous namespace is as local in an included source file as in its own.
-  target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
 endfunction()
 
 # skyseal_test_program(NAME [WIDGETS]): a program of QtTest classes in tests/ of the build folder. tests/support/test_runner.h

@@ -1,5 +1,7 @@
 #include "core/channel/freshness_judge.h"
 
+#include "core/base/weakness.h"
+
 namespace skyseal::channel {
 
 void FreshnessJudge::addReport(RecordPosition position, std::uint32_t peerStamp)

@@ -1,5 +1,6 @@
 #include "core/channel/pairing_station.h"
 
+#include "core/base/weakness.h"
 #include "core/crypto/x25519.h"
 
 #include <algorithm>

@@ -25,7 +25,6 @@ using crypto::SodiumStream;
 using crypto::SuiteId;
 using crypto::SuiteInfo;
 
-constexpr std::size_t kAssociated = 9; // first byte, connection id, counter, suite, direction, carrier
 constexpr std::size_t kTag = 16;
 
 struct FreeContext

@@ -18,6 +18,8 @@ namespace skyseal::experiment {
 using BareCall = std::function<void(std::size_t size)>;
 
 inline constexpr std::size_t kMostBareBytes = 1200;
+/// Bytes of associated data of a record: first byte, connection id, counter, suite, direction, carrier.
+inline constexpr std::size_t kAssociated = 9;
 
 enum class RecordOperation { Seal, Open };
 

@@ -20,7 +20,6 @@ constexpr std::size_t kBatch = 64; ///< records read from a socket in one wake-u
 constexpr int kBatches = 24;       ///< per timing: short enough that some rounds run undisturbed
 constexpr int kRounds = 15;
 constexpr std::size_t kContexts = 64, kSessions = 12; ///< number over which the memory is averaged
-constexpr std::size_t kAssociated = 9;
 using Buffer = std::array<std::uint8_t, kMostBareBytes + 64>;
 
 crypto::DirectionSecret benchSecret()

@@ -55,7 +55,7 @@ constexpr std::array<Member, 31> kMembers{{
     {RcChannels::kId, MAV_DATA_STREAM_RC_CHANNELS, 5},
     {GlobalPositionInt::kId, MAV_DATA_STREAM_POSITION, 5},
     {LocalPositionNed::kId, MAV_DATA_STREAM_POSITION, 1},
-    {Attitude::kId, MAV_DATA_STREAM_EXTRA1, 15},
+    {mavlink::Attitude::kId, MAV_DATA_STREAM_EXTRA1, 15},
     {VfrHud::kId, MAV_DATA_STREAM_EXTRA2, 4},
     {Ahrs::kId, MAV_DATA_STREAM_EXTRA3},
     {SystemTime::kId, MAV_DATA_STREAM_EXTRA3},

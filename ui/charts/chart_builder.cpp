@@ -13,8 +13,6 @@ using engine::MetricsSample;
 
 namespace {
 
-constexpr double kGapSeconds = 2;
-
 /// The translation context of the functions below.
 struct Text
 {

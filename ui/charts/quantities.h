@@ -10,6 +10,8 @@
 
 namespace skyseal::ui {
 
+inline constexpr double kGapSeconds = 2; ///< samples farther apart are not joined
+
 /// A value of a sample, as the CSV file holds it and as a chart plots it.
 struct SampleValue
 {

@@ -5,10 +5,6 @@
 
 namespace skyseal::ui {
 
-namespace {
-constexpr double kGapSeconds = 2;
-}
-
 void Tally::add(double value)
 {
     if (!std::isfinite(value))

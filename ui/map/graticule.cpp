@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kApart = 96; ///< pixels
 
-int decimalsOf(double step)
+int degreeDecimals(double step)
 {
     return std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
 }
@@ -26,7 +26,7 @@ Graticule graticuleOf(const MapViewport &viewport)
     Graticule out;
     const double degreesPerPixel = viewport.metresPerPixel() / mercator::kMetresPerDegree;
     const double step = std::min(niceStep(kApart * degreesPerPixel), 30.0);
-    const int decimals = decimalsOf(step);
+    const int decimals = degreeDecimals(step);
     const QRectF shown = viewport.visible();
     const double west = shown.left() / mercator::kMetresPerDegree, east = shown.right() / mercator::kMetresPerDegree;
     // By whole numbers, since a step of 1e-7 degrees cannot be summed up.

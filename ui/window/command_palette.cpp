@@ -22,10 +22,9 @@ namespace skyseal::ui {
 
 namespace {
 
-constexpr int kWidth = 60 * kGrid, kHeight = 44 * kGrid;
+constexpr int kPaletteWidth = 60 * kGrid, kPaletteHeight = 44 * kGrid;
 
-/// Without the mnemonic.
-QString plainText(const QString &text)
+QString withoutMnemonic(const QString &text)
 {
     QString plain = text;
     plain.remove(QLatin1Char('&'));
@@ -39,7 +38,7 @@ void CommandPalette::open(QMainWindow &window)
     if (raiseOpen<CommandPalette>(window))
         return;
     auto *palette = new CommandPalette(window);
-    palette->move(window.mapToGlobal(QPoint((window.width() - kWidth) / 2, window.height() / 8)));
+    palette->move(window.mapToGlobal(QPoint((window.width() - kPaletteWidth) / 2, window.height() / 8)));
     showModeless(*palette);
 }
 
@@ -48,7 +47,7 @@ CommandPalette::CommandPalette(QMainWindow &window) : QDialog(&window)
     setObjectName(QStringLiteral("commandPalette"));
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Find a command"));
-    resize(kWidth, kHeight);
+    resize(kPaletteWidth, kPaletteHeight);
     m_typed = new QLineEdit(this);
     m_typed->setObjectName(QStringLiteral("paletteTyped"));
     m_typed->setPlaceholderText(tr("Parts of a name, such as \"rtl\" or \"map source\""));
@@ -76,7 +75,7 @@ CommandPalette::CommandPalette(QMainWindow &window) : QDialog(&window)
 
     for (QAction *top : window.menuBar()->actions())
         if (QMenu *menu = top->menu())
-            collect(*menu, plainText(top->text()));
+            collect(*menu, withoutMnemonic(top->text()));
     filter({});
     m_typed->setFocus();
     connect(m_typed, &QLineEdit::textChanged, this, &CommandPalette::filter);
@@ -93,7 +92,7 @@ void CommandPalette::collect(QMenu &menu, const QString &path)
     for (QAction *action : menu.actions()) {
         if (action->isSeparator())
             continue;
-        const QString name = path + QStringLiteral(" › ") + plainText(action->text());
+        const QString name = path + QStringLiteral(" › ") + withoutMnemonic(action->text());
         if (QMenu *submenu = action->menu(); submenu && action->isEnabled())
             collect(*submenu, name);
         else
