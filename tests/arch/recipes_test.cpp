@@ -30,14 +30,21 @@ QString read(const QString &path)
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
-/// The compiler's command for a file of the tree.
+/// The compiler's command for a file of the tree, or for another file of its library where several are compiled as one.
 QStringList commandFor(const QString &file)
 {
     static const QJsonArray kCommands =
         QJsonDocument::fromJson(read(q(SKYSEAL_BUILD_DIR "/compile_commands.json")).toUtf8()).array();
-    const auto found = std::ranges::find_if(
-        kCommands, [&](const QJsonValue &entry) { return entry[q("file")].toString() == kTree + file; });
-    return found == kCommands.end() ? QStringList() : QProcess::splitCommand((*found)[q("command")].toString());
+    const auto first = [](auto &&matches) {
+        const auto found = std::ranges::find_if(kCommands, matches);
+        return found == kCommands.end() ? QStringList() : QProcess::splitCommand((*found)[q("command")].toString());
+    };
+    QStringList out = first([&](const QJsonValue &entry) { return entry[q("file")].toString() == kTree + file; });
+    for (QString folder = QFileInfo(file).path(); out.isEmpty() && folder != q("."); folder = QFileInfo(folder).path())
+        out = first([&](const QJsonValue &entry) {
+            return entry[q("command")].toString().contains(q(" -o ") + folder + q("/CMakeFiles/skyseal_"));
+        });
+    return out;
 }
 
 /// The tree with the changes of a recipe.

@@ -285,7 +285,7 @@ void AttackFloodTest::floodRaisesFewEvents()
         offer(pair, Air, flood, source);
     });
     pair.run(5s);
-    HOLDS(pair.air().events.size() <= 6, "a flood from everywhere is told in few words");
+    HOLDS(pair.air().events.size() <= 6, "a flood from everywhere causes few notices");
 }
 
 void AttackFloodTest::noMoreOutThanIn()
