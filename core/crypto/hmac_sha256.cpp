@@ -25,6 +25,7 @@ namespace skyseal::crypto {
 namespace {
 
 constexpr std::size_t kBlock = SHA256_CBLOCK;
+static_assert(std::tuple_size_v<HmacSha256::Block> == kBlock);
 
 /// As sodium_memzero(), without a call: these few bytes are wiped for each record. The compiler must assume that the barrier
 /// reads them.
@@ -35,7 +36,7 @@ template<typename T> void wipe(T &value)
 }
 
 /// The inner digest, padded as the end of a two-block message: the only block the outer hash has to compress.
-std::array<std::uint8_t, kBlock> outerBlock(const std::uint32_t *innerDigest)
+HmacSha256::Block outerBlock(const std::uint32_t *innerDigest)
 {
     // Copied whole: the hash reads 16 bytes at a time, and stalls on those that were just written in several stores.
     static constexpr std::array<std::uint8_t, kBlock - SHA256_DIGEST_LENGTH> kPadding = [] {
@@ -45,18 +46,19 @@ std::array<std::uint8_t, kBlock> outerBlock(const std::uint32_t *innerDigest)
         out[out.size() - 1] = kBits & 0xff;
         return out;
     }();
-    std::array<std::uint8_t, kBlock> block;
+    HmacSha256::Block block;
     for (std::size_t i = 0; i < 8; ++i)
         storeBigEndian32(block.data() + 4 * i, innerDigest[i]);
     std::memcpy(block.data() + SHA256_DIGEST_LENGTH, kPadding.data(), kPadding.size());
     return block;
 }
 
-/// SHA-256 that continues from the state after one whole block.
+/// SHA-256 that continues from the state after one whole block. `block` holds what is not compressed yet, now `used` bytes.
 class Continuation
 {
 public:
-    explicit Continuation(const std::array<std::uint32_t, 8> &state)
+    Continuation(const std::array<std::uint32_t, 8> &state, HmacSha256::Block &block, std::size_t used = 0)
+        : m_block(block.data()), m_used(used), m_length(kBlock + used)
     {
         std::copy(state.begin(), state.end(), m_context.h);
         m_context.Nl = m_context.Nh = m_context.num = 0;
@@ -106,9 +108,9 @@ public:
 
 private:
     SHA256_CTX m_context;
-    std::uint8_t m_block[kBlock];
-    std::size_t m_used = 0;
-    std::uint64_t m_length = kBlock;
+    std::uint8_t *m_block;
+    std::size_t m_used;
+    std::uint64_t m_length;
 };
 
 } // namespace
@@ -145,14 +147,27 @@ HmacSha256::~HmacSha256()
 
 void HmacSha256::compute(MutableByteView out, std::initializer_list<ByteView> parts) const
 {
-    Continuation inner(m_inner);
+    Block block;
+    Continuation inner(m_inner, block);
     for (const ByteView part : parts)
         inner.add(part);
     inner.finish();
+    finish(out, inner.words());
+}
 
+void HmacSha256::compute(MutableByteView out, Block &block, std::size_t used, ByteView rest) const
+{
+    Continuation inner(m_inner, block, used);
+    inner.add(rest);
+    inner.finish();
+    finish(out, inner.words());
+}
+
+void HmacSha256::finish(MutableByteView out, const std::uint32_t *innerDigest) const
+{
     SHA256_CTX outer;
     std::copy(m_outer.begin(), m_outer.end(), outer.h);
-    const std::array<std::uint8_t, kBlock> block = outerBlock(inner.words());
+    const Block block = outerBlock(innerDigest);
     SHA256_Transform(&outer, block.data());
     std::array<std::uint8_t, kSha256Length> digest;
     for (std::size_t i = 0; i < 8; ++i)

@@ -22,9 +22,16 @@ public:
     /// The MAC of the concatenated parts, truncated to the size of `out` (at most 32 bytes).
     void compute(MutableByteView out, std::initializer_list<ByteView> parts) const;
 
+    using Block = std::array<std::uint8_t, 64>;
+    /// The same of the first `used` bytes of `block`, less than all, and then of `rest`. Overwrites the block.
+    void compute(MutableByteView out, Block &block, std::size_t used, ByteView rest) const;
+
 private:
     /// The chaining value of SHA-256 after the block that holds the padded key.
     using State = std::array<std::uint32_t, 8>;
+
+    /// The outer hash, over the inner one.
+    void finish(MutableByteView out, const std::uint32_t *innerDigest) const;
 
     State m_inner;
     State m_outer;

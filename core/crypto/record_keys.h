@@ -5,13 +5,25 @@
 #include "core/crypto/record_cipher.h"
 #include "core/crypto/store_integer.h"
 
-#include <array>
+#include <bit>
 #include <cstring>
 #include <string>
 
 namespace skyseal::crypto {
 
-using Nonce12 = std::array<std::uint8_t, 12>;
+/// A nonce of 12 bytes. They have room for 16, so that they can be written in one store: libraries read them in overlapping
+/// words, which would wait for several pending ones.
+class Nonce12
+{
+public:
+    using Words = std::uint64_t __attribute__((vector_size(16)));
+    explicit Nonce12(const Words &words) { std::memcpy(m_bytes, &words, sizeof m_bytes); }
+    const std::uint8_t *data() const { return m_bytes; }
+    static constexpr std::size_t size() { return 12; }
+
+private:
+    alignas(16) std::uint8_t m_bytes[sizeof(Words)];
+};
 
 /// The keys of a suite, see record_cipher.h. Each suite uses those that it needs, and a prefix of `iv`.
 struct RecordKeys
@@ -36,24 +48,22 @@ struct RecordKeys
 class NonceBase
 {
 public:
-    explicit NonceBase(const Key32 &iv) : m_iv(iv.view().first<12>()) {}
+    explicit NonceBase(const Key32 &iv) { std::memcpy(m_iv.mutableView().data(), iv.view().data(), 12); }
 
     /// iv xor (4 zero bytes, counter as 64-bit big-endian).
     Nonce12 at(std::uint64_t counter) const
     {
-        Nonce12 nonce;
-        std::uint64_t number = 0;
-        std::uint64_t low = 0;
-        storeBigEndian64(reinterpret_cast<std::uint8_t *>(&number), counter);
-        std::memcpy(&low, m_iv.view().data() + 4, sizeof low);
-        low ^= number;
-        std::memcpy(nonce.data(), m_iv.view().data(), 4);
-        std::memcpy(nonce.data() + 4, &low, sizeof low);
-        return nonce;
+        Nonce12::Words words;
+        std::memcpy(&words, m_iv.view().data(), sizeof words);
+        if constexpr (std::endian::native == std::endian::little)
+            words ^= Nonce12::Words{__builtin_bswap64(counter >> 32), __builtin_bswap64(counter << 32)};
+        else
+            words ^= Nonce12::Words{counter >> 32, counter << 32};
+        return Nonce12(words);
     }
 
 private:
-    SecretBytes<12> m_iv;
+    SecretBytes<sizeof(Nonce12::Words)> m_iv; ///< padded with zeros
 };
 
 /// A cipher under the given keys in place of derived ones; published vectors are checked through it. Null as for

@@ -72,7 +72,7 @@ QString nameOf(const QJsonObject &feature)
 {
     const QJsonObject properties = feature[QLatin1String("properties")].toObject();
     for (const char *key : {"name", "Name", "NAME", "title"})
-        if (const QString name = properties[QLatin1String(key)].toString(); !name.isEmpty())
+        if (QString name = properties[QLatin1String(key)].toString(); !name.isEmpty())
             return name;
     return {};
 }
