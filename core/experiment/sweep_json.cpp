@@ -326,7 +326,25 @@ constexpr Column kAfter[] = {{"valid", "", "1: the values count; 0: they are lef
                              {"invalid", "", "why the values are not those of the load; empty if they are"},
                              {"disturbances", "", "what may have disturbed the run"},
                              {"problem", "", "why nothing was measured; empty on success"},
-                             {"source", "", "what the vehicle is: the sweep's own simulator, or the autopilot on which link"}};
+                             {"source", "", "what the vehicle is: the sweep's own simulator, or the autopilot on which link"},
+                             {"sweep", "", "when the sweep began (UTC)"},
+                             {"seed", "", "of the order of runs and of the impairment"},
+                             {"commit", "", "the programs' version in the repository"},
+                             {"machine", "", "processor, number of cores, architecture and system"}};
+
+/// The last columns of each table: which sweep it is, and on which machine.
+std::string originColumns(const Results &results)
+{
+    std::string machine;
+    for (const auto &[key, unit] : {std::pair("processor", ""), {"cores", " cores"}, {"architecture", ""}, {"system", ""}})
+        if (const std::string value = settingOf(results, key); !value.empty())
+            machine += (machine.empty() ? "" : ", ") + value + unit;
+    std::string out;
+    for (const std::string &text :
+         {settingOf(results, "time"), std::to_string(results.plan.seed), settingOf(results, "commit"), machine})
+        out += "," + (text.empty() ? std::string() : csvText(text));
+    return out;
+}
 
 void forEachColumn(const std::function<void(const Column &)> &each)
 {
@@ -352,7 +370,8 @@ std::string ratiosCsv(const Results &results)
 {
     const Plan &plan = results.plan;
     std::string out = "condition,load,metric,first,first_framing,second,second_framing,again,scale,value,ci95_low,ci95_high,p,"
-                      "p_holm,df,units,unit\n";
+                      "p_holm,df,units,unit,sweep,seed,commit,machine\n";
+    const std::string origin = originColumns(results);
     const auto add = [&](const Contrast &contrast) {
         const SweepArm &first = plan.arms[contrast.first], &second = plan.arms[contrast.second];
         out += csvText(plan.conditions[contrast.condition].name) + ",";
@@ -363,7 +382,7 @@ std::string ratiosCsv(const Results &results)
         for (const double value : {contrast.value(), contrast.low(), contrast.high(), contrast.p, contrast.adjusted,
                                    contrast.degrees, static_cast<double>(contrast.units)})
             out += "," + csvNumber(value);
-        out.append(contrast.ofLaunches ? ",launch\n" : ",block\n");
+        out.append(contrast.ofLaunches ? ",launch" : ",block").append(origin).append("\n");
     };
     forEachPlace(plan, [&](std::size_t condition, std::size_t load, Metric metric) {
         for (const Contrast &contrast : plannedContrasts(results, condition, load, metric))
@@ -379,6 +398,7 @@ std::string sweepCsv(const Results &results)
     std::string out;
     forEachColumn([&out](const Column &column) { out.append(out.empty() ? "" : ",").append(column.name); });
     out += "\n";
+    const std::string origin = originColumns(results);
     for (const Sample &sample : results.samples) {
         const Plan &plan = results.plan;
         const SweepArm &one = plan.arms[sample.run.arm];
@@ -397,7 +417,7 @@ std::string sweepCsv(const Results &results)
             disturbed += (disturbed.empty() ? "" : "; ") + text;
         for (const std::string &text : {sample.invalid, disturbed, sample.problem, results.source})
             out += "," + (text.empty() ? std::string() : csvText(text));
-        out += "\n";
+        out += origin + "\n";
     }
     return out;
 }

@@ -108,6 +108,7 @@ private Q_SLOTS:
     void singleRunsAreNotCompared();
     void framingsAreTold();
     void invalidRunsAreLeftOut();
+    void tablesNameSweepAndMachine();
     void reportIsWholeAndSafe();
 };
 
@@ -626,6 +627,21 @@ void ReportTest::invalidRunsAreLeftOut()
     QVERIFY(runText(results.plan, *std::ranges::find(results.samples, 3u, &Sample::attempts), 10, 0)
                 .find("NOT VALID, not saturated")
             != std::string::npos);
+}
+
+void ReportTest::tablesNameSweepAndMachine()
+{
+    Results results = resultsWith(Metric::CpuPerFrame, [](SuiteId suite) { return 1000.0 + static_cast<double>(suite); });
+    results.plan.seed = 77;
+    results.setting = {
+        {"time", "2026-11-26T10:42:25Z"}, {"processor", "a \"fast\" one"}, {"cores", "2"}, {"commit", "3244914b"}};
+    for (const std::string &table : {sweepCsv(results), ratiosCsv(results)}) {
+        const QByteArrayList lines = QByteArray::fromStdString(table).trimmed().split('\n');
+        QVERIFY(lines.size() > 5);
+        QVERIFY(lines[0].endsWith(",sweep,seed,commit,machine"));
+        for (const QByteArray &line : lines.mid(1))
+            QVERIFY(line.endsWith(R"(,"2026-11-26T10:42:25Z","77","3244914b","a ""fast"" one, 2 cores")"));
+    }
 }
 
 void ReportTest::reportIsWholeAndSafe()
