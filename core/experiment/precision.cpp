@@ -1,5 +1,6 @@
 #include "core/experiment/precision.h"
 
+#include "core/experiment/analysis.h"
 #include "core/experiment/contrast.h"
 #include "core/experiment/statistics.h"
 
@@ -31,6 +32,15 @@ unsigned launchesNeeded(const Contrast &contrast, unsigned launches, double goal
     return least;
 }
 
+/// Those that each condition and load compares with the reference.
+std::size_t armsToCompare(const Plan &plan)
+{
+    std::size_t out = 0;
+    for (std::size_t arm = 0; arm < plan.arms.size(); ++arm)
+        out += arm != referenceArm(plan) && !plan.arms[arm].again && exists(plan.arms[arm]);
+    return out;
+}
+
 } // namespace
 
 unsigned launchesIn(const Results &results)
@@ -50,16 +60,20 @@ std::optional<Precision> precisionOf(const Results &results, double goal)
     for (std::size_t condition = 0; condition < results.plan.conditions.size(); ++condition) {
         for (std::size_t load = 0; load < results.plan.loads.size(); ++load) {
             for (const Metric metric : {Metric::CpuPerFrame, Metric::AgentCpuPerFrame}) {
+                std::size_t missing = wasMeasured(results, metric) ? armsToCompare(results.plan) : 0;
                 for (const Contrast &one : plannedContrasts(results, condition, load, metric)) {
                     if (one.first != referenceArm(results.plan))
                         continue;
                     if (!std::isfinite(one.halfWidth()))
                         return std::nullopt;
+                    --missing;
                     if (!out)
                         out.emplace();
                     out->halfWidth = std::max(out->halfWidth, std::expm1(one.halfWidth()));
                     out->launchesNeeded = std::max(out->launchesNeeded, launchesNeeded(one, launches, goal));
                 }
+                if (missing > 0) // Too few of an arm's runs here are valid, and nothing is known about its ratio.
+                    return std::nullopt;
             }
         }
     }

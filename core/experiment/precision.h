@@ -22,7 +22,7 @@ struct Precision
     unsigned launchesNeeded = 0;
 };
 
-/// nullopt as long as a ratio has no interval. Needs two launches.
+/// nullopt as long as a ratio has no interval, such as that of a load without enough valid runs. Needs two launches.
 std::optional<Precision> precisionOf(const Results &results, double goal);
 
 } // namespace skyseal::experiment

@@ -63,6 +63,19 @@ private Q_SLOTS:
         QVERIFY(!precisionOf(Results(), 0.03));
         QCOMPARE(launchesIn(sweepOf(7, 0.05, 1)), 7u);
     }
+
+    void loadWithoutValidRunsIsNotPrecise()
+    {
+        Results results = sweepOf(10, 0.001, 1);
+        results.plan.loads.push_back(results.plan.loads.front());
+        QVERIFY(!precisionOf(results, 0.03)); // The second load has no run at all.
+        results = sweepOf(10, 0.001, 1);
+        for (Sample &sample : results.samples) {
+            if (results.plan.arms[sample.run.arm].suite == SuiteId::Rc4)
+                sample.invalid = "not saturated";
+        }
+        QVERIFY(!precisionOf(results, 0.03));
+    }
 };
 
 SKYSEAL_TEST_APPLESS(PrecisionTest)
