@@ -6,6 +6,7 @@
 #include "core/experiment/cost_model.h"
 #include "core/experiment/disturbances.h"
 #include "core/experiment/html_parts.h"
+#include "core/experiment/memory_table.h"
 #include "core/experiment/setting.h"
 #include "core/experiment/sweep_text.h"
 
@@ -424,8 +425,7 @@ std::string body(const ReportParts &parts, bool inlineFigures)
         + " each, in random order, ± half of the 95 % confidence interval (Student's t, from two runs on), or (≤ its end) "
           "where it begins at zero, below which nothing can be; where nothing was lost in any run, that end is the 95 % bound "
           "by all frames of these runs together, about 3 divided by their number; * marks outliers by Tukey's fences, which "
-          "stay in. Resident memory is that of one process through all suites: its runs are not independent, so it has no "
-          "interval, and suites are not compared by it.</p>\n<p>"
+          "stay in.</p>\n<p>"
         + methodText(results) + "</p>\n" + meterText(results) + "<h2>Figures</h2>\n";
     out += inlineFigures ? inlined(parts.figures) : inPairs(parts.figures);
     // In the PDF each section begins a page, so that no table head is left alone at the bottom of one.
@@ -436,6 +436,8 @@ std::string body(const ReportParts &parts, bool inlineFigures)
             + "</div>\n" + plainText(results.plan) + pairTable(results, condition, load)
             + "<h3>Means</h3>\n<div class=\"wide\">" + summaryTable(results, condition, load) + "</div>\n";
     });
+    if (const std::string memory = memoryTable(results); !memory.empty())
+        out += "<h2>Memory</h2>\n" + memory;
     out += costModelHtml(results);
     out += section + "The machine's noise (A/A)</h2>\n<div class=\"wide\">" + noiseTable(results) + "</div>\n";
     out += "<h2>Trend with the order of the runs</h2>\n<div class=\"wide\">" + trendTable(results) + "</div>\n";

@@ -151,7 +151,7 @@ constexpr std::array<MetricInfo, kMetrics> kTable{{
          "resident set of the measuring program at the end of the run; one process runs all suites, so the value does "
          "not belong to one suite",
      .independent = false,
-     .shownIn = kPaperFigure | kEveryRun},
+     .shownIn = kEveryRun},
     {.metric = Metric::AgentMemory,
      .key = "agent_memory",
      .title = "Memory, agent",
@@ -159,8 +159,7 @@ constexpr std::array<MetricInfo, kMetrics> kTable{{
      .description =
          "resident set of the agent at the end of the run, from /proc for all arms alike; where the agent runs on another "
          "machine, as reported over the sealed link; one process runs all suites, so the value does not belong to one suite",
-     .independent = false,
-     .shownIn = kFigure},
+     .independent = false},
     {.metric = Metric::WireBytes,
      .key = "wire_bytes",
      .title = "Bytes on the wire",
@@ -211,8 +210,7 @@ constexpr std::array<MetricInfo, kMetrics> kTable{{
      .description =
          "heap of a session at one end, including its keyed ciphers; measured once for each suite with separate sessions "
          "of this program",
-     .oncePerSuite = true,
-     .shownIn = kFigure},
+     .oncePerSuite = true},
     {.metric = Metric::Power,
      .key = "power",
      .title = "Power of the machine",

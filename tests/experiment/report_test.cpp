@@ -108,6 +108,7 @@ private Q_SLOTS:
     void singleRunsAreNotCompared();
     void framingsAreTold();
     void invalidRunsAreLeftOut();
+    void memoryIsATable();
     void tablesNameSweepAndMachine();
     void reportIsWholeAndSafe();
 };
@@ -627,6 +628,23 @@ void ReportTest::invalidRunsAreLeftOut()
     QVERIFY(runText(results.plan, *std::ranges::find(results.samples, 3u, &Sample::attempts), 10, 0)
                 .find("NOT VALID, not saturated")
             != std::string::npos);
+}
+
+void ReportTest::memoryIsATable()
+{
+    Results results = resultsWith(Metric::Memory, [](SuiteId) { return 24e6; });
+    QVERIFY(htmlReport({resultsWith(Metric::CpuPerFrame, [](SuiteId) { return 1.0; }), {}, {}, {}}).find("<h2>Memory")
+            == std::string::npos);
+    const auto ofRc4 = [&](const Sample &sample) { return results.plan.arms[sample.run.arm].suite == SuiteId::Rc4; };
+    const auto last = std::ranges::find_if(results.samples.rbegin(), results.samples.rend(), ofRc4);
+    last->values[Metric::Memory] = 25.5e6;
+    last->values[Metric::SessionMemory] = 12'300;
+    results.contextBytes[SuiteId::Rc4] = 1'234;
+    const std::string page = htmlReport({results, {}, {}, {}});
+    QVERIFY2(page.find("to 25.5</td><td>–</td><td>12.3</td><td>1.23</td>") != std::string::npos,
+             page.substr(page.find("<h2>Memory"), 2000).c_str());
+    QVERIFY(std::ranges::none_of(figuresOf(results),
+                                 [](const ReportFigure &figure) { return figure.name.find("memory") != std::string::npos; }));
 }
 
 void ReportTest::tablesNameSweepAndMachine()

@@ -340,12 +340,12 @@ void SweepTest::filesAgree()
     checkCsv(report, contentOf(folder.filePath(q("out/sweep.csv"))));
     const QByteArray page = contentOf(folder.filePath(q("out/report.html")));
     checkPage(report, QString::fromUtf8(page));
-    for (const char *metric : {"packets", "cpu_per_frame", "open_p50", "memory", "wire_per_frame"}) {
+    for (const char *metric : {"packets", "cpu_per_frame", "open_p50", "wire_per_frame"}) {
         for (const char *load : {"natural", "saturated"})
             checkFigure(report, metric, load, contentOf(folder.filePath(q("out/figures/%1-%2.svg").arg(q(metric), q(load)))));
     }
     QVERIFY(page.contains("<svg") && page.contains("rc4 (insecure)"));
-    for (const char *figure : {"packets-natural", "packets-saturated", "memory-natural", "cpu-natural", "latency-saturated"}) {
+    for (const char *figure : {"packets-natural", "packets-saturated", "cpu-natural", "latency-saturated"}) {
         QVERIFY2(contentOf(folder.filePath(q("out/figures/%1.svg").arg(q(figure)))).startsWith("<svg"), figure);
 #ifdef SKYSEAL_HAVE_FIGURES
         QVERIFY2(contentOf(folder.filePath(q("out/figures/%1.png").arg(q(figure)))).startsWith("\x89PNG"), figure);
