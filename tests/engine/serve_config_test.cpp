@@ -163,6 +163,8 @@ void ServeConfigTest::errorsNameTheInvalidPart_data()
     row("system 0", "udpin:14550,sysid=0", "sysid='0'");
     row("system 256", "udpin:14550,sysid=1,256", "sysid='256'");
     row("network", "udpin:14550,from=10.1.0.0/33", "from='10.1.0.0/33'");
+    row("network of one host", "udpout:10.1.0.9:14550,from=10.1.0.0/16", "'udpout' serves the host of its URL alone");
+    row("network of one server", "tcp:10.1.0.9:5760,write=all,from=10.1.0.0/16", "from= is for links that listen");
     row("name", "udpin:14550,name=\x1b[31m", "name='?[31m'");
 }
 

@@ -107,6 +107,9 @@ Result<ServeConfig, std::string> ServeConfig::parse(std::string_view text)
                 return tl::unexpected(set.error());
         }
     }
+    if (out.from && !out.url.isListening())
+        return tl::unexpected("from=: '" + std::string(out.url.type().scheme)
+                              + "' serves the host of its URL alone; from= is for links that listen (udpin, tcpin)");
     if (out.name.empty())
         out.name = out.url.toText();
     return out;

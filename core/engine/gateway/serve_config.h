@@ -15,8 +15,8 @@ namespace skyseal::engine {
 
 struct ServeConfig
 {
-    /// "URL[,OPTION=VALUE…]": write=none|all|CLASS,…; from=ADDRESS/PREFIX; sysid=ID,…; name=NAME. A listening link
-    /// without a host listens on the loopback interface. The error names the invalid part.
+    /// "URL[,OPTION=VALUE…]": write=none|all|CLASS,…; from=ADDRESS/PREFIX (listening links only); sysid=ID,…; name=NAME. A
+    /// listening link without a host listens on the loopback interface. The error names the invalid part.
     static Result<ServeConfig, std::string> parse(std::string_view text);
 
     /// Whether a client with this address is accepted.
