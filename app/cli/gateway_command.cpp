@@ -22,9 +22,10 @@ void declare(Options &options)
         "serve", "URL[,OPTION...]",
         "Serve ground stations and programs on this link: udpout:127.0.0.1:14550 (a station that listens), udpin:PORT, "
         "tcpin:PORT. May be given several times. Options: write=none|all|mission,param,command,ftp,rc (default none: read-only "
-        "requests are forwarded, commands denied); from=ADDRESS/PREFIX (links that listen); sysid=ID,...; name=NAME. Only "
-        "heartbeats of clients that may write are forwarded to the vehicle: they arm its failsafe for a lost ground station, "
-        "which acts when they stop. The gateway itself sends none.");
+        "requests and, without a client that may write, message rates of 1 to 10 Hz are forwarded, commands denied); "
+        "from=ADDRESS/PREFIX (links that listen); sysid=ID,...; name=NAME. Only heartbeats of clients that may write are "
+        "forwarded to the vehicle: they arm its failsafe for a lost ground station, which acts when they stop. The gateway "
+        "itself sends none.");
     declareControl(options, "Local socket for skyseal-cli status, switch and revoke.");
     options.addValue("metrics", "HOST:PORT", "Serve the counters to Prometheus at http://HOST:PORT/metrics (OpenMetrics).");
     declareMqtt(options);

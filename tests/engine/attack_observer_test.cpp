@@ -144,6 +144,16 @@ mavlink::RequestDataStream streamAt(std::uint16_t rate)
     return {.target_system = 1, .target_component = 1, .req_message_rate = rate, .start_stop = 1};
 }
 
+/// ATTITUDE every so many microseconds.
+mavlink::CommandLong messageEvery(float microseconds)
+{
+    return {.target_system = 1,
+            .target_component = 1,
+            .command = mavlink::MAV_CMD_SET_MESSAGE_INTERVAL,
+            .param1 = mavlink::Attitude::kId,
+            .param2 = microseconds};
+}
+
 /// Questions that the agent forwarded or refused.
 std::uint64_t judged(const ObservedFlight &flight)
 {
@@ -168,19 +178,26 @@ private Q_SLOTS:
 void AttackObserverTest::streamRates_data()
 {
     QTest::addColumn<int>("rate");
-    QTest::newRow("0 Hz stops a stream") << 0;
-    QTest::newRow("11 Hz") << 11;
-    QTest::newRow("65535 Hz fills the line") << 65535;
+    QTest::addColumn<float>("interval"); // 0: a stream is asked for
+    QTest::newRow("0 Hz stops a stream") << 0 << 0.0f;
+    QTest::newRow("11 Hz") << 11 << 0.0f;
+    QTest::newRow("65535 Hz fills the line") << 65535 << 0.0f;
+    QTest::newRow("an interval of -1 stops a message") << 0 << -1.0f;
+    QTest::newRow("1 ms fills the line") << 0 << 1000.0f;
 }
 
 void AttackObserverTest::streamRates()
 {
     QFETCH(int, rate);
+    QFETCH(float, interval);
     QVERIFY(crypto::initCrypto());
     ObservedFlight flight;
     QVERIFY(flight.wait([&] { return flight.observer.up() && flight.agent->snapshot().mavlink.frames > 0; }));
     mavlink::FrameWriter writer(255, 190);
-    const Bytes hostile = frameOf(streamAt(static_cast<std::uint16_t>(rate)), writer), honest = frameOf(streamAt(10), writer);
+    const bool isStream = interval == 0;
+    const Bytes hostile = isStream ? frameOf(streamAt(static_cast<std::uint16_t>(rate)), writer)
+                                   : frameOf(messageEvery(interval), writer);
+    const Bytes honest = isStream ? frameOf(streamAt(10), writer) : frameOf(messageEvery(100'000), writer);
     for (const Bytes &frame : {hostile, honest})
         flight.observer.sendEach(std::array{ByteView(frame)});
     const std::vector<Bytes> arrived = flight.arrivedUntil(honest);

@@ -11,6 +11,8 @@
 
 #include <QtTest/QTest>
 
+#include <limits>
+
 using namespace skyseal;
 using namespace skyseal::engine;
 
@@ -62,6 +64,12 @@ mavlink::RequestDataStream stream(unsigned rate)
     out.start_stop = 1;
     out.req_message_rate = static_cast<std::uint16_t>(rate);
     return out;
+}
+
+/// A request for ATTITUDE every so many microseconds.
+mavlink::CommandLong interval(float microseconds)
+{
+    return command(mavlink::MAV_CMD_SET_MESSAGE_INTERVAL, mavlink::Attitude::kId, microseconds);
 }
 
 Path at(const char *host, std::uint16_t port)
@@ -136,14 +144,18 @@ void GatewayClientTest::readerSetsModestRatesOnly()
         QCOMPARE(reader.send(stream(rate)), Client::Verdict::Forward);
     for (const unsigned rate : {0u, 11u, 65535u})
         QCOMPARE(reader.send(stream(rate)), Client::Verdict::Deny);
-    QCOMPARE(reader.send(command(mavlink::MAV_CMD_SET_MESSAGE_INTERVAL, mavlink::Attitude::kId, 100'000)),
-             Client::Verdict::Deny);
+    for (const float permitted : {1e6f, 333'333.0f, float(1e6 / 3), 100'000.0f})
+        QCOMPARE(reader.send(interval(permitted)), Client::Verdict::Forward);
+    // Stops the message, its default, too slow, between two rates, too fast, and no interval at all.
+    for (const float other : {-1.0f, 0.0f, 2e6f, 99'000.0f, 300'000.0f, 1000.0f, std::numeric_limits<float>::quiet_NaN()})
+        QCOMPARE(reader.send(interval(other)), Client::Verdict::Deny);
 }
 
 void GatewayClientTest::readerLeavesThePilotsRatesAlone()
 {
     Sender reader;
     QCOMPARE(reader.send(stream(4), kConnected, false, true), Client::Verdict::Deny);
+    QCOMPARE(reader.send(interval(250'000), kConnected, false, true), Client::Verdict::Deny);
     QCOMPARE(reader.send(mavlink::ParamRequestList{.target_system = 1}, kConnected, false, true), Client::Verdict::Forward);
 }
 
@@ -153,6 +165,9 @@ void GatewayClientTest::readerHidesNothingInAQuestion()
     mavlink::CommandLong question = command(mavlink::MAV_CMD_REQUEST_MESSAGE, mavlink::AutopilotVersion::kId);
     question.param5 = 1;
     QCOMPARE(reader.send(question), Client::Verdict::Deny);
+    mavlink::CommandLong rate = interval(250'000);
+    rate.param3 = 1;
+    QCOMPARE(reader.send(rate), Client::Verdict::Deny);
     // The first byte of a frame among those of a question.
     QCOMPARE(reader.send(mavlink::MissionRequestInt{.target_system = 1, .seq = 0xFE}), Client::Verdict::Ignore);
     QCOMPARE(reader.client.counters().forwarded, std::uint64_t(0));

@@ -22,6 +22,7 @@ using namespace skyseal::engine;
 namespace {
 
 constexpr std::uint64_t kSeed = 20261121;
+constexpr std::uint16_t kSetInterval = mavlink::MAV_CMD_SET_MESSAGE_INTERVAL; // 511, permitted at some rates
 /// All messages that an observer may send.
 const std::set<std::uint32_t> kKinds{20, 21, 40, 43, 47, 51, 66, 75, 76, 111, 320, 321};
 
@@ -72,10 +73,9 @@ Bytes payloadFor(std::uint32_t id, std::mt19937_64 &random)
     Bytes out(infoOf(id).maxLength);
     for (auto &byte : out)
         byte = static_cast<std::uint8_t>(random());
-    const auto command = [&] {
-        constexpr std::uint16_t kQuestions[] = {410, 512, 519, 520};
-        return kQuestions[random() % 4];
-    };
+    constexpr std::uint16_t kCommands[] = {410, kSetInterval, 512, 519, 520};
+    const std::uint16_t command = kCommands[random() % std::size(kCommands)];
+    const float second = command == kSetInterval ? float(1e6 / double(1 + random() % 10)) : float(random() % 256);
     if (id == mavlink::Timesync::kId) {
         std::fill_n(out.begin(), 8, std::uint8_t(0));
     } else if (id == mavlink::MissionAck::kId) {
@@ -89,10 +89,10 @@ Bytes payloadFor(std::uint32_t id, std::mt19937_64 &random)
         std::array<std::uint8_t, mavlink::CommandLong::kMaxLength> plain;
         mavlink::CommandLong{.target_system = tail[0],
                              .target_component = tail[1],
-                             .command = command(),
+                             .command = command,
                              .confirmation = tail[2],
                              .param1 = float(random() % 0x1000000),
-                             .param2 = float(random() % 256)}
+                             .param2 = second}
             .encode(plain);
         out.assign(plain.begin(), plain.end());
     } else if (id == mavlink::CommandInt::kId) {
@@ -101,11 +101,11 @@ Bytes payloadFor(std::uint32_t id, std::mt19937_64 &random)
         mavlink::CommandInt{.target_system = tail[0],
                             .target_component = tail[1],
                             .frame = tail[2],
-                            .command = command(),
+                            .command = command,
                             .current = tail[3],
                             .autocontinue = tail[4],
                             .param1 = float(random() % 0x1000000),
-                            .param2 = float(random() % 256)}
+                            .param2 = second}
             .encode(plain);
         out.assign(plain.begin(), plain.end());
     } else {
@@ -278,7 +278,8 @@ void MisreadingTest::lostBytesDoNotMakeACommand()
             if (left.size() < 40)
                 return;
             const auto command = static_cast<std::uint16_t>(left[38] | left[39] << 8);
-            QVERIFY2(commands->nameOf(command).empty() || isQuestion(command),
+            const bool isRateAsJudged = command == kSetInterval && std::equal(left.begin(), left.begin() + 39, frame.begin());
+            QVERIFY2(commands->nameOf(command).empty() || isQuestion(command) || isRateAsJudged,
                      qPrintable(QStringLiteral("%1 without bytes %2, %3").arg(command).arg(first).arg(second)));
         };
         for (std::size_t first = 1; first < frame.size(); ++first) {
@@ -304,6 +305,7 @@ void MisreadingTest::requestsAdjacentToACommandAreRefused_data()
     QTest::newRow("its high byte: CAN_FORWARD") << 512 << 125 << 39 << 32000;
     QTest::newRow("its high byte: FLASH_BOOTLOADER") << 410 << 166 << 39 << 42650;
     QTest::newRow("its high byte: another of the autopilot's own") << 519 << 166 << 39 << 42503;
+    QTest::newRow("two bytes before it: a rate of another message") << 512 << 0xff << 0 << int(kSetInterval);
 }
 
 void MisreadingTest::requestsAdjacentToACommandAreRefused()
@@ -419,7 +421,8 @@ void MisreadingTest::fewSystemIdsAreRefused()
                                      .target_component = 1,
                                      .command = question,
                                      .confirmation = static_cast<std::uint8_t>(attempt),
-                                     .param1 = 30}
+                                     .param1 = 30,
+                                     .param2 = question == kSetInterval ? 1e6f : 0}
                     .encode(payload);
                 any = passes(written(mavlink::CommandLong::kId, payload, writer));
             }
@@ -435,6 +438,7 @@ void MisreadingTest::fewSystemIdsAreRefused()
     QCOMPARE(unaskable(mavlink::MAV_CMD_GET_HOME_POSITION), home);
     QCOMPARE(unaskable(mavlink::MAV_CMD_REQUEST_PROTOCOL_VERSION), home);
     QCOMPARE(unaskable(mavlink::MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES), capabilities);
+    QCOMPARE(unaskable(kSetInterval), capabilities);
 }
 
 SKYSEAL_TEST_APPLESS(MisreadingTest)

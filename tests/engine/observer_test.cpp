@@ -107,6 +107,7 @@ Frames questions()
         frameFor(MissionAck{.target_system = 1, .target_component = 1, .type = MAV_MISSION_ACCEPTED}),
         commandBytes(MAV_CMD_REQUEST_MESSAGE, {148}),
         commandInt(MAV_CMD_GET_HOME_POSITION),
+        commandBytes(MAV_CMD_SET_MESSAGE_INTERVAL, {30, 250'000}),
         frameFor(RequestDataStream{.target_system = 1, .target_component = 1, .req_message_rate = 4, .start_stop = 1}),
     };
 }
@@ -216,6 +217,24 @@ void ObserverTest::streamsAreThePilotsWhileThereIsOne()
         const Bytes request = frameFor(mavlink::RequestDataStream{
             .target_system = 1, .req_message_rate = static_cast<std::uint16_t>(rate), .start_stop = 1});
         QCOMPARE(maySend(request, false), rate == 1 || rate == 10);
+    }
+    // By message: the whole rates from 1 to 10 Hz, as long as no pilot has others.
+    const auto maySet = [](float interval) {
+        return maySend(commandBytes(mavlink::MAV_CMD_SET_MESSAGE_INTERVAL, {30, interval}));
+    };
+    int passed = 0;
+    for (int interval = -1000; interval <= 2'000'000; interval += 1000)
+        passed += maySet(float(interval));
+    QCOMPARE(passed, 6); // 1, 2, 4, 5, 8 and 10 Hz
+    for (const float interval : {-1.0f, 99'999.0f, 100'001.0f, 166'665.0f, 333'332.0f, 999'999.0f, 1'000'001.0f})
+        QVERIFY(!maySet(interval));
+    for (const float interval : {166'666.0f, 166'667.0f, 333'333.0f})
+        QVERIFY(maySet(interval));
+    for (int rate = 1; rate <= 10; ++rate) {
+        const float interval = float(1e6 / rate);
+        QVERIFY(maySet(interval));
+        QVERIFY(maySend(commandInt(mavlink::MAV_CMD_SET_MESSAGE_INTERVAL, 30, interval)));
+        QVERIFY(!maySend(commandBytes(mavlink::MAV_CMD_SET_MESSAGE_INTERVAL, {30, interval}), true));
     }
 }
 

@@ -38,13 +38,19 @@ bool actsOnAVehicle(std::uint16_t command)
 }
 
 /// Checks the values that can appear as the command id when bytes are lost in it or before it: any two later bytes, in order.
+/// Its own id is harmless where its first byte is in place, since no byte of the parameters is lost then.
 bool hasCommandBehindItsCommand(const mavlink::Frame &frame)
 {
     constexpr std::size_t kCommand = kHead + kCommandOffset;
     const ByteView bytes = frame.bytes();
+    const auto idOf = [bytes](std::size_t low, std::size_t high) {
+        return static_cast<std::uint16_t>(bytes[low] | bytes[high] << 8);
+    };
     for (std::size_t low = kCommand; low < bytes.size(); ++low) {
-        for (std::size_t high = low == kCommand ? low + 2 : low + 1; high < bytes.size(); ++high) {
-            if (actsOnAVehicle(static_cast<std::uint16_t>(bytes[low] | bytes[high] << 8)))
+        const bool isInPlace = low == kCommand;
+        for (std::size_t high = isInPlace ? low + 2 : low + 1; high < bytes.size(); ++high) {
+            const std::uint16_t id = idOf(low, high);
+            if (actsOnAVehicle(id) && !(isInPlace && id == idOf(kCommand, kCommand + 1)))
                 return true;
         }
     }

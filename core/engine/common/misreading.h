@@ -10,7 +10,8 @@
 //   no other message; THREATS.md covers the loss of several. Unused compatibility flags, and payloads longer than the message,
 //   have no meaning, so a sender that uses them does so for this attack.
 // - A command id is followed by fields that the sender chooses. When bytes in or before it are lost, later bytes take their
-//   place: no two of them may form another command id.
+//   place: no two of them may form another command id. The first byte of the id with a later one may form the same id again
+//   (511 before a target of 1): then the parameters, which stand before it, are complete and were judged.
 #pragma once
 
 #include "core/mavlink/frame.h"

@@ -27,16 +27,38 @@ bool isUnused(float value)
     return value == 0 || std::bit_cast<std::uint32_t>(value) == 0x7fc00000;
 }
 
-/// A question has a message id, an index and the address of the answer; other parameters would be usable space for an
-/// attacker.
-template<typename Command> bool asks(const Command &said)
+bool isMessageId(float value)
+{
+    return isWholeUpTo(value, 0xffffff);
+}
+
+/// Returns true for the intervals in microseconds of 1, 2, … 10 Hz, exact or as whole numbers, both of which stations write.
+/// The many intervals between them would be usable space for an attacker.
+bool isIntervalOfAPermittedRate(float interval)
+{
+    for (int rate = kLeastRate; rate <= kGreatestRate; ++rate) {
+        const double exact = 1e6 / rate;
+        for (const double written : {exact, std::trunc(exact), std::round(exact)}) {
+            if (interval == static_cast<float>(written))
+                return true;
+        }
+    }
+    return false;
+}
+
+/// A question has a message id, an index and the address of the answer, a request for a rate has a message id, an interval and
+/// that address; other parameters would be usable space for an attacker.
+template<typename Command> bool asks(const Command &said, bool mayStartStreams)
 {
     bool rest = isUnused(said.param3) && isUnused(said.param4);
     if constexpr (std::is_same_v<Command, mavlink::CommandLong>)
         rest = rest && isUnused(said.param5) && isUnused(said.param6) && (isWholeUpTo(said.param7, 2) || isUnused(said.param7));
     else
         rest = rest && said.x == 0 && said.y == 0 && (isWholeUpTo(said.z, 2) || isUnused(said.z));
-    return rest && isQuestion(said.command) && (isWholeUpTo(said.param1, 0xffffff) || isUnused(said.param1))
+    if (said.command == mavlink::MAV_CMD_SET_MESSAGE_INTERVAL)
+        return rest && mayStartStreams && isMessageId(said.param1)
+            && (isIntervalOfAPermittedRate(said.param2) || weakened(Weakness::AnyStreamRate));
+    return rest && isQuestion(said.command) && (isMessageId(said.param1) || isUnused(said.param1))
         && (isWholeUpTo(said.param2, 255) || isUnused(said.param2));
 }
 
@@ -81,8 +103,8 @@ bool isHarmlessQuestion(const mavlink::Frame &frame, bool mayStartStreams)
         return mavlink::MissionAck::decode(frame.payload()).type == mavlink::MAV_MISSION_ACCEPTED;
     case mavlink::RequestDataStream::kId:
         return mayStartStreams && startsStream(mavlink::RequestDataStream::decode(frame.payload()));
-    case mavlink::CommandLong::kId: return asks(mavlink::CommandLong::decode(frame.payload()));
-    case mavlink::CommandInt::kId: return asks(mavlink::CommandInt::decode(frame.payload()));
+    case mavlink::CommandLong::kId: return asks(mavlink::CommandLong::decode(frame.payload()), mayStartStreams);
+    case mavlink::CommandInt::kId: return asks(mavlink::CommandInt::decode(frame.payload()), mayStartStreams);
     default: return false;
     }
 }

@@ -5,7 +5,8 @@
 // Not permitted, although they look harmless:
 // - HEARTBEAT of a ground station: autopilots do not distinguish it from the pilot's, so their failsafe would not act when the
 //   pilot's own link is lost. https://ardupilot.org/copter/docs/gcs-failsafe.html
-// - REQUEST_DATA_STREAM beyond 1 to 10 Hz: a rate of 0 stops a stream, and high rates saturate the line.
+// - REQUEST_DATA_STREAM and MAV_CMD_SET_MESSAGE_INTERVAL beyond 1 to 10 Hz: a rate of 0 or an interval of -1 stops a stream, and
+//   high rates saturate the line.
 // - SYSTEM_TIME sets clocks, and an answer by TIMESYNC moves PX4's; FILE_TRANSFER_PROTOCOL writes as well as it reads;
 //   LOG_REQUEST_DATA stops logging.
 // - PING, which TIMESYNC replaced long ago, has fourteen bytes of the sender's choice: room for a whole MAVLink 1 frame. And
@@ -16,11 +17,12 @@
 
 namespace skyseal::engine {
 
-/// Returns true for a read-only command.
+/// Returns true for a read-only command, whatever its parameters. Not for MAV_CMD_SET_MESSAGE_INTERVAL, which depends on them.
 bool isQuestion(std::uint16_t command);
 /// Returns true for messages that make the vehicle send a whole list.
 bool isListRequest(std::uint32_t messageId);
-/// `mayStartStreams`: REQUEST_DATA_STREAM is permitted, which sets the rates of all receivers.
+/// `mayStartStreams`: whole rates of 1 to 10 Hz are permitted, which an autopilot sets for all receivers behind one line, by
+/// REQUEST_DATA_STREAM or MAV_CMD_SET_MESSAGE_INTERVAL.
 bool isHarmlessQuestion(const mavlink::Frame &frame, bool mayStartStreams);
 
 } // namespace skyseal::engine
