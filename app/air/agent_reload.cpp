@@ -1,5 +1,6 @@
 #include "app/air/agent_reload.h"
 
+#include "app/common/journal.h"
 #include "app/common/output.h"
 
 namespace skyseal::app {
@@ -39,7 +40,7 @@ std::optional<channel::Policy> AgentReload::changedPolicy()
             read.reset();
     }
     if (!read) {
-        remark("the configuration was not reloaded: the previous one stays in force");
+        remark("the configuration was not reloaded: the previous one stays in force", mavlink::MAV_SEVERITY_WARNING);
         return std::nullopt;
     }
     if (const std::string late = needRestart(m_inForce, *read); !late.empty())

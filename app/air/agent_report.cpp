@@ -1,8 +1,8 @@
 #include "app/air/agent_report.h"
 
 #include "app/common/format.h"
+#include "app/common/journal.h"
 #include "app/common/output.h"
-#include "app/common/service_manager.h"
 #include "core/base/overloaded.h"
 #include "core/engine/headless/agent_json.h"
 #include "core/engine/headless/channel_event_json.h"
@@ -18,15 +18,14 @@ namespace skyseal::app {
 
 static constexpr int kSummaryWaitMs = 1000; ///< longest wait at the end for a reader that is slow
 
-AgentReport::AgentReport(bool json) : m_json(json), m_journal(stderrIsTheJournal()) {}
+AgentReport::AgentReport(bool json) : m_json(json) {}
 
-/// `severity`: as MAV_SEVERITY, which are those of syslog.
 void AgentReport::say(const std::string &json, const std::string &sentence, unsigned severity)
 {
     if (m_json && !json.empty())
         print(json);
     else if (!m_json && !sentence.empty() && hasRoom(stderr))
-        remark(m_journal ? format("<%u>", severity) + sentence : sentence);
+        remark(sentence, severity);
 }
 
 void AgentReport::print(const std::string &json)

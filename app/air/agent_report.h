@@ -29,7 +29,6 @@ private:
     std::string jsonOf(const engine::AgentEvent &event) const;
 
     const bool m_json;
-    const bool m_journal; ///< lines on stderr begin with their severity
     engine::PeerNames m_peers;
     engine::RepeatedRefusals m_refusals; ///< of the sentences; JSON has every event
     unsigned m_unread = 0;               ///< lines of JSON that were left out since the last one that was printed

@@ -7,6 +7,7 @@
 #include "app/air/pairing_server.h"
 #include "app/air/signing_command.h"
 #include "app/common/exit_status.h"
+#include "app/common/journal.h"
 #include "app/common/options.h"
 #include "app/common/output.h"
 #include "app/common/pairing_passphrase_input.h"
@@ -163,7 +164,7 @@ int main(int argc, char **argv)
     PairingServer pairings(agent, paths, [&report](const PairingStatus &pairing) { report.pairing(pairing); });
     desk = &pairings;
     if (!pairings.problem().isEmpty())
-        remark("no pairing: " + pairings.problem().toStdString());
+        remark("no pairing: " + pairings.problem().toStdString(), mavlink::MAV_SEVERITY_WARNING);
     const PeersWatch watch(paths.peers, [&](std::vector<channel::Peer> peers) { agent.setPeers(std::move(peers)); });
     reportPeers(watch, options.has("json"));
     QElapsedTimer clock;

@@ -1,5 +1,6 @@
 #include "app/cli/broker_report.h"
 
+#include "app/common/journal.h"
 #include "app/common/output.h"
 #include "core/engine/headless/event_json.h"
 
@@ -14,9 +15,10 @@ void BrokerReport::take(const engine::Snapshot &snapshot)
     if (m_json)
         printLine(engine::brokerEvent(m_url, *snapshot.broker));
     else if (m_connected)
-        remark(m_url + ": connected");
+        remark(m_url + ": connected", mavlink::MAV_SEVERITY_INFO);
     else
-        remark(m_url + ": " + (m_problem.empty() ? "not connected" : m_problem) + "; trying again");
+        remark(m_url + ": " + (m_problem.empty() ? "not connected" : m_problem) + "; trying again",
+               mavlink::MAV_SEVERITY_WARNING);
 }
 
 } // namespace skyseal::app

@@ -57,10 +57,10 @@ void warnOfOpenLinks(const QString &program, const std::vector<engine::ServeConf
             continue;
         const std::string who = config.url.isListening() && !config.from ? "anyone who reaches this address can "
                                                                          : "others can ";
-        complain(program,
-                 config.name + ": not sealed, and open to other machines: " + who
-                     + (config.write.any() ? "see the vehicles and send (write=" + config.write.toText() + ")"
-                                           : "see the vehicles"));
+        const std::string what = config.write.any() ? "see the vehicles and send (write=" + config.write.toText() + ")"
+                                                    : "see the vehicles";
+        complain(program, config.name + ": not sealed, and open to other machines: " + who + what,
+                 mavlink::MAV_SEVERITY_WARNING);
     }
 }
 
@@ -95,7 +95,8 @@ int runGateway(const QStringList &arguments)
         return *status;
     warnOfOpenLinks(name, run.plan.serve);
     if (MetricsServer::isOpenToOthers(run.metrics))
-        complain(name, run.metrics + ": open to other machines: anyone who reaches this address can read the counters");
+        complain(name, run.metrics + ": open to other machines: anyone who reaches this address can read the counters",
+                 mavlink::MAV_SEVERITY_WARNING);
     if (run.broker)
         warnOfOpenBroker(name, run.broker->config);
     return runStation(std::move(run));

@@ -51,7 +51,8 @@ void warnOfOpenBroker(const QString &program, const mqtt::PublisherConfig &confi
         return;
     complain(program,
              config.broker.toText() + ": without TLS: anyone on the path can read and forge the states of the vehicles"
-                 + (config.loginFile.empty() ? "" : ", and read the password"));
+                 + (config.loginFile.empty() ? "" : ", and read the password"),
+             mavlink::MAV_SEVERITY_WARNING);
 }
 
 } // namespace skyseal::app

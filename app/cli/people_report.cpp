@@ -1,6 +1,7 @@
 #include "app/cli/people_report.h"
 
 #include "app/common/format.h"
+#include "app/common/journal.h"
 #include "app/common/output.h"
 #include "core/engine/station/snapshot.h"
 #include "core/engine/text/event_text.h"
@@ -75,10 +76,11 @@ std::string statusLine(const engine::Snapshot &snapshot)
     return out;
 }
 
-std::string eventLine(const engine::Event &event, const engine::PeerNames &peers)
+namespace {
+
+std::string lineOf(const engine::EventText &text)
 {
     using Remedy = engine::EventText::Remedy;
-    const engine::EventText text = engine::eventText(event, peers);
     if (text.isRoutine)
         return {};
     std::string line = text.line().toStdString();
@@ -91,6 +93,13 @@ std::string eventLine(const engine::Event &event, const engine::PeerNames &peers
     return line;
 }
 
+} // namespace
+
+std::string eventLine(const engine::Event &event, const engine::PeerNames &peers)
+{
+    return lineOf(engine::eventText(event, peers));
+}
+
 PeopleReport::PeopleReport(const std::string &recordFolder)
 {
     if (!recordFolder.empty())
@@ -100,8 +109,9 @@ PeopleReport::PeopleReport(const std::string &recordFolder)
 void PeopleReport::eventOccurred(const engine::Event &event)
 {
     m_peers.note(event);
-    if (const std::string line = eventLine(event, m_peers); !line.empty())
-        remark(line);
+    const engine::EventText text = engine::eventText(event, m_peers);
+    if (const std::string line = lineOf(text); !line.empty())
+        remark(line, text.severity);
 }
 
 void PeopleReport::stepEnded(const vehicle::StepReport &report)

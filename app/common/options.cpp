@@ -2,6 +2,7 @@
 
 #include "app/common/config_file.h"
 #include "app/common/exit_status.h"
+#include "app/common/journal.h"
 #include "app/common/output.h"
 #include "core/base/research.h"
 
@@ -68,9 +69,9 @@ bool isLive(const link::LinkTraits &traits)
     return !traits.isRecording;
 }
 
-void complain(const QString &program, const std::string &text)
+void complain(const QString &program, const std::string &text, unsigned severity)
 {
-    remark(program.toStdString() + ": " + text);
+    remark(program.toStdString() + ": " + text, severity);
 }
 
 Options::Options(QString name, const QString &description) : m_name(std::move(name))

@@ -4,6 +4,7 @@
 
 #include "core/crypto/suite.h"
 #include "core/link/link_url.h"
+#include "core/mavlink/enums.h"
 
 #include <QtCore/QCommandLineParser>
 #include <QtCore/QStringList>
@@ -90,7 +91,7 @@ private:
 /// For Options::addLink(): any link except recordings, which only replay.
 bool isLive(const link::LinkTraits &traits);
 
-/// Prints "skyseal-air: message", one line on stderr.
-void complain(const QString &program, const std::string &text);
+/// Prints "skyseal-air: message", one line on stderr, where that is the journal with this severity.
+void complain(const QString &program, const std::string &text, unsigned severity = mavlink::MAV_SEVERITY_ERROR);
 
 } // namespace skyseal::app

@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdio>
 #include <cstring>
 
 #include <sys/socket.h>
-#include <sys/stat.h>
 #include <sys/un.h>
 #include <unistd.h>
 
@@ -53,15 +51,6 @@ void ServiceManager::send(const std::string &state) const
     static_cast<void>(
         ::sendto(socket, state.data(), state.size(), MSG_NOSIGNAL, reinterpret_cast<const sockaddr *>(&address), length));
     ::close(socket);
-}
-
-bool stderrIsTheJournal()
-{
-    struct stat status
-    {};
-    unsigned long long device = 0, inode = 0;
-    return std::sscanf(qgetenv("JOURNAL_STREAM").constData(), "%llu:%llu", &device, &inode) == 2
-        && ::fstat(STDERR_FILENO, &status) == 0 && status.st_dev == device && status.st_ino == inode;
 }
 
 } // namespace skyseal::app

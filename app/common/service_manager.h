@@ -32,7 +32,4 @@ private:
     QTimer m_alive;
 };
 
-/// Whether stderr goes to the journal, which then takes the severity of a line from a prefix (sd-daemon(3)).
-bool stderrIsTheJournal();
-
 } // namespace skyseal::app

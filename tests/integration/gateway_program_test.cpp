@@ -60,6 +60,9 @@ private Q_SLOTS:
     void managerHearsNothingWhileTheReceiverHangs();
     void takenPortEndsTheGateway();
     void openMetricsAreWarnedOf();
+    void openServiceIsWarnedOf_data();
+    void openServiceIsWarnedOf();
+    void journalHasTheSeverityOfEachReport();
     void commandLineDecidesOnTheRecording();
 };
 
@@ -251,6 +254,66 @@ void GatewayProgramTest::openMetricsAreWarnedOf()
     const RunResult own = run(":0");
     QCOMPARE(own.status, 0);
     QVERIFY2(!own.err.contains("open to other machines"), own.err.constData());
+}
+
+void GatewayProgramTest::openServiceIsWarnedOf_data()
+{
+    QTest::addColumn<QString>("served");
+    QTest::addColumn<QByteArray>("warning"); // empty: none
+    const QByteArray open = "skyseal-cli gateway: all: not sealed, and open to other machines: ";
+    const QByteArray anyone = open + "anyone who reaches this address can ";
+    QTest::newRow("on loopback") << QStringLiteral("udpin:0,name=all,write=all") << QByteArray();
+    QTest::newRow("listens") << QStringLiteral("udpin:192.0.2.1:14550,name=all") << anyone + "see the vehicles\n";
+    QTest::newRow("listens for writers") << QStringLiteral("tcpin:192.0.2.1:5760,name=all,write=mission,rc")
+                                         << anyone + "see the vehicles and send (write=mission,rc)\n";
+    QTest::newRow("listens for a network") << QStringLiteral("udpin:192.0.2.1:14550,name=all,write=all,from=192.0.2.0/24")
+                                           << open + "others can see the vehicles and send (write=all)\n";
+    QTest::newRow("sends to a host") << QStringLiteral("udpout:192.0.2.1:14550,name=all")
+                                     << open + "others can see the vehicles\n";
+}
+
+/// The address belongs to documentation (RFC 5737), so that nothing is opened to others.
+void GatewayProgramTest::openServiceIsWarnedOf()
+{
+    QFETCH(QString, served);
+    QFETCH(QByteArray, warning);
+    Flight flight;
+    QVERIFY(flight.ready());
+    const RunResult result = runProgram(
+        "skyseal-cli", gatewayArguments(flight, served) + QStringList{QStringLiteral("--duration"), QStringLiteral("0.1")});
+    QVERIFY2(warning.isEmpty() ? !result.err.contains("open to other machines") : result.err.startsWith(warning),
+             result.err.constData());
+}
+
+/// Of the gateway and of the agent, whose stderr is the journal as far as they can tell (sd-daemon(3)).
+void GatewayProgramTest::journalHasTheSeverityOfEachReport()
+{
+    Flight flight;
+    QVERIFY(flight.ready());
+    const auto start = [](const char *name, const QStringList &arguments) {
+        const QString line = QStringLiteral(
+            "JOURNAL_STREAM=$(stat -L -c %d:%i /proc/self/fd/2); export JOURNAL_STREAM; exec \"$@\"");
+        return std::make_unique<Program>(QStringLiteral("/bin/sh"),
+                                         QStringList{QStringLiteral("-c"), line, QStringLiteral("sh"),
+                                                     QStringLiteral(SKYSEAL_BIN_DIR "/") + QLatin1String(name)}
+                                             + arguments);
+    };
+    QStringList ofAgent = flight.airArguments(), ofGateway = gatewayArguments(flight, QStringLiteral("udpin:0"));
+    ofAgent.removeAll(QStringLiteral("--json"));
+    ofGateway.replaceInStrings(QStringLiteral("udpin:127.0.0.1:0"), QStringLiteral("udpin:127.0.0.1:%1").arg(flight.groundPort));
+    const auto agent = start("skyseal-air", ofAgent), gateway = start("skyseal-cli", ofGateway);
+    EVENTUALLY(gateway->errors().contains("\n<6>Sealed link to air-1 at "));
+    EVENTUALLY(agent->errors().contains("\n<6>Sealed link to ground at "));
+    QCOMPARE(gateway->terminate(), 0);
+    EVENTUALLY(agent->errors().contains("\n<4>Sealed link to ground ended: "));
+
+    const auto again = start("skyseal-cli", ofGateway);
+    EVENTUALLY(again->errors().contains("\n<6>Sealed link to air-1 at "));
+    QCOMPARE(agent->terminate(), 0);
+    EVENTUALLY(again->errors().contains("\n<4>Sealed link to air-1 ended: "));
+    const auto third = start("skyseal-cli", ofGateway); // its port is taken
+    QCOMPARE(third->waitForExit(), 3);
+    QVERIFY2(third->errors().contains("<3>skyseal-cli gateway: "), third->errors().constData());
 }
 
 /// The configuration says no-record = yes.
