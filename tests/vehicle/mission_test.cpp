@@ -55,7 +55,7 @@ std::vector<MissionItem> plan(std::size_t count)
 }
 
 /// Seconds of a transfer of 500 items over 25 ms each way.
-double transferTime(bool isPx4, bool isUpload, double loss, unsigned seed)
+double transferTime(bool isPx4, bool isUpload, MissionType type, double loss, unsigned seed)
 {
     constexpr Duration kLimit = std::chrono::seconds(600);
     Harness h = isPx4 ? Harness::px4() : Harness::copter();
@@ -65,11 +65,11 @@ double transferTime(bool isPx4, bool isUpload, double loss, unsigned seed)
     LossyLink link(h, *peer, loss, seed, std::chrono::milliseconds(25));
     const TimePoint begin = h.now;
     if (isUpload)
-        h.vehicle.perform(h.now, RequestId{1}, WriteMission{plan(500)});
+        h.vehicle.perform(h.now, RequestId{1}, WriteMission{plan(500), type});
     else
-        h.vehicle.perform(h.now, RequestId{1}, ReadMission{});
+        h.vehicle.perform(h.now, RequestId{1}, ReadMission{type});
     std::optional<MissionResult> result;
-    if (!link.run(kLimit, [&] { return (result = h.poll<MissionResult>()).has_value(); }) || !result->ok)
+    if (!link.run(kLimit, [&] { return (result = h.poll<MissionResult>()).has_value(); }) || !result->ok || result->type != type)
         return seconds(kLimit);
     for (std::size_t i = 0; i < 500; ++i) {
         if (isUpload ? peer->stored[i].seq != i : std::llround(result->items->at(i).latitude * 1e7) != int(i))
@@ -388,21 +388,34 @@ void MissionTest::lossCostsLittleTime_data()
 {
     QTest::addColumn<bool>("isPx4");
     QTest::addColumn<bool>("isUpload");
-    QTest::addColumn<double>("most");
-    QTest::newRow("download from ArduPilot") << false << false << 1.2;
-    QTest::newRow("download from PX4, one at a time") << true << false << 26.;
-    QTest::newRow("upload to ArduPilot") << false << true << 26.;
-    QTest::newRow("upload to PX4") << true << true << 26.;
+    QTest::addColumn<int>("type");
+    QTest::addColumn<double>("most"); // seconds without loss
+    const auto rows = [](const char *plan, MissionType type) {
+        const auto row = [=](const char *transfer, bool isPx4, bool isUpload, double most) {
+            QTest::addRow("%s, %s", plan, transfer) << isPx4 << isUpload << int(type) << most;
+        };
+        row("download from ArduPilot", false, false, 1.2);
+        row("download from PX4, one at a time", true, false, 26);
+        row("upload to ArduPilot", false, true, 26);
+        row("upload to PX4", true, true, 26);
+    };
+    rows("mission", MissionType::Mission);
+    rows("fence", MissionType::Fence);
+    rows("rally points", MissionType::Rally);
 }
 
 void MissionTest::lossCostsLittleTime()
 {
     QFETCH(bool, isPx4);
     QFETCH(bool, isUpload);
+    QFETCH(int, type);
     QFETCH(double, most);
-    const double clean = transferTime(isPx4, isUpload, 0, 1);
+    const auto timeOf = [=](double loss, unsigned seed) {
+        return transferTime(isPx4, isUpload, static_cast<MissionType>(type), loss, seed);
+    };
+    const double clean = timeOf(0, 1);
     QVERIFY2(clean < most, std::to_string(clean).c_str());
-    verifyCostOfLoss([=](double loss, unsigned seed) { return transferTime(isPx4, isUpload, loss, seed); }, clean);
+    verifyCostOfLoss(timeOf, clean);
 }
 
 void MissionTest::acceptanceBeforeTheLastItemIsNone()
