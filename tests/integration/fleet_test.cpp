@@ -1,5 +1,6 @@
 // Two hundred simulated vehicles behind ten agents and ten gateways, which publish to one broker on this machine over TLS:
-// each message that a gateway sent reaches the reader, none is dropped, memory does not grow. Prints what a vehicle costs.
+// no frame is lost between vehicle and gateway, each message that a gateway sent reaches the reader, none is dropped, memory does
+// not grow. Prints what a vehicle costs.
 #include "tests/support/gateway_flight.h"
 #include "tests/support/mosquitto.h"
 #include "tests/support/mqtt_reader.h"
@@ -208,7 +209,12 @@ void FleetTest::twoHundredVehiclesThroughOneBroker()
     for (const auto &member : m_members) {
         Program &gateway = *member->flight.gateway;
         QVERIFY2(gateway.terminate() == 0, gateway.errors().constData());
-        const QJsonObject mqtt = gateway.last(QStringLiteral("summary"))[QLatin1String("mqtt")].toObject();
+        const QJsonObject summary = gateway.last(QStringLiteral("summary"));
+        const QJsonObject mavlink = summary[QLatin1String("mavlink")].toObject();
+        QVERIFY(mavlink[QLatin1String("frames")].toDouble() > 0);
+        for (const char *fault : {"lost", "duplicate", "bad_crc"}) // on the way from the vehicles to the gateway
+            QVERIFY2(mavlink[QLatin1String(fault)].toInt(-1) == 0, (member->prefix + ' ' + fault).constData());
+        const QJsonObject mqtt = summary[QLatin1String("mqtt")].toObject();
         std::vector<std::pair<const char *, std::map<QByteArray, quint64> *>> kinds{{"state", &received.states},
                                                                                     {"event", &received.events}};
         if (raw)
