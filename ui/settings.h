@@ -22,6 +22,7 @@ inline constexpr double kLowestTakeOff = 1, kHighestTakeOff = 500;
 struct Serving
 {
     bool on = false;
+    /// Addresses with spaces between, each as of skyseal-cli gateway --serve.
     QString url = QStringLiteral("tcpin:127.0.0.1:5790");
     bool write = false; ///< they may command; else they only read
 

@@ -1558,6 +1558,10 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>reads, writes %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>%1 not permitted, %2 over the rate limit, %3 with a system id that it may not use</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2117,6 +2121,10 @@ No link is sealed until this is resolved. Plain MAVLink is shown, but not sealed
     </message>
     <message>
         <source>Address for other stations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One address, or several with spaces between. Each may have options, e.g. udpout:127.0.0.1:14540,write=mission,param: the rights that it names narrow the choice beside it; also from=ADDRESS/PREFIX, sysid=ID and name=NAME</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -1,6 +1,6 @@
 // Two hundred simulated vehicles behind ten agents and ten gateways, which publish to one broker on this machine over TLS:
-// no frame is lost between vehicle and gateway, each message that a gateway sent reaches the reader, none is dropped, memory does
-// not grow. Prints what a vehicle costs.
+// no frame is lost between vehicle and gateway, each message that a gateway sent reaches the reader, none is dropped, memory
+// does not grow. Prints what a vehicle costs.
 #include "tests/support/gateway_flight.h"
 #include "tests/support/mosquitto.h"
 #include "tests/support/mqtt_reader.h"

@@ -300,7 +300,8 @@ void GatewayProgramTest::journalHasTheSeverityOfEachReport()
     };
     QStringList ofAgent = flight.airArguments(), ofGateway = gatewayArguments(flight, QStringLiteral("udpin:0"));
     ofAgent.removeAll(QStringLiteral("--json"));
-    ofGateway.replaceInStrings(QStringLiteral("udpin:127.0.0.1:0"), QStringLiteral("udpin:127.0.0.1:%1").arg(flight.groundPort));
+    ofGateway.replaceInStrings(QStringLiteral("udpin:127.0.0.1:0"),
+                               QStringLiteral("udpin:127.0.0.1:%1").arg(flight.groundPort));
     const auto agent = start("skyseal-air", ofAgent), gateway = start("skyseal-cli", ofGateway);
     EVENTUALLY(gateway->errors().contains("\n<6>Sealed link to air-1 at "));
     EVENTUALLY(agent->errors().contains("\n<6>Sealed link to ground at "));

@@ -1,6 +1,7 @@
 // The switch of the links panel that serves other ground stations, by mouse and keys.
 #include "window_rig.h"
 
+#include "core/engine/text/state_text.h"
 #include "tests/support/test_runner.h"
 
 #include <QtWidgets/QCheckBox>
@@ -74,6 +75,48 @@ private Q_SLOTS:
         QVERIFY(write.any() && !(write == engine::WriteRights::all()));
         type("tcpin:127.0.0.1:5790");
         QCOMPARE(m_station->served.front().write, engine::WriteRights::all());
+    }
+
+    void severalAddressesHaveTheirOwnRights()
+    {
+        type("tcpin:127.0.0.1:5790,name=Mission Planner,write=all udpout:127.0.0.1:14540,write=mission,rc  udpin:14551 "
+             "udpin:14552,write=none");
+        find<QCheckBox>("serveOn")->click();
+        const std::vector<engine::ServeConfig> &served = m_station->served;
+        QCOMPARE(served.size(), std::size_t(4));
+        QCOMPARE(served[0].name, std::string("Mission Planner"));
+        for (const engine::ServeConfig &config : served)
+            QVERIFY(!config.write.any()); // "Read only" is chosen
+        chooseRights(1);
+        QCOMPARE(served.size(), std::size_t(4));
+        QCOMPARE(served[0].write, engine::WriteRights::all());
+        QCOMPARE(served[1].write.toText(), std::string("mission,rc"));
+        QCOMPARE(served[2].url.toText(), std::string("udpin:127.0.0.1:14551"));
+        QCOMPARE(served[2].write, engine::WriteRights::all());
+        QVERIFY(!served[3].write.any());
+        type("udpin:14551 udpin:99999");
+        QVERIFY(served.empty()); // rather nobody than some
+        const QString problem = find<QLabel>("serveState")->text();
+        QVERIFY2(problem.startsWith(QStringLiteral("udpin:99999: ")), qPrintable(problem));
+    }
+
+    void problemOfOneOfSeveralIsShown()
+    {
+        type("udpin:14551 tcpin:5790");
+        find<QCheckBox>("serveOn")->click();
+        engine::Snapshot snapshot = sealed(true);
+        snapshot.served.push_back(snapshot.served.front());
+        snapshot.served[1].phase = engine::LinkPhase::Opening;
+        m_station->show(snapshot);
+        EVENTUALLY_EQUAL(find<QLabel>("serveState")->text(),
+                         engine::linkPhaseText(engine::LinkPhase::Opening) + QStringLiteral("; no station is connected"));
+        snapshot.served[1].url = "tcpin:127.0.0.1:5790";
+        snapshot.served[1].phase = engine::LinkPhase::Failed;
+        snapshot.served[1].problem = "Address already in use";
+        snapshot.time += 1;
+        m_station->show(snapshot);
+        EVENTUALLY_EQUAL(find<QLabel>("serveState")->text(),
+                         QStringLiteral("tcpin:127.0.0.1:5790: failed: Address already in use"));
     }
 
     void invalidUrlServesNobody()

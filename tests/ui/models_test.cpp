@@ -285,8 +285,12 @@ private Q_SLOTS:
         clients.front().write = "mission,param";
         clients.push_back(clients.front());
         clients.back().address = "127.0.0.1:50124";
+        clients.push_back(clients.front());
+        clients.back().address = "127.0.0.1:50125";
+        clients.back().write = "all";
         model.setClients(clients);
-        QCOMPARE(cell(model, 1, ClientModel::Rights), QStringLiteral("reads and writes"));
+        QCOMPARE(cell(model, 1, ClientModel::Rights), QStringLiteral("reads, writes mission,param"));
+        QCOMPARE(cell(model, 2, ClientModel::Rights), QStringLiteral("reads and writes"));
         model.setClients({});
         QCOMPARE(model.rowCount(), 0);
     }

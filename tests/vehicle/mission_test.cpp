@@ -69,7 +69,8 @@ double transferTime(bool isPx4, bool isUpload, MissionType type, double loss, un
     else
         h.vehicle.perform(h.now, RequestId{1}, ReadMission{type});
     std::optional<MissionResult> result;
-    if (!link.run(kLimit, [&] { return (result = h.poll<MissionResult>()).has_value(); }) || !result->ok || result->type != type)
+    const bool ended = link.run(kLimit, [&] { return (result = h.poll<MissionResult>()).has_value(); });
+    if (!ended || !result->ok || result->type != type)
         return seconds(kLimit);
     for (std::size_t i = 0; i < 500; ++i) {
         if (isUpload ? peer->stored[i].seq != i : std::llround(result->items->at(i).latitude * 1e7) != int(i))

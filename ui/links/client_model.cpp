@@ -40,7 +40,11 @@ QVariant ClientModel::data(const QModelIndex &index, int role) const
     case Qt::DisplayRole:
         switch (index.column()) {
         case Client: return fromStd(client.address);
-        case Rights: return client.write == "none" ? tr("reads") : tr("reads and writes");
+        case Rights:
+            // Classes as the address names them.
+            return client.write == "none" ? tr("reads")
+                : client.write == "all"   ? tr("reads and writes")
+                                          : tr("reads, writes %1").arg(fromStd(client.write));
         case Forwarded: return grouped(counters.forwarded);
         case Refused: return grouped(counters.denied + counters.tooOften + counters.notItsSystem);
         default: return {};

@@ -6,6 +6,7 @@
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
+#include <QtCore/QRegularExpression>
 #include <QtCore/QSignalBlocker>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QComboBox>
@@ -14,6 +15,8 @@
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QTreeView>
+
+#include <algorithm>
 
 namespace skyseal::ui {
 
@@ -24,6 +27,22 @@ QString served(std::size_t stations)
     return stations == 0 ? GatewaySection::tr("no station is connected")
         : stations == 1  ? GatewaySection::tr("one station")
                          : GatewaySection::tr("%1 stations").arg(stations);
+}
+
+/// The addresses in a text, with their options. A name among these may have spaces.
+QStringList addressesIn(const QString &text)
+{
+    static const QRegularExpression kBetween(QStringLiteral("\\s+(?=[A-Za-z]+:)"));
+    return text.trimmed().split(kBetween);
+}
+
+/// The link that best describes all of them: one with a problem, or else one that is not ready yet.
+const engine::LinkSnapshot &worstOf(const std::vector<engine::LinkSnapshot> &links)
+{
+    return *std::ranges::max_element(links, {}, [](const engine::LinkSnapshot &link) {
+        const bool isReady = link.phase == engine::LinkPhase::Listening || link.phase == engine::LinkPhase::Connected;
+        return link.problem.empty() ? (isReady ? 0 : 1) : 2;
+    });
 }
 
 } // namespace
@@ -40,6 +59,9 @@ GatewaySection::GatewaySection(StationInterface &station, QWidget *parent) : QWi
     m_url->setAccessibleName(tr("Address for other stations"));
     m_url->setEditable(true);
     m_url->setInsertPolicy(QComboBox::NoInsert);
+    m_url->setToolTip(tr("One address, or several with spaces between. Each may have options, e.g. "
+                         "udpout:127.0.0.1:14540,write=mission,param: the rights that it names narrow the choice beside it; "
+                         "also from=ADDRESS/PREFIX, sysid=ID and name=NAME"));
     const auto offer = [this](const QString &url, const QString &use) {
         m_url->addItem(url);
         m_url->setItemData(m_url->count() - 1, use, Qt::ToolTipRole);
@@ -76,7 +98,7 @@ GatewaySection::GatewaySection(StationInterface &station, QWidget *parent) : QWi
     m_view->setFrameShape(QFrame::NoFrame);
     const auto room = [this](const char *sample) { return fontMetrics().horizontalAdvance(QLatin1String(sample)) + 3 * kGrid; };
     m_view->header()->resizeSection(ClientModel::Client, room("255.255.255.255:65535"));
-    m_view->header()->resizeSection(ClientModel::Rights, room("reads and writes"));
+    m_view->header()->resizeSection(ClientModel::Rights, room("reads, writes mission,param"));
     m_view->hide();
 
     auto *line = new QHBoxLayout;
@@ -137,20 +159,22 @@ void GatewaySection::serve()
         showState(tr("off"), colors.dim);
         return;
     }
-    auto config = engine::ServeConfig::parse(m_serving.url.toStdString());
-    if (!config) {
-        m_station.serve({});
-        showState(tr("%1: %2").arg(m_serving.url, fromStd(config.error())), colors.alarm);
-        return;
+    std::vector<engine::ServeConfig> configs;
+    for (const QString &address : addressesIn(m_serving.url)) {
+        // Rights that the address names (write=mission) narrow the choice and never widen it.
+        auto config = engine::ServeConfig::parse(address.toStdString(), engine::WriteRights::all());
+        if (!config) {
+            m_station.serve({});
+            showState(tr("%1: %2").arg(address, fromStd(config.error())), colors.alarm);
+            return;
+        }
+        if (!m_serving.write)
+            config->write = {};
+        m_open = m_open || config->isOpenToOthers();
+        configs.push_back(std::move(*config));
     }
-    // Rights that the address names (write=mission) narrow the choice and never widen it.
-    if (!m_serving.write)
-        config->write = {};
-    else if (!config->write.any())
-        config->write = engine::WriteRights::all();
-    m_open = config->isOpenToOthers();
     showState(engine::linkPhaseText(engine::LinkPhase::Opening), colors.dim);
-    m_station.serve({std::move(*config)});
+    m_station.serve(std::move(configs));
 }
 
 void GatewaySection::showSnapshot(const engine::Snapshot &snapshot)
@@ -159,8 +183,10 @@ void GatewaySection::showSnapshot(const engine::Snapshot &snapshot)
     if (!m_serving.on || snapshot.served.empty())
         return;
     const StateColors &colors = stateColors(palette());
-    const engine::LinkSnapshot &link = snapshot.served.front();
-    const QString phase = engine::linkPhaseText(link.phase);
+    const engine::LinkSnapshot &link = worstOf(snapshot.served);
+    QString phase = engine::linkPhaseText(link.phase);
+    if (snapshot.served.size() > 1 && !link.problem.empty())
+        phase = tr("%1: %2").arg(fromStd(link.url), phase);
     if (!link.problem.empty())
         showState(tr("%1: %2").arg(phase, fromStd(link.problem)), colors.alarm);
     else if (m_open)

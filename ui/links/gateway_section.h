@@ -1,5 +1,5 @@
-// The switch that serves other ground stations and programs through this station (engine::Gateway): where, with which rights,
-// and who is there. Main thread.
+// The switch that serves other ground stations and programs through this station (engine::Gateway): at which addresses, with
+// which rights, and who is there. Each address may have the options of skyseal-cli gateway --serve. Main thread.
 #pragma once
 
 #include "ui/links/client_model.h"

@@ -5,8 +5,8 @@
 // Not permitted, although they look harmless:
 // - HEARTBEAT of a ground station: autopilots do not distinguish it from the pilot's, so their failsafe would not act when the
 //   pilot's own link is lost. https://ardupilot.org/copter/docs/gcs-failsafe.html
-// - REQUEST_DATA_STREAM and MAV_CMD_SET_MESSAGE_INTERVAL beyond 1 to 10 Hz: a rate of 0 or an interval of -1 stops a stream, and
-//   high rates saturate the line.
+// - REQUEST_DATA_STREAM and MAV_CMD_SET_MESSAGE_INTERVAL beyond 1 to 10 Hz: a rate of 0 or an interval of -1 stops a stream,
+//   and high rates saturate the line.
 // - SYSTEM_TIME sets clocks, and an answer by TIMESYNC moves PX4's; FILE_TRANSFER_PROTOCOL writes as well as it reads;
 //   LOG_REQUEST_DATA stops logging.
 // - PING, which TIMESYNC replaced long ago, has fourteen bytes of the sender's choice: room for a whole MAVLink 1 frame. And

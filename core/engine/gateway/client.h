@@ -2,8 +2,8 @@
 // and counts the others. No I/O and no clock.
 //
 // A client that may only read may send questions (read-only requests, question_rules.h), AUTOPILOT_VERSION_REQUEST and, while
-// no client that may write is connected, requests for rates of 1 to 10 Hz (REQUEST_DATA_STREAM, SET_MESSAGE_INTERVAL). Like those
-// of an observer, its questions must not become another message on a line that loses bytes (misreading.h).
+// no client that may write is connected, requests for rates of 1 to 10 Hz (REQUEST_DATA_STREAM, SET_MESSAGE_INTERVAL). Like
+// those of an observer, its questions must not become another message on a line that loses bytes (misreading.h).
 #pragma once
 
 #include "core/engine/common/question_budget.h"

@@ -89,7 +89,7 @@ bool isLoopback(const std::string &host)
 
 } // namespace
 
-Result<ServeConfig, std::string> ServeConfig::parse(std::string_view text)
+Result<ServeConfig, std::string> ServeConfig::parse(std::string_view text, const WriteRights &unnamed)
 {
     const std::size_t comma = text.find(',');
     auto url = link::LinkUrl::parse(text.substr(0, comma), link::LinkUrl::kLoopback);
@@ -97,7 +97,7 @@ Result<ServeConfig, std::string> ServeConfig::parse(std::string_view text)
         return tl::unexpected(url.error().message);
     if (url->type().target != link::LinkTarget::HostPort)
         return tl::unexpected("'" + std::string(url->type().scheme) + "': clients are served over UDP or TCP");
-    ServeConfig out{.url = std::move(*url)};
+    ServeConfig out{.url = std::move(*url), .write = unnamed};
     if (comma != std::string_view::npos) {
         const auto options = splitOptions(text.substr(comma + 1));
         if (!options)
