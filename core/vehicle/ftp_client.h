@@ -39,6 +39,9 @@ public:
     static constexpr std::size_t kChunk = FileTransfer::kChunk;
     static constexpr int kAttempts = 8;                           ///< of a request, then it fails
     static constexpr Duration kGiveUp = std::chrono::seconds(12); ///< without progress
+    /// A request is repeated at least so often: 14 times and more before it fails. At a pace that slows down further, one request
+    /// in 4,000 would fail where a quarter of all messages is lost, and a folder may need hundreds.
+    static constexpr Duration kSlowestPace = std::chrono::seconds(1);
     static constexpr std::size_t kMostPath = kChunk - 1;
     /// Of requests about a path; the file that is opened may get another one.
     static constexpr std::uint8_t kSession = 1;
@@ -116,12 +119,12 @@ private:
     FtpMessage m_refused;    ///< for which they were closed
     RequestWindow m_window;  ///< of chunks; its round trip serves all requests
     ChunkRequests m_requests;
-    std::size_t m_reached = 0;     ///< chunks up to here were sent in bursts
-    ArrivalPace m_pace;            ///< of chunks of a burst
-    FtpMessage m_message;          ///< sent last, except those of the window
-    std::uint16_t m_sequence = 0;  ///< of the request sent last
-    Repetition m_repetition;       ///< of m_message; during a burst, of its pause
-    TimePoint m_deadline = kNever; ///< without progress, the transfer fails
+    std::size_t m_reached = 0;             ///< chunks up to here were sent in bursts
+    ArrivalPace m_pace;                    ///< of chunks of a burst
+    FtpMessage m_message;                  ///< sent last, except those of the window
+    std::uint16_t m_sequence = 0;          ///< of the request sent last
+    Repetition m_repetition{kSlowestPace}; ///< of m_message; during a burst, of its pause
+    TimePoint m_deadline = kNever;         ///< without progress, the transfer fails
 };
 
 } // namespace skyseal::vehicle

@@ -244,12 +244,12 @@ void FtpTest::silentVehicleIsGivenUp()
     h.vehicle.perform(h.now, RequestId{1}, vehicle::RemoveFile{"/a"});
     h.runUntil(h.now + std::chrono::seconds(60));
     const auto requests = h.sentOf<mavlink::FileTransferProtocol>();
-    QCOMPARE(requests.size(), std::size_t(8));
+    QCOMPARE(requests.size(), std::size_t(14));
     for (const auto &request : requests)
         QCOMPARE(FtpMessage::decode(request.payload).sequence, FtpMessage::decode(requests[0].payload).sequence);
     const auto result = h.poll<FileResult>();
     QVERIFY(result && !result->ok && result->changeUnanswered);
-    QCOMPARE(result->reason, std::string("no answer to 8 attempts"));
+    QCOMPARE(result->reason, std::string("no answer to 14 attempts"));
 }
 
 void FtpTest::transferIsCancelled()
