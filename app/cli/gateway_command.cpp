@@ -55,12 +55,12 @@ void warnOfOpenLinks(const QString &program, const std::vector<engine::ServeConf
     for (const engine::ServeConfig &config : served) {
         if (!config.isOpenToOthers())
             continue;
-        const std::string who = config.url.isListening() && !config.from ? "anyone who reaches this address can "
-                                                                         : "others can ";
-        const std::string what = config.write.any() ? "see the vehicles and send (write=" + config.write.toText() + ")"
-                                                    : "see the vehicles";
-        complain(program, config.name + ": not sealed, and open to other machines: " + who + what,
-                 mavlink::MAV_SEVERITY_WARNING);
+        std::string warning = config.name + ": not sealed, and open to other machines: ";
+        warning += config.url.isListening() && !config.from ? "anyone who reaches this address can " : "others can ";
+        warning += "see the vehicles";
+        if (config.write.any())
+            warning += " and send (write=" + config.write.toText() + ")";
+        complain(program, warning, mavlink::MAV_SEVERITY_WARNING);
     }
 }
 

@@ -39,8 +39,8 @@ public:
     static constexpr std::size_t kChunk = FileTransfer::kChunk;
     static constexpr int kAttempts = 8;                           ///< of a request, then it fails
     static constexpr Duration kGiveUp = std::chrono::seconds(12); ///< without progress
-    /// A request is repeated at least so often: 14 times and more before it fails. At a pace that slows down further, one request
-    /// in 4,000 would fail where a quarter of all messages is lost, and a folder may need hundreds.
+    /// A request is repeated at least so often: 14 times and more before it fails. At a pace that slows down further, one
+    /// request in 4,000 would fail where a quarter of all messages is lost, and a folder may need hundreds.
     static constexpr Duration kSlowestPace = std::chrono::seconds(1);
     static constexpr std::size_t kMostPath = kChunk - 1;
     /// Of requests about a path; the file that is opened may get another one.
