@@ -40,8 +40,8 @@ endif()
 include(SkysealPrecompiled)
 
 # skyseal_unite(TARGET SOURCE …): compiles these source files of one folder as eight where SKYSEAL_UNITY is on: less to do in
-# all, and more after a change of one file. The name of a file alone decides with which others it is compiled, so that a new file brings no two
-# old ones together.
+# all, and more after a change of one file. The name of a file alone decides with which others it is compiled, so that a new
+# file brings no two old ones together.
 function(skyseal_unite target)
   if(NOT SKYSEAL_UNITY)
     return()
@@ -66,9 +66,9 @@ function(skyseal_unite target)
   target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
 endfunction()
 
-# skyseal_library(NAME SOURCES … PUBLIC … PRIVATE … [QT [WIDGETS]] [SEPARATE]): the static library skyseal_NAME, alias skyseal::NAME.
-# Without QT it has no include path of Qt, which enforces the rule that the protocol layers do not use Qt. SEPARATE: its files
-# have functions of the same names and cannot be compiled as one.
+# skyseal_library(NAME SOURCES … PUBLIC … PRIVATE … [QT [WIDGETS]] [SEPARATE]): the static library skyseal_NAME, alias
+# skyseal::NAME. Without QT it has no include path of Qt, which enforces the rule that the protocol layers do not use Qt.
+# SEPARATE: its files have functions of the same names and cannot be compiled as one.
 function(skyseal_library name)
   cmake_parse_arguments(arg "QT;WIDGETS;SEPARATE" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   add_library(skyseal_${name} STATIC ${arg_SOURCES})
