@@ -64,14 +64,14 @@ private Q_SLOTS:
     void questionIsAboutTheVehicleThatItNames()
     {
         m_station->show(vehicles(1, {5}));
-        find<QAction>("actionArm")->trigger();
+        find<QAction>("actionDisarm")->trigger();
         QVERIFY(!find<QMessageBox>("confirmCommand")->text().contains(QStringLiteral("5"))); // there is no other
         delete find<QMessageBox>("confirmCommand");
 
         m_station->show(vehicles(2, {1, 5}));
-        find<QAction>("actionArm")->trigger();
+        find<QAction>("actionDisarm")->trigger();
         auto *box = find<QMessageBox>("confirmCommand");
-        QVERIFY2(box->text().startsWith(QStringLiteral("Vehicle 5: Arm the motors?")), qPrintable(box->text()));
+        QVERIFY2(box->text().startsWith(QStringLiteral("Vehicle 5: Disarm the motors?")), qPrintable(box->text()));
         find<QAction>("actionTakeOff")->trigger();
         auto *takeOff = m_window->findChild<TakeOffDialog *>();
         QVERIFY(takeOff && takeOff->windowTitle().contains(QStringLiteral("vehicle 5")));

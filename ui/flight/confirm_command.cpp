@@ -2,6 +2,7 @@
 
 #include "ui/confirm_box.h"
 #include "ui/flight/vehicle_commands.h"
+#include "ui/modeless.h"
 #include "ui/text/vehicle_text.h"
 
 #include <QtCore/QCoreApplication>
@@ -15,6 +16,24 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::ConfirmCommand)
 };
 
+const QString kQuestion = QStringLiteral("confirmCommand");
+
+/// The open question with this text, which comes to the front; null if there is none. One about something else is closed as if
+/// the answer were no: the newest is what the operator wants.
+QMessageBox *openQuestion(const QWidget &window, const QString &text)
+{
+    for (QMessageBox *box : window.findChildren<QMessageBox *>(kQuestion)) {
+        if (box->isHidden()) // closed, and about to be deleted
+            continue;
+        if (box->text() == text) {
+            showModeless(*box);
+            return box;
+        }
+        box->reject();
+    }
+    return nullptr;
+}
+
 } // namespace
 
 QMessageBox *confirmCommand(VehicleCommands &commands, const vehicle::VehicleCommand &command, const QString &question,
@@ -22,12 +41,11 @@ QMessageBox *confirmCommand(VehicleCommands &commands, const vehicle::VehicleCom
 {
     const std::uint8_t systemId = commands.systemId();
     const QString text = commands.isOneOfSeveral() ? Text::tr("Vehicle %1: %2").arg(systemId).arg(question) : question;
-    return askToConfirm({.objectName = QStringLiteral("confirmCommand"),
-                         .title = Text::tr("Confirm"),
-                         .text = text,
-                         .details = details,
-                         .yes = commandText(command)},
-                        window, &commands, [&commands, systemId, command] { commands.send(systemId, command); });
+    if (QMessageBox *open = openQuestion(*window, text)) // as by a key that is held
+        return open;
+    return askToConfirm(
+        {.objectName = kQuestion, .title = Text::tr("Confirm"), .text = text, .details = details, .yes = commandText(command)},
+        window, &commands, [&commands, systemId, command] { commands.send(systemId, command); });
 }
 
 QString openItemsText(VehicleCommands &commands)
@@ -47,8 +65,7 @@ void armOrAsk(VehicleCommands &commands, QWidget *window)
     const QString open = openItemsText(commands);
     if (open.isEmpty())
         return commands.send(commands.systemId(), vehicle::Arm{});
-    if (window->findChild<QMessageBox *>(QStringLiteral("confirmCommand"))
-        == nullptr) // else one is open, and is answered first
+    if (window->findChild<QMessageBox *>(kQuestion) == nullptr) // else one is open, and is answered first
         confirmCommand(commands, vehicle::Arm{}, Text::tr("Arm although the checklist is not done?"), open, window);
 }
 

@@ -13,7 +13,8 @@ namespace skyseal::ui {
 class VehicleCommands;
 
 /// Asks once about the vehicle that is shown at this moment, in a box over `window`. Closing the box or Esc means no. `details`
-/// may be empty. Returns the box, which deletes itself when it closes.
+/// may be empty. There is one question at a time: the same one comes to the front, another one is closed. Returns the box,
+/// which deletes itself when it closes.
 QMessageBox *confirmCommand(VehicleCommands &commands, const vehicle::VehicleCommand &command, const QString &question,
                             const QString &details, QWidget *window);
 

@@ -6,12 +6,15 @@
 #include <QtWidgets/QMenuBar>
 
 #include <algorithm>
+#include <utility>
 
 namespace skyseal::ui {
 
 namespace {
 
-void addItems(QMenu &menu, const MenuItems &items);
+using Refresh = std::function<void()>;
+
+std::vector<Refresh> addItems(QMenu &menu, const MenuItems &items);
 
 QAction *addSubmenu(QMenu &menu, const MenuItem &item)
 {
@@ -35,47 +38,75 @@ QAction *addAction(QMenu &menu, const MenuItem &item)
     action->setShortcut(item.shortcut);
     action->setCheckable(item.checked.has_value());
     action->setChecked(item.checked.value_or(false));
-    QObject::connect(action, &QAction::triggered, &menu, [trigger = item.trigger] { trigger(); });
+    QObject::connect(action, &QAction::triggered, &menu, [trigger = item.trigger, reason = item.disabledReason] {
+        if (!reason || reason().isEmpty()) // one may have come since the menu was opened
+            trigger();
+    });
     return action;
 }
 
-void addItems(QMenu &menu, const MenuItems &items)
+/// Enables `action` unless there is a reason against it, which becomes its tip.
+Refresh refreshOf(QAction *action, const std::function<QString()> &disabledReason)
 {
+    return [action, disabledReason] {
+        const QString reason = disabledReason();
+        action->setEnabled(reason.isEmpty());
+        action->setToolTip(reason); // empty: QAction shows its text
+        action->setStatusTip(reason);
+    };
+}
+
+/// Returns what is done when the menu opens.
+std::vector<Refresh> addItems(QMenu &menu, const MenuItems &items)
+{
+    std::vector<Refresh> refreshes;
     for (const MenuItem &item : items) {
-        if (item.action)
-            menu.addAction(item.action);
-        else if (item.id.isEmpty() && item.text.isEmpty())
+        if (!item.action && item.id.isEmpty() && item.text.isEmpty()) {
             menu.addSeparator();
-        else if (item.id.isEmpty() && !item.trigger)
+            continue;
+        }
+        if (!item.action && item.id.isEmpty() && !item.trigger) {
             menu.addSection(item.text);
-        else {
-            QAction *action = item.submenu ? addSubmenu(menu, item) : addAction(menu, item);
-            if (item.disabledReason)
-                QObject::connect(&menu, &QMenu::aboutToShow, action, [action, disabledReason = item.disabledReason] {
-                    const QString reason = disabledReason();
-                    action->setEnabled(reason.isEmpty());
-                    action->setToolTip(reason); // empty: QAction shows its text
-                    action->setStatusTip(reason);
-                });
+            continue;
+        }
+        QAction *action = item.action ? item.action : item.submenu ? addSubmenu(menu, item) : addAction(menu, item);
+        if (item.action)
+            menu.addAction(action);
+        action->setAutoRepeat(item.repeats); // a key that is held commands once
+        if (item.disabledReason && !item.action) {
+            refreshes.push_back(refreshOf(action, item.disabledReason));
+            QObject::connect(&menu, &QMenu::aboutToShow, action, refreshes.back());
         }
     }
+    return refreshes;
+}
+
+std::vector<Refresh> fill(QMenu &menu, const MenuItems &items)
+{
+    menu.setToolTipsVisible(std::ranges::any_of(items, [](const MenuItem &item) { return !!item.disabledReason; }));
+    return addItems(menu, items);
 }
 
 } // namespace
 
 void fillMenu(QMenu &menu, const MenuItems &items)
 {
-    menu.setToolTipsVisible(std::ranges::any_of(items, [](const MenuItem &item) { return !!item.disabledReason; }));
-    addItems(menu, items);
+    fill(menu, items);
 }
 
-void addMenus(QMenuBar &bar, const std::vector<Menu> &menus)
+std::function<void()> addMenus(QMenuBar &bar, const std::vector<Menu> &menus)
 {
+    std::vector<Refresh> all;
     for (const Menu &table : menus) {
         QMenu *menu = bar.addMenu(table.title);
         menu->setObjectName(table.id);
-        fillMenu(*menu, table.items);
+        for (Refresh &refresh : fill(*menu, table.items))
+            all.push_back(std::move(refresh));
     }
+    return [all = std::move(all)] {
+        for (const Refresh &refresh : all)
+            refresh();
+    };
 }
 
 } // namespace skyseal::ui

@@ -25,11 +25,12 @@ struct MenuItem
     QString text = {};                            ///< with its mnemonic
     std::function<void()> trigger = {};           ///< called when the item is chosen
     QKeySequence shortcut = {};                   ///< active in the whole window
-    std::function<QString()> disabledReason = {}; ///< read when the menu opens: the reason shown in tips, empty if enabled
+    std::function<QString()> disabledReason = {}; ///< the reason shown in tips, empty if enabled; nothing is triggered with one
     std::optional<bool> checked = {};             ///< set: the item is checkable
+    bool repeats = false;                         ///< again and again while its shortcut is held
     std::function<MenuItems()> submenu =
         {};                    ///< set: a submenu, filled each time it opens; its checkable items exclude each other
-    QAction *action = nullptr; ///< set: this existing action is shown; the other fields are unused
+    QAction *action = nullptr; ///< set: this existing action is shown; the other fields are unused, but for `repeats`
 };
 
 struct Menu
@@ -42,7 +43,9 @@ struct Menu
 /// Adds `items` to `menu`, which owns everything that is made. What the functions of the items refer to must outlive it.
 void fillMenu(QMenu &menu, const MenuItems &items);
 
-/// Adds `menus` to `bar`, which owns everything that is made. What the functions of the items refer to must outlive it.
-void addMenus(QMenuBar &bar, const std::vector<Menu> &menus);
+/// Adds `menus` to `bar`, which owns everything that is made. What the functions of the items refer to must outlive it. Returns
+/// a function that enables or disables the items anew, as the opening of their menu does, for their shortcuts; valid while
+/// `bar` exists.
+std::function<void()> addMenus(QMenuBar &bar, const std::vector<Menu> &menus);
 
 } // namespace skyseal::ui
