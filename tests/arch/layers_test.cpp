@@ -58,7 +58,7 @@ const QHash<QString, QStringList> &allowedInUi()
                                                                  QStringLiteral("replay"),    kSecurity,
                                                                  QStringLiteral("status"),    kSweep,
                                                                  QStringLiteral("vehicles"),  QStringLiteral("values"),
-                                                                 QStringLiteral("overlays")};
+                                                                 QStringLiteral("overlays"),  QStringLiteral("shortcuts")};
     static const QHash<QString, QStringList> kAllowed{
         {QString(), kBottom}, // the base files
         {kTheme, {}},
@@ -75,6 +75,7 @@ const QHash<QString, QStringList> &allowedInUi()
         {QStringLiteral("mission"), kBottom},
         {QStringLiteral("parameters"), kBottom},
         {QStringLiteral("replay"), kBottom},
+        {QStringLiteral("shortcuts"), kBottom},
         {QStringLiteral("status"), kBottom},
         {QStringLiteral("vehicles"), kBottom + QStringList{QStringLiteral("alerts")}}, // the list counts them
         {QStringLiteral("values"), kBottom},

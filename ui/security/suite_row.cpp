@@ -24,7 +24,7 @@ void SuiteRow::refresh()
     setEnabled(m_action.isEnabled());
     setChecked(m_action.isChecked());
     const QString keys = m_action.shortcut().toString(QKeySequence::NativeText);
-    setToolTip(m_action.isEnabled() ? tr("%1 (%2)").arg(m_action.toolTip(), keys) : m_action.toolTip());
+    setToolTip(m_action.isEnabled() && !keys.isEmpty() ? tr("%1 (%2)").arg(m_action.toolTip(), keys) : m_action.toolTip());
 }
 
 void SuiteRow::resizeEvent(QResizeEvent *event)

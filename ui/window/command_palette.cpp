@@ -2,6 +2,7 @@
 
 #include "ui/list_keys.h"
 #include "ui/modeless.h"
+#include "ui/text/menu_text.h"
 #include "ui/text/plain_tip.h"
 #include "ui/theme/grid.h"
 
@@ -16,20 +17,11 @@
 #include <QtWidgets/QTreeView>
 #include <QtWidgets/QVBoxLayout>
 
-#include <algorithm>
-
 namespace skyseal::ui {
 
 namespace {
 
 constexpr int kPaletteWidth = 60 * kGrid, kPaletteHeight = 44 * kGrid;
-
-QString withoutMnemonic(const QString &text)
-{
-    QString plain = text;
-    plain.remove(QLatin1Char('&'));
-    return plain;
-}
 
 } // namespace
 
@@ -117,12 +109,9 @@ void CommandPalette::add(QAction &action, const QString &path)
 /// Shows the rows that contain every typed word, and selects the first one that is possible.
 void CommandPalette::filter(const QString &typed)
 {
-    const QStringList words = typed.split(QLatin1Char(' '), Qt::SkipEmptyParts);
     QModelIndex first;
     for (int row = 0; row < m_model->rowCount(); ++row) {
-        const QString name = m_model->item(row)->text();
-        const bool matches = std::ranges::all_of(words,
-                                                 [&](const QString &word) { return name.contains(word, Qt::CaseInsensitive); });
+        const bool matches = containsWords(m_model->item(row)->text(), typed);
         m_list->setRowHidden(row, {}, !matches);
         if (matches && !first.isValid() && m_model->item(row)->isEnabled())
             first = m_model->index(row, 0);

@@ -15,6 +15,7 @@
 #include "ui/replay/rescue_bar.h"
 #include "ui/security/allow_plain.h"
 #include "ui/security/suite_actions.h"
+#include "ui/shortcuts/shortcuts.h"
 #include "ui/status/status_strip.h"
 #include "ui/status/traffic_bar.h"
 #include "ui/sweep/sweep_page.h"
@@ -39,6 +40,7 @@
 #include <QtCore/QSettings>
 #include <QtGui/QCloseEvent>
 #include <QtGui/QScreen>
+#include <QtWidgets/QDialog>
 #include <QtWidgets/QMenuBar>
 #include <QtWidgets/QToolBar>
 #include <QtWidgets/QVBoxLayout>
@@ -92,7 +94,11 @@ MainWindow::MainWindow(StationInterface &station, QSettings &store, const Progra
     setFocus(); // no control has the focus at the start; the map takes the keys once it is clicked or reached by Tab
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow()
+{
+    // Before the parts that they work with; QWidget would delete them last.
+    qDeleteAll(findChildren<QDialog *>(QString(), Qt::FindDirectChildrenOnly));
+}
 
 void MainWindow::makeBars()
 {
@@ -150,6 +156,7 @@ void MainWindow::makeMenus(const ProgramFacts &facts)
 {
     const auto *alerts = new MapAlerts(m_station, *m_selection, *m_dialogs, *m_map, m_settings);
     connect(alerts, &MapAlerts::alertsShown, m_docks->panel<VehiclesPanel>(), &VehiclesPanel::showAlerts);
+    auto *shortcuts = new Shortcuts(m_store, this);
     MenuTargets targets{.window = *this,
                         .station = m_station,
                         .selection = *m_selection,
@@ -159,6 +166,7 @@ void MainWindow::makeMenus(const ProgramFacts &facts)
                         .docks = *m_docks,
                         .workspaces = *m_workspaces,
                         .map = *m_map,
+                        .shortcuts = *shortcuts,
                         .goToAlerts = alerts->goToAction(),
                         .version = facts.version,
                         .openSweep = [this] { openSweep(); },
@@ -170,7 +178,9 @@ void MainWindow::makeMenus(const ProgramFacts &facts)
         targets.endDemo = [this] { Q_EMIT demoEndRequested(); };
         targets.inDemo = [this] { return m_source->source() == SourceBar::Source::Demo; };
     }
-    addMenus(*menuBar(), windowMenus(targets));
+    // At each view: a shortcut works as if the menu had been opened just before.
+    connect(m_selection, &ViewSelection::viewChanged, menuBar(), addMenus(*menuBar(), windowMenus(targets)));
+    shortcuts->take(*menuBar());
     new MapMenu(*m_map, *m_selection, *m_commands, *m_dialogs, *this);
 }
 

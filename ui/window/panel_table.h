@@ -46,7 +46,7 @@ struct PanelRow
 /// The area of a panel in a workspace, also where the workspace hides it.
 Qt::DockWidgetArea areaIn(const PanelRow &row, Workspace workspace);
 
-/// In the order of the keys Alt+1 … Alt+9, Alt+0.
+/// In the order of the keys Alt+1 … Alt+9, Alt+0, Alt+-.
 std::span<const PanelRow> panelTable();
 
 } // namespace skyseal::ui

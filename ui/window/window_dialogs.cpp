@@ -15,6 +15,7 @@
 #include "ui/modeless.h"
 #include "ui/overlays/overlay_dialog.h"
 #include "ui/replay/recordings_dialog.h"
+#include "ui/shortcuts/shortcut_dialog.h"
 #include "ui/values/values_editor.h"
 #include "ui/view_state.h"
 
@@ -79,6 +80,12 @@ void WindowDialogs::openSettings()
         Q_EMIT settingsAccepted(changed);
     });
     showModeless(*dialog);
+}
+
+void WindowDialogs::openShortcuts(Shortcuts &shortcuts)
+{
+    if (!raiseOpen<ShortcutDialog>(m_window))
+        showModeless(*make<ShortcutDialog>(shortcuts, &m_window));
 }
 
 void WindowDialogs::openValues()

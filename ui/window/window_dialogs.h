@@ -14,6 +14,7 @@ class KeyringInterface;
 class LinkDialog;
 class MapView;
 class PairingInterface;
+class Shortcuts;
 class StationInterface;
 class VehicleCommands;
 struct ViewState;
@@ -35,6 +36,7 @@ public:
     void openLink();
     void openReplay();
     void openSettings();
+    void openShortcuts(Shortcuts &shortcuts);
     void openValues();
     void openTakeOff();
     /// Offers the present altitude of the vehicle in `view`.

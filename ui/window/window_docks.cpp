@@ -11,13 +11,16 @@
 #include <QtWidgets/QMainWindow>
 #include <QtWidgets/QTabBar>
 
+#include <array>
 #include <cstdlib>
 #include <map>
 
 namespace skyseal::ui {
 
 namespace {
-constexpr int kKeys = 10; ///< Alt+1 … Alt+9, Alt+0
+/// With Alt: the keys of a keyboard's first row, from left to right.
+constexpr std::array kKeys{Qt::Key_1, Qt::Key_2, Qt::Key_3, Qt::Key_4, Qt::Key_5,    Qt::Key_6,
+                           Qt::Key_7, Qt::Key_8, Qt::Key_9, Qt::Key_0, Qt::Key_Minus};
 } // namespace
 
 WindowDocks::WindowDocks(QMainWindow &window, const PanelContext &context) : QObject(&window), m_window(window)
@@ -38,6 +41,7 @@ void WindowDocks::add(const PanelRow &row, const PanelContext &context)
         dock->setWidget(panel);
     } else {
         auto *scroll = new FittingScroll(panel);
+        scroll->setAccessibleName(dock->windowTitle());
         connect(scroll, &FittingScroll::heightChanged, panel, &DockPanel::fitHeight);
         dock->setWidget(scroll);
     }
@@ -85,8 +89,8 @@ QAction *WindowDocks::makeViewAction(QDockWidget *dock)
     action->setObjectName(QStringLiteral("view_") + dock->objectName());
     action->setCheckable(true);
     action->setChecked(!dock->isHidden());
-    if (const int number = static_cast<int>(m_docks.size()) + 1; number <= kKeys)
-        action->setShortcut(QKeySequence(Qt::ALT | static_cast<Qt::Key>(Qt::Key_0 + number % kKeys)));
+    if (m_docks.size() < kKeys.size())
+        action->setShortcut(QKeySequence(Qt::ALT | kKeys[m_docks.size()]));
     connect(action, &QAction::triggered, this, [this, dock, action] {
         action->setChecked(true); // whatever was in front: a key never hides what the operator wants to see
         toFront(dock);

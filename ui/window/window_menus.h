@@ -10,6 +10,7 @@ class QMainWindow;
 namespace skyseal::ui {
 
 class MapView;
+class Shortcuts;
 class StationInterface;
 class SuiteActions;
 class VehicleCommands;
@@ -30,6 +31,7 @@ struct MenuTargets
     WindowDocks &docks;
     Workspaces &workspaces;
     MapView &map;
+    Shortcuts &shortcuts;
     QAction *goToAlerts;
     QString version;
     std::function<void()> openSweep;

@@ -24,7 +24,14 @@ WorkspaceTabs::WorkspaceTabs(const Workspaces &workspaces, QWidget *parent) : QW
         button->setToolButtonStyle(Qt::ToolButtonTextOnly);
         button->setFocusPolicy(Qt::TabFocus); // a click leaves the focus where the operator works
         button->setAccessibleName(tr("Workspace %1").arg(action->text()));
-        button->setToolTip(tr("Workspace %1 (%2)").arg(action->text(), action->shortcut().toString(QKeySequence::NativeText)));
+        // The button takes over the tip of its action whenever that changes.
+        const auto showKeys = [action] {
+            const QString keys = action->shortcut().toString(QKeySequence::NativeText);
+            action->setToolTip(keys.isEmpty() ? tr("Workspace %1").arg(action->text())
+                                              : tr("Workspace %1 (%2)").arg(action->text(), keys));
+        };
+        showKeys();
+        connect(action, &QAction::changed, button, showKeys);
         row->addWidget(button);
     }
     auto *line = new QFrame(this);
