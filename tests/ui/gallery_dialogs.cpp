@@ -1,7 +1,12 @@
 #include "gallery_dialogs.h"
 #include "fake_sweep.h"
 
+#include "ui/dialogs/help_dialog.h"
 #include "ui/dialogs/settings_dialog.h"
+#include "ui/flight/change_altitude_dialog.h"
+#include "ui/flight/pre_arm_dialog.h"
+#include "ui/flight/take_off_dialog.h"
+#include "ui/flight/vehicle_commands.h"
 #include "ui/keys/change_passphrase_dialog.h"
 #include "ui/keys/keys_dialog.h"
 #include "ui/keys/pairing_dialog.h"
@@ -9,8 +14,14 @@
 #include "ui/keys/peer_dialog.h"
 #include "ui/links/link_dialog.h"
 #include "ui/map/map_source_dialog.h"
+#include "ui/map/region_dialog.h"
+#include "ui/overlays/overlay_dialog.h"
+#include "ui/replay/recordings_dialog.h"
+#include "ui/shortcuts/shortcut_dialog.h"
+#include "ui/shortcuts/shortcut_edit.h"
 #include "ui/sweep/sweep_dialog.h"
 #include "ui/values/values_editor.h"
+#include "ui/window/command_palette.h"
 
 #include <QtGui/QAction>
 #include <QtWidgets/QAbstractButton>
@@ -71,6 +82,18 @@ QWidget *pairingWith(const Stage &stage, const std::function<void(FakePairing &)
     dialog->show();
     what(stage.pairing);
     return dialog;
+}
+
+/// The one that an entry of the menus opens.
+template<typename Dialog> QWidget *byAction(const Stage &stage, const char *action)
+{
+    stage.window.findChild<QAction *>(QLatin1String(action))->trigger();
+    return stage.window.findChild<Dialog *>();
+}
+
+VehicleCommands &commandsOf(const Stage &stage)
+{
+    return *stage.window.findChild<VehicleCommands *>();
 }
 
 using Open = std::function<QWidget *(const Stage &)>;
@@ -174,6 +197,32 @@ const std::map<QString, Open> &dialogs()
              source.attribution = QStringLiteral("© Example maps");
              return new MapSourceDialog(source, &stage.window);
          }},
+        {QStringLiteral("shortcuts"), [](const Stage &stage) { return byAction<ShortcutDialog>(stage, "actionShortcuts"); }},
+        {QStringLiteral("shortcuts-conflict"),
+         [](const Stage &stage) {
+             QWidget *dialog = byAction<ShortcutDialog>(stage, "actionShortcuts");
+             auto *keys = dialog->findChild<ShortcutEdit *>();
+             Q_EMIT keys->pressed(QKeySequence(Qt::CTRL | Qt::Key_F9)); // a changed one
+             Q_EMIT keys->pressed(QKeySequence(Qt::Key_F12));           // and one of another action
+             return dialog;
+         }},
+        {QStringLiteral("palette"), [](const Stage &stage) { return byAction<CommandPalette>(stage, "actionPalette"); }},
+        {QStringLiteral("overlay-list"), [](const Stage &stage) { return byAction<OverlayDialog>(stage, "actionOverlays"); }},
+        {QStringLiteral("recordings"), [](const Stage &stage) { return byAction<RecordingsDialog>(stage, "actionReplay"); }},
+        {QStringLiteral("region"), [](const Stage &stage) { return byAction<RegionDialog>(stage, "actionFetchArea"); }},
+        {QStringLiteral("help"), [](const Stage &stage) { return byAction<HelpDialog>(stage, "actionHelp"); }},
+        {QStringLiteral("pre-arm"),
+         [](const Stage &stage) -> QWidget * { return new PreArmDialog(commandsOf(stage), &stage.window); }},
+        {QStringLiteral("take-off"),
+         [](const Stage &stage) -> QWidget * {
+             return new TakeOffDialog(commandsOf(stage), UnitSystem::Metric, &stage.window);
+         }},
+        {QStringLiteral("change-altitude"),
+         [](const Stage &stage) -> QWidget * {
+             return new ChangeAltitudeDialog(commandsOf(stage), UnitSystem::Metric, 42, &stage.window);
+         }},
+        {QStringLiteral("peer-new"),
+         [](const Stage &stage) -> QWidget * { return new PeerDialog(stage.keyring, &stage.window); }},
         {QStringLiteral("link-mavsec"),
          [](const Stage &stage) -> QWidget * {
              auto *dialog = new LinkDialog(QStringLiteral("udpin:0.0.0.0:14550"), &stage.window);

@@ -28,6 +28,7 @@ ChartView::ChartView(QChart *chart, QWidget *parent) : QChartView(chart, parent)
     setRenderHint(QPainter::Antialiasing, false);
     setViewportUpdateMode(QGraphicsView::FullViewportUpdate);
     setFocusPolicy(Qt::NoFocus);
+    viewport()->setFocusPolicy(Qt::NoFocus); // QGraphicsView gave it one; the panel takes the keys
     setMouseTracking(true);
 }
 

@@ -30,6 +30,7 @@ DiagnosticsPanel::DiagnosticsPanel(QWidget *parent)
       m_sweep(new SweepPage(m_pages)), m_model(new SuiteTableModel(m_history, m_quantities, this)), m_timer(new QTimer(this))
 {
     setFocusPolicy(Qt::StrongFocus);
+    setAccessibleName(tr("Charts of the diagnostics"));
     m_table->setModel(m_model);
     m_table->setObjectName(QStringLiteral("suiteTable"));
     m_table->setAccessibleName(tr("Suites compared"));

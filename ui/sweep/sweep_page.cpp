@@ -55,7 +55,7 @@ SweepPage::SweepPage(QWidget *parent)
     m_table->verticalHeader()->setDefaultSectionSize(kRow);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    auto *scroll = new QScrollArea(this);
+    auto *scroll = named(new QScrollArea(this), "sweepBarArea", tr("Bars of the sweep"));
     scroll->setWidget(m_bars);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
