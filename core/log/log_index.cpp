@@ -25,7 +25,11 @@ bool isSameMode(const ModeChange &a, const ModeChange &b)
 
 } // namespace
 
-LogIndexer::LogIndexer(std::istream &input) : m_reader(input, mavlink::Dialect::builtin()) {}
+LogIndexer::LogIndexer(std::istream &input, LinkEvents events)
+    : m_reader(input, mavlink::Dialect::builtin()), m_events(std::move(events.events))
+{
+    m_index.unreadableEvents = events.unreadable;
+}
 
 template<typename T> void LogIndexer::list(std::vector<T> &entries, const T &entry)
 {
@@ -48,6 +52,8 @@ bool LogIndexer::read(std::size_t most)
         const Duration before = m_time.position(), at = m_time.note(item->time);
         if (at - before > LogIndex::kGap)
             list(m_index.gaps, {before, at});
+        if (item->time)
+            takeEventsUntil(*item->time, at);
         ++m_index.frames;
         if (item->frame && item->frame->messageId() == mavlink::Heartbeat::kId)
             takeHeartbeat(*item->frame, at);
@@ -79,8 +85,15 @@ void LogIndexer::takeHeartbeat(const mavlink::Frame &frame, Duration at)
     vehicle.armed = armed;
 }
 
+void LogIndexer::takeEventsUntil(WallTime time, Duration at)
+{
+    for (; m_nextEvent < m_events.size() && m_events[m_nextEvent].time <= time; ++m_nextEvent)
+        list(m_index.suites, {at, std::move(m_events[m_nextEvent])});
+}
+
 LogIndex LogIndexer::take()
 {
+    takeEventsUntil(WallTime::max(), m_time.position());
     m_index.first = m_time.first();
     m_index.length = m_time.position();
     for (const std::uint8_t systemId : m_index.vehicles) {
@@ -91,9 +104,9 @@ LogIndex LogIndexer::take()
     return std::move(m_index);
 }
 
-LogIndex indexOf(std::istream &input)
+LogIndex indexOf(std::istream &input, LinkEvents events)
 {
-    LogIndexer indexer(input);
+    LogIndexer indexer(input, std::move(events));
     indexer.read(std::numeric_limits<std::size_t>::max());
     return indexer.take();
 }

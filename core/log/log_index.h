@@ -1,9 +1,9 @@
-// Index of a recording, made in one pass: length, gaps, vehicles, modes and times armed. For the time line of a replay and the
-// list of recordings. Positions are those of LogTime.
-//
-// A recording does not hold the cipher suites of the link: its frames are recorded in clear, after they were opened.
+// Index of a recording, made in one pass: length, gaps, vehicles, modes, times armed, and the cipher suites of the links, which
+// come from the file beside the recording. For the time line of a replay and the list of recordings. Positions are those of
+// LogTime.
 #pragma once
 
+#include "core/log/link_events.h"
 #include "core/log/log_reader.h"
 #include "core/log/log_time.h"
 
@@ -21,12 +21,14 @@ struct ModeChange
     std::uint8_t autopilot = 0; ///< MAV_AUTOPILOT
     std::uint8_t baseMode = 0;  ///< MAV_MODE_FLAG
     std::uint32_t customMode = 0;
+    bool operator==(const ModeChange &) const = default;
 };
 
 /// A span of the time line.
 struct LogSpan
 {
     Duration from{}, to{};
+    bool operator==(const LogSpan &) const = default;
 };
 
 /// A vehicle was armed from its first HEARTBEAT that said so to the first that did not, or to the end of the recording.
@@ -34,6 +36,15 @@ struct ArmedSpan
 {
     LogSpan span;
     std::uint8_t systemId = 0;
+    bool operator==(const ArmedSpan &) const = default;
+};
+
+/// A link was sealed with this suite from a position on.
+struct SuiteMark
+{
+    Duration at{};
+    LinkEvent event;
+    bool operator==(const SuiteMark &) const = default;
 };
 
 struct LogIndex
@@ -51,15 +62,18 @@ struct LogIndex
     std::vector<ModeChange> modes;      ///< for each vehicle also the first one
     std::vector<ArmedSpan> armed;       ///< by their end
     std::vector<LogSpan> gaps;
+    std::vector<SuiteMark> suites;      ///< empty if nothing is noted beside the recording
+    std::uint64_t unreadableEvents = 0; ///< lines of that file, see LinkEvents
     std::uint64_t omitted = 0;
+    bool operator==(const LogIndex &) const = default;
 };
 
 /// Reads a recording in portions. Memory is bounded whatever the file contains; damage is skipped as by LogReader.
 class LogIndexer
 {
 public:
-    /// `input` must outlive the indexer.
-    explicit LogIndexer(std::istream &input);
+    /// `input` must outlive the indexer. An event stands at the first entry that is not older; later ones stand at the end.
+    explicit LogIndexer(std::istream &input, LinkEvents events = {});
 
     void endWhen(const std::atomic<bool> &stopped) { m_reader.endWhen(stopped); } ///< see LogReader
     /// Reads up to `most` further entries; returns true at the end of the recording.
@@ -77,15 +91,18 @@ private:
     };
 
     void takeHeartbeat(const mavlink::Frame &frame, Duration at);
+    void takeEventsUntil(WallTime time, Duration at);
     template<typename T> void list(std::vector<T> &entries, const T &entry);
 
     LogReader m_reader;
     LogTime m_time;
+    std::vector<LinkEvent> m_events;
+    std::size_t m_nextEvent = 0;
     LogIndex m_index;
     std::array<HeardVehicle, 256> m_heard; ///< by system id
 };
 
 /// Reads `input` to its end.
-LogIndex indexOf(std::istream &input);
+LogIndex indexOf(std::istream &input, LinkEvents events = {});
 
 } // namespace skyseal::tlog

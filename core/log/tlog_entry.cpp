@@ -7,9 +7,14 @@ namespace skyseal::tlog {
 
 namespace {
 
-constexpr std::uint64_t kYear2200 = 7'258'118'400'000'000; // µs since 1970
+constexpr WallTime kYear2200{std::chrono::microseconds(7'258'118'400'000'000)};
 
 } // namespace
+
+bool isPlausible(WallTime time)
+{
+    return time >= WallTime() && time <= kYear2200;
+}
 
 MutableByteView writeEntry(MutableByteView out, WallTime time, ByteView frame)
 {
@@ -23,10 +28,8 @@ MutableByteView writeEntry(MutableByteView out, WallTime time, ByteView frame)
 std::optional<WallTime> readTime(ByteView bytes)
 {
     ByteReader reader(bytes);
-    const auto microseconds = reader.bigEndian<std::uint64_t>();
-    if (!reader.ok() || microseconds > kYear2200)
-        return std::nullopt;
-    return WallTime(std::chrono::microseconds(static_cast<std::int64_t>(microseconds)));
+    const WallTime time(std::chrono::microseconds(reader.bigEndian<std::int64_t>()));
+    return reader.ok() && isPlausible(time) ? std::optional(time) : std::nullopt;
 }
 
 } // namespace skyseal::tlog

@@ -11,11 +11,13 @@ namespace skyseal::tlog {
 
 inline constexpr std::size_t kTimeLength = 8;
 
+/// Whether a recording may have this time: from 1970 to the year 2200.
+bool isPlausible(WallTime time);
+
 /// Writes one entry to `out` and returns the written bytes; empty when it does not fit. Times before 1970 become 1970.
 MutableByteView writeEntry(MutableByteView out, WallTime time, ByteView frame);
 
-/// Reads the timestamp at the front of `bytes`; nullopt when they are fewer than eight or the time is implausible (after
-/// the year 2200).
+/// Reads the timestamp at the front of `bytes`; nullopt when they are fewer than eight or the time is implausible.
 std::optional<WallTime> readTime(ByteView bytes);
 
 } // namespace skyseal::tlog

@@ -161,6 +161,37 @@ private Q_SLOTS:
         QCOMPARE(index.omitted, std::uint64_t(100));
     }
 
+    void suitesStandAtTheirTime()
+    {
+        LinkEvents events;
+        const std::pair<std::chrono::milliseconds, std::string> switches[] = {
+            {-5s, "aes-256-gcm"}, {10s, "chacha20"}, {10500ms, "rc4"}, {90s, "aes-256-ctr"}};
+        for (const auto &[offset, suite] : switches)
+            events.events.push_back({LinkEvent::Kind::Switched, kNoon + offset, suite, "air-1"});
+        events.unreadable = 3;
+        std::istringstream input(flight(61));
+        const LogIndex index = indexOf(input, events);
+        QCOMPARE(index.suites.size(), std::size_t(4));
+        QCOMPARE(index.suites[0].at, Duration(0s)); // older than the recording
+        QCOMPARE(index.suites[1].at, Duration(10s));
+        QCOMPARE(index.suites[2].at, Duration(11s));
+        QCOMPARE(index.suites[2].event.suite, std::string("rc4"));
+        QCOMPARE(index.suites[3].at, Duration(60s)); // after its end
+        QCOMPARE(index.unreadableEvents, std::uint64_t(3));
+        QCOMPARE(index.frames, std::uint64_t(61));
+        QVERIFY(indexOfText(flight(61)).suites.empty());
+    }
+
+    void suitesOfAFileWithoutTimesStandAtItsEnd()
+    {
+        LinkEvents events;
+        events.events.push_back({LinkEvent::Kind::Sealed, kNoon, "aes-256-gcm", {}});
+        std::istringstream input(beat(0, false) + beat(0, false));
+        const LogIndex index = indexOf(input, events);
+        QCOMPARE(index.suites.size(), std::size_t(1));
+        QCOMPARE(index.suites[0].at, index.length);
+    }
+
     void emptyFileHasNoTime()
     {
         const LogIndex index = indexOfText({});
