@@ -1,6 +1,7 @@
 // The recorder: what it writes can be read back, a crash loses at most the last second, and a failing disk stops nothing.
 #include "core/engine/station/recorder.h"
 #include "core/base/hex.h"
+#include "core/engine/station/link_event_file.h"
 #include "core/log/log_summary.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
@@ -32,6 +33,18 @@ WallTime timeOf(int number)
     return WallTime(std::chrono::seconds(1'700'000'000) + std::chrono::milliseconds(number));
 }
 
+tlog::LinkEvent switched(int number, const std::string &suite)
+{
+    return {tlog::LinkEvent::Kind::Switched, timeOf(number), suite, "air-1"};
+}
+
+/// Of the only recording in the folder.
+tlog::LinkEvents eventsIn(const QString &folder)
+{
+    const QStringList files = QDir(folder).entryList({QStringLiteral("*.tlog")}, QDir::Files);
+    return files.size() == 1 ? tlog::linkEventsOf((folder + QLatin1Char('/') + files[0]).toStdString()) : tlog::LinkEvents();
+}
+
 tlog::LogSummary summaryOf(const QString &folder)
 {
     const QStringList files = QDir(folder).entryList({QStringLiteral("*.tlog")}, QDir::Files);
@@ -57,6 +70,11 @@ private Q_SLOTS:
     void emptyRecordingLeavesNoFile();
     void leavesSpaceFree();
     void failedWriteLeavesNoEmptyFile();
+    void suitesAreNotedBesideIt();
+    void nextRecordingBeginsWithTheSuitesInUse();
+    void notesAreBounded();
+    void suitesWithoutFramesLeaveNoFile();
+    void suitesThatCannotBeWrittenStopNothing();
 
 private:
     std::unique_ptr<QTemporaryDir> m_folder;
@@ -178,6 +196,87 @@ void RecorderTest::failedWriteLeavesNoEmptyFile()
     QCOMPARE(waitpid(child, &status, 0), child);
     QVERIFY(WIFEXITED(status) && WEXITSTATUS(status) == 0);
     QVERIFY(QDir(m_folder->path()).entryList(QDir::Files).isEmpty());
+}
+
+void RecorderTest::suitesAreNotedBesideIt()
+{
+    {
+        Recorder recorder(m_folder->path().toStdString());
+        recorder.record(timeOf(0), kFrame);
+        EVENTUALLY_EQUAL(recorder.snapshot().frames, std::uint64_t(1));
+        recorder.note(switched(1, "aes-256-gcm"));
+        recorder.note(switched(2, "chacha20-poly1305"));
+        recorder.record(timeOf(3), kFrame);
+    }
+    const tlog::LinkEvents noted = eventsIn(m_folder->path());
+    QCOMPARE(noted.unreadable, std::uint64_t(0));
+    QCOMPARE(noted.events, (std::vector{switched(1, "aes-256-gcm"), switched(2, "chacha20-poly1305")}));
+    QCOMPARE(summaryOf(m_folder->path()).frames, std::uint64_t(2));
+    QVERIFY(summaryOf(m_folder->path()).isSound()); // a plain .tlog
+    const QFileInfoList files = QDir(m_folder->path()).entryInfoList({QStringLiteral("*.events")}, QDir::Files);
+    QVERIFY(!(files.at(0).permissions() & (QFile::ReadGroup | QFile::ReadOther)));
+}
+
+void RecorderTest::nextRecordingBeginsWithTheSuitesInUse()
+{
+    const std::string first = m_folder->filePath(QStringLiteral("1.tlog")).toStdString(),
+                      second = m_folder->filePath(QStringLiteral("2.tlog")).toStdString();
+    std::ofstream(tlog::linkEventsFile(second)) << "of a recording that was deleted\n";
+    LinkEventFile file;
+    QVERIFY(file.add({switched(-20, "aes-256-gcm"), switched(-10, "chacha20-poly1305")})); // before any recording
+    file.begin(first);
+    QVERIFY(file.add({}));
+    QVERIFY(file.add({switched(5, "aes-256-ctr")}));
+    file.begin(second);
+    QVERIFY(file.add({switched(8, "aes-256-gcm")}));
+    file.end();
+    QVERIFY(file.add({switched(9, "rc4")}));
+    const auto inUse = [](int number, const std::string &suite) {
+        tlog::LinkEvent out = switched(number, suite);
+        out.kind = tlog::LinkEvent::Kind::Sealed;
+        return out;
+    };
+    QCOMPARE(tlog::linkEventsOf(first).events, (std::vector{inUse(-10, "chacha20-poly1305"), switched(5, "aes-256-ctr")}));
+    QCOMPARE(tlog::linkEventsOf(second).events, (std::vector{inUse(5, "aes-256-ctr"), switched(8, "aes-256-gcm")}));
+    QCOMPARE(tlog::linkEventsOf(first).unreadable + tlog::linkEventsOf(second).unreadable, std::uint64_t(0));
+}
+
+void RecorderTest::notesAreBounded()
+{
+    const std::string recording = m_folder->filePath(QStringLiteral("1.tlog")).toStdString();
+    LinkEventFile file;
+    file.begin(recording);
+    QVERIFY(file.add(std::vector(tlog::LinkEvents::kMost + 100, switched(0, "rc4"))));
+    file.end();
+    QCOMPARE(tlog::linkEventsOf(recording).events.size(), tlog::LinkEvents::kMost);
+    QCOMPARE(tlog::linkEventsOf(recording).unreadable, std::uint64_t(0)); // all that was written is read
+}
+
+void RecorderTest::suitesWithoutFramesLeaveNoFile()
+{
+    {
+        Recorder recorder(m_folder->path().toStdString());
+        recorder.note(switched(0, "aes-256-gcm"));
+    }
+    QVERIFY(QDir(m_folder->path()).entryList(QDir::Files).isEmpty());
+}
+
+void RecorderTest::suitesThatCannotBeWrittenStopNothing()
+{
+    Recorder recorder(m_folder->path().toStdString());
+    recorder.record(timeOf(0), kFrame);
+    EVENTUALLY_EQUAL(recorder.snapshot().frames, std::uint64_t(1));
+    const std::string events = tlog::linkEventsFile(recorder.snapshot().file);
+    QVERIFY(QDir().mkpath(QString::fromStdString(events))); // a folder is in the way
+    recorder.note(switched(1, "aes-256-gcm"));
+    std::optional<RecordingSnapshot> problem;
+    QVERIFY(test::eventually([&] { return (problem = recorder.takeProblem()).has_value(); }));
+    QCOMPARE(problem->file, events);
+    recorder.note(switched(2, "aes-256-gcm"));
+    recorder.record(timeOf(3), kFrame);
+    EVENTUALLY_EQUAL(recorder.snapshot().frames, std::uint64_t(2));
+    QVERIFY(recorder.snapshot().problem.empty());
+    QVERIFY(!recorder.takeProblem()); // reported once
 }
 
 SKYSEAL_TEST(RecorderTest)

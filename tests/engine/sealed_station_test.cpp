@@ -5,8 +5,10 @@
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 
+#include "core/crypto/suite.h"
 #include "core/keys/peers_file.h"
 #include "core/keys/public_key_text.h"
+#include "core/log/link_events.h"
 #include "tests/support/heartbeat.h"
 
 #include <QtCore/QFile>
@@ -44,6 +46,7 @@ private Q_SLOTS:
     void clearFramesOfAPinnedVehicleAreRefused();
     void clearFramesAreRefusedAfterARestartAsWell();
     void recordingOfASealedVehicleIsShown();
+    void switchesAreNotedBesideTheRecording();
     void systemOfAnotherPeerIsRefusedAndReported();
     void observerCannotCommand();
     void pilotCanCommand();
@@ -194,6 +197,53 @@ void SealedStationTest::recordingOfASealedVehicleIsShown()
     QVERIFY(flying.ears->snapshot->vehicles[0].ended);
     QVERIFY(flying.ears->snapshot->vehicles[0].session);
     QCOMPARE(flying.ears->snapshot->vehicles[0].state.sequence.frames, messages);
+}
+
+void SealedStationTest::switchesAreNotedBesideTheRecording()
+{
+    using enum tlog::LinkEvent::Kind;
+    FlightRig rig;
+    QTemporaryDir folder;
+    engine::StationConfig config = rig.stationConfig();
+    config.recordFolder = folder.path().toStdString();
+    config.record = true;
+    Ground ground(config);
+    rig.startAgent(ground.ears->listening());
+    EVENTUALLY(ground.up());
+    VehicleOnUdp vehicle(rig.vehicleAddress());
+    EVENTUALLY(ground.ears->snapshot->recording.frames > 0);
+    const auto switchTo = [&](crypto::SuiteId suite) {
+        const std::size_t before = ground.ears->all<channel::SwitchDone>().size();
+        ground.station->switchSuite(ground.ears->all<channel::SessionUp>()[0].session, suite);
+        return test::eventually([&] { return ground.ears->all<channel::SwitchDone>().size() > before; });
+    };
+    QVERIFY(switchTo(crypto::SuiteId::Aes256Gcm));
+    QVERIFY(switchTo(crypto::SuiteId::Aes256Gcm)); // fresh keys are no switch
+    QVERIFY(switchTo(crypto::SuiteId::ChaCha20Poly1305));
+    const std::string first = ground.ears->snapshot->recording.file;
+    ground.station->setRecording(false);
+    EVENTUALLY(!ground.ears->snapshot->recording.active);
+    const auto is = [](const tlog::LinkEvent &event, tlog::LinkEvent::Kind kind, const char *suite) {
+        return event.kind == kind && event.suite == suite && event.peer == "air-1";
+    };
+    tlog::LinkEvents noted = tlog::linkEventsOf(first);
+    QCOMPARE(noted.unreadable, std::uint64_t(0));
+    QCOMPARE(noted.events.size(), std::size_t(3));
+    QVERIFY(is(noted.events[0], Sealed, "chacha20-poly1305"));
+    QVERIFY(is(noted.events[1], Switched, "aes-256-gcm"));
+    QVERIFY(is(noted.events[2], Switched, "chacha20-poly1305"));
+
+    // Another recording begins with the suite that is in use.
+    QVERIFY(switchTo(crypto::SuiteId::Aes256Gcm));
+    ground.station->setRecording(true);
+    EVENTUALLY(ground.ears->snapshot->recording.frames > 0);
+    const std::string second = ground.ears->snapshot->recording.file;
+    ground.station->setRecording(false);
+    EVENTUALLY(!ground.ears->snapshot->recording.active);
+    QVERIFY(second != first);
+    noted = tlog::linkEventsOf(second);
+    QCOMPARE(noted.events.size(), std::size_t(1));
+    QVERIFY(is(noted.events[0], Sealed, "aes-256-gcm"));
 }
 
 void SealedStationTest::systemOfAnotherPeerIsRefusedAndReported()

@@ -1,6 +1,7 @@
 #include "core/engine/station/recorder.h"
 
 #include "core/base/byte_writer.h"
+#include "core/engine/station/link_event_file.h"
 
 #include <array>
 #include <cerrno>
@@ -8,9 +9,6 @@
 #include <ctime>
 #include <filesystem>
 #include <utility>
-
-#include <fcntl.h>
-#include <unistd.h>
 
 namespace skyseal::engine {
 
@@ -20,6 +18,7 @@ constexpr auto kWriteEvery = std::chrono::milliseconds(200);
 constexpr auto kSyncEvery = std::chrono::seconds(1);
 constexpr auto kRetryAfter = std::chrono::seconds(10);
 constexpr std::size_t kTimeLength = 8;
+constexpr std::size_t kMostWaiting = 1000; ///< link events that a slow disk keeps in memory
 
 std::string nameByTime()
 {
@@ -34,63 +33,34 @@ std::string nameByTime()
 } // namespace
 
 /// Used by the writer thread alone.
-struct Recorder::File
+struct Recorder::Files
 {
     using Clock = std::chrono::steady_clock;
 
-    int fd = -1;
-    std::string name;
-    std::uint64_t size = 0; ///< of whole entries
+    RecordingFile log;
+    LinkEventFile events;
     Clock::time_point synced{};
     Clock::time_point retry{};
 
-    ~File()
-    {
-        if (fd >= 0) {
-            fdatasync(fd);
-            close(fd);
-        }
-    }
-
     bool openIn(const std::string &folder)
     {
-        size = 0;
         const std::string stem = folder + "/" + nameByTime();
         for (int copy = 1; copy < 100; ++copy) {
-            name = stem + (copy > 1 ? "-" + std::to_string(copy) : "") + ".tlog";
-            // Readable by the owner only: the file contains in clear the data that the link protects, such as positions.
-            fd = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-            if (fd >= 0 || errno != EEXIST)
+            const std::string name = stem + (copy > 1 ? "-" + std::to_string(copy) : "") + ".tlog";
+            if (log.create(name)) {
+                events.begin(name);
+                return true;
+            }
+            if (errno != EEXIST)
                 break;
         }
-        return fd >= 0;
+        return false;
     }
 
-    /// Removes an empty file and an incomplete entry.
     void closeAfterError()
     {
-        if (fd < 0)
-            return;
-        if (size == 0)
-            unlink(name.c_str());
-        else
-            static_cast<void>(ftruncate(fd, static_cast<off_t>(size)) == 0);
-        close(std::exchange(fd, -1));
-    }
-
-    bool writeAll(ByteView bytes)
-    {
-        const std::uint64_t after = size + bytes.size();
-        while (!bytes.empty()) {
-            const ssize_t done = ::write(fd, bytes.data(), bytes.size());
-            if (done < 0 && errno == EINTR)
-                continue;
-            if (done <= 0)
-                return false;
-            bytes = bytes.subspan(static_cast<std::size_t>(done));
-        }
-        size = after;
-        return true;
+        log.closeAfterError();
+        events.end();
     }
 };
 
@@ -127,6 +97,13 @@ void Recorder::record(WallTime time, ByteView frame)
     ++m_fillingFrames;
 }
 
+void Recorder::note(tlog::LinkEvent event)
+{
+    const std::lock_guard lock(m_mutex);
+    if (m_noted.size() < kMostWaiting)
+        m_noted.push_back(std::move(event));
+}
+
 RecordingSnapshot Recorder::snapshot() const
 {
     const std::lock_guard lock(m_mutex);
@@ -136,15 +113,12 @@ RecordingSnapshot Recorder::snapshot() const
 std::optional<RecordingSnapshot> Recorder::takeProblem()
 {
     const std::lock_guard lock(m_mutex);
-    if (!m_problemPending)
-        return std::nullopt;
-    m_problemPending = false;
-    return m_status;
+    return std::exchange(m_problem, std::nullopt);
 }
 
 void Recorder::run()
 {
-    File file;
+    Files files;
     Bytes writing;
     writing.reserve(m_filling.capacity());
     std::unique_lock lock(m_mutex);
@@ -154,48 +128,56 @@ void Recorder::run()
         writing.clear();
         std::swap(writing, m_filling);
         const std::uint64_t frames = std::exchange(m_fillingFrames, 0);
+        const std::vector<tlog::LinkEvent> noted = std::exchange(m_noted, {});
         lock.unlock();
         if (!writing.empty())
-            write(file, writing, frames);
+            write(files, writing, frames);
+        const int error = files.events.add(noted) ? 0 : errno;
         lock.lock();
+        if (error != 0 && !m_problem) { // the recording itself goes on
+            m_problem = m_status;
+            m_problem->file = files.events.name();
+            m_problem->problem = std::string("cannot be written: ") + std::strerror(error);
+        }
     }
 }
 
-void Recorder::write(File &file, ByteView bytes, std::uint64_t frames)
+void Recorder::write(Files &files, ByteView bytes, std::uint64_t frames)
 {
-    const bool written = writeTo(file, bytes);
+    const bool written = writeTo(files, bytes);
     const std::lock_guard lock(m_mutex);
     if (!written) {
         m_status.dropped += frames;
         return;
     }
-    m_status.file = file.name;
+    m_status.file = files.log.name();
     m_status.problem.clear();
     m_status.bytes += bytes.size();
     m_status.frames += frames;
 }
 
-bool Recorder::writeTo(File &file, ByteView bytes)
+bool Recorder::writeTo(Files &files, ByteView bytes)
 {
-    const auto now = File::Clock::now();
-    if (file.fd < 0 && now < file.retry)
+    const auto now = Files::Clock::now();
+    if (!files.log.isOpen() && now < files.retry)
         return false;
-    const bool syncs = now - file.synced >= kSyncEvery;
-    if ((file.fd < 0 || syncs) && !hasRoom()) {
-        fail(file, "less than " + std::to_string(m_leaveFree >> 20) + " MiB are free there");
-        return false;
-    }
-    if (file.fd < 0 && !file.openIn(m_folder)) {
-        fail(file, std::string("cannot be created: ") + std::strerror(errno));
+    const bool syncs = now - files.synced >= kSyncEvery;
+    if ((!files.log.isOpen() || syncs) && !hasRoom()) {
+        fail(files, "less than " + std::to_string(m_leaveFree >> 20) + " MiB are free there");
         return false;
     }
-    if (!file.writeAll(bytes)) {
-        fail(file, std::string("cannot be written: ") + std::strerror(errno));
+    if (!files.log.isOpen() && !files.openIn(m_folder)) {
+        fail(files, std::string("cannot be created: ") + std::strerror(errno));
+        return false;
+    }
+    if (!files.log.append(bytes)) {
+        fail(files, std::string("cannot be written: ") + std::strerror(errno));
         return false;
     }
     if (syncs) {
-        file.synced = now;
-        fdatasync(file.fd);
+        files.synced = now;
+        files.log.sync();
+        files.events.sync();
     }
     return true;
 }
@@ -209,15 +191,16 @@ bool Recorder::hasRoom() const
     return error || space.available >= m_leaveFree;
 }
 
-void Recorder::fail(File &file, const std::string &problem)
+void Recorder::fail(Files &files, const std::string &problem)
 {
-    file.closeAfterError();
-    file.retry = File::Clock::now() + kRetryAfter;
+    files.closeAfterError();
+    files.retry = Files::Clock::now() + kRetryAfter;
     const std::lock_guard lock(m_mutex);
-    // Reported once, not every ten seconds.
-    m_problemPending = m_problemPending || m_status.problem != problem;
-    m_status.file = file.name.empty() ? m_folder : file.name;
+    const bool isNew = m_status.problem != problem; // reported once, not every ten seconds
+    m_status.file = files.log.name().empty() ? m_folder : files.log.name();
     m_status.problem = problem;
+    if (isNew)
+        m_problem = m_status;
 }
 
 } // namespace skyseal::engine

@@ -1,19 +1,23 @@
 // Writes the .tlog of a flight: every frame with its time, in the common format of ground stations. A slow or full disk must
 // never delay the flight, so the I/O thread only copies into a bounded buffer. The recorder's own thread writes it to the file
-// five times a second and syncs the file once a second, so that a crash loses at most the last second.
+// five times a second and syncs the file once a second, so that a crash loses at most the last second. The cipher suites of
+// the links, of which the frames say nothing, go into a file beside it (core/log/link_events.h).
 //
-// record(), snapshot() and takeProblem() are called from one thread (I/O); the file is touched by the writer thread alone.
+// record(), note(), snapshot() and takeProblem() are called from one thread (I/O); the files are touched by the writer thread
+// alone.
 #pragma once
 
 #include "core/base/bytes.h"
 #include "core/base/clock.h"
 #include "core/engine/station/recording_snapshot.h"
+#include "core/log/link_events.h"
 
 #include <condition_variable>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace skyseal::engine {
 
@@ -32,18 +36,20 @@ public:
     Recorder &operator=(const Recorder &) = delete;
 
     void record(WallTime time, ByteView frame);
+    /// Before the first frame only the newest event of each peer counts: it stands at the beginning of the recording.
+    void note(tlog::LinkEvent event);
     RecordingSnapshot snapshot() const;
     /// Returns a problem that was not returned before, with the system's error text.
     std::optional<RecordingSnapshot> takeProblem();
 
 private:
-    struct File;
+    struct Files;
 
     void run();
-    void write(File &file, ByteView bytes, std::uint64_t frames);
-    bool writeTo(File &file, ByteView bytes);
+    void write(Files &files, ByteView bytes, std::uint64_t frames);
+    bool writeTo(Files &files, ByteView bytes);
     bool hasRoom() const;
-    void fail(File &file, const std::string &problem);
+    void fail(Files &files, const std::string &problem);
 
     const std::string m_folder;
     const std::uint64_t m_leaveFree;
@@ -51,8 +57,9 @@ private:
     std::condition_variable m_wake;
     Bytes m_filling; ///< of fixed capacity; frames that do not fit are dropped and counted
     std::uint64_t m_fillingFrames = 0;
+    std::vector<tlog::LinkEvent> m_noted; ///< not yet taken by the writer
     RecordingSnapshot m_status;
-    bool m_problemPending = false;
+    std::optional<RecordingSnapshot> m_problem; ///< not yet taken
     bool m_stop = false;
     std::thread m_writer;
 };

@@ -1,6 +1,7 @@
 #include "core/engine/station/station_core.h"
 
 #include "core/channel/endpoint.h"
+#include "core/engine/station/recording_link_events.h"
 #include "core/engine/station/snapshot.h"
 #include "core/crypto/mavsec_cipher.h"
 #include "core/metrics/process_usage.h"
@@ -237,7 +238,7 @@ void StationCore::setRecording(bool recording)
     if (!recording)
         m_recorder.reset();
     else if (!m_recorder && !m_config.recordFolder.empty())
-        m_recorder = std::make_unique<Recorder>(m_config.recordFolder);
+        m_recorder = startRecording(m_config.recordFolder, m_channel.get());
     m_sender.setRecorder(m_recorder.get());
     m_receiver.setRecorder(m_recorder.get());
     m_pace.markChanged();
@@ -377,6 +378,7 @@ void StationCore::handleEvents(TimePoint now, std::optional<channel::SessionId> 
 void StationCore::handleEvent(TimePoint now, const channel::Event &event)
 {
     m_pace.markChanged();
+    noteLinkEvent(m_recorder.get(), *m_channel, event);
     if (const auto *up = std::get_if<channel::SessionUp>(&event)) {
         handleSessionUp(now, *up);
     } else if (const auto *down = std::get_if<channel::SessionDown>(&event)) {
