@@ -34,12 +34,15 @@ Q_SIGNALS:
     void read(skyseal::engine::RecordingInfo recording);
 
 private:
-    using Key = std::tuple<std::string, std::uint64_t, WallTime>;
+    using Key = std::tuple<std::string, std::uint64_t, std::uint64_t, WallTime>;
 
     void takeFiles(std::vector<engine::RecordingInfo> files);
     void readNext();
     void keep(const engine::RecordingInfo &recording);
-    static Key keyOf(const engine::RecordingInfo &recording) { return {recording.path, recording.bytes, recording.modified}; }
+    static Key keyOf(const engine::RecordingInfo &recording)
+    {
+        return {recording.path, recording.bytes, recording.eventBytes, recording.modified};
+    }
 
     std::map<Key, engine::RecordingInfo> m_known;
     std::deque<engine::RecordingInfo> m_waiting;

@@ -47,6 +47,19 @@ private Q_SLOTS:
         QVERIFY(m_newest->links.at(0).recording);
     }
 
+    void suitesBesideTheRecordingAreOnItsLine()
+    {
+        const std::string path = m_folder.filePath(QStringLiteral("sealed.tlog")).toStdString();
+        std::ofstream(path, std::ios::binary) << m_recorded.content;
+        const tlog::LinkEvent event{tlog::LinkEvent::Kind::Sealed, {}, "aes-256-gcm", "air-1"};
+        std::ofstream(tlog::linkEventsFile(path)) << tlog::lineOf(event) << "no event\n";
+        const auto replay = start(*link::LinkUrl::parse(link::LinkUrl::ofRecording(path)));
+        EVENTUALLY(m_newest && status().index);
+        QCOMPARE(status().index->suites.size(), std::size_t(1));
+        QVERIFY(status().index->suites[0].event == event);
+        QCOMPARE(status().index->unreadableEvents, std::uint64_t(1));
+    }
+
     void pausedPictureKeepsItsAge()
     {
         const auto replay = start(*m_url);

@@ -1,5 +1,6 @@
-// Any bytes as a datagram, as a stream in portions, and as a recording. What comes out must cover what went in, and every
-// valid frame must be told as JSON and encode again to its own bytes. The index of the recording must be sound.
+// Any bytes as a datagram, as a stream in portions, as a recording, and as the file with link events beside it. What comes out
+// must cover what went in, and every valid frame must be told as JSON and encode again to its own bytes. The index of the
+// recording must be sound, and every link event must be written as the line that it was.
 #include "core/log/decode.h"
 #include "core/log/log_index.h"
 #include "core/mavlink/frame_writer.h"
@@ -7,6 +8,7 @@
 #include "core/mavlink/payload_builder.h"
 #include "core/mavlink/stream_parser.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <sstream>
 #include <vector>
@@ -56,11 +58,24 @@ void encodeAgain(const Frame &frame)
                 && std::equal(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(compared), again.begin()));
 }
 
+tlog::LinkEvents readEventsAgain(ByteView bytes)
+{
+    std::istringstream input(std::string(asText(bytes)));
+    tlog::LinkEvents out = tlog::readLinkEvents(input);
+    require(out.events.size() <= tlog::LinkEvents::kMost && out.events.size() + out.unreadable <= bytes.size());
+    for (const tlog::LinkEvent &event : out.events) {
+        const std::string line = tlog::lineOf(event);
+        require(tlog::linkEventOf(std::string_view(line).substr(0, line.size() - 1)) == event);
+    }
+    return out;
+}
+
 /// Every position of an index lies on its time line, in order, and its lists are bounded.
 void indexAgain(ByteView bytes)
 {
     std::istringstream input(std::string(asText(bytes)));
-    const tlog::LogIndex index = tlog::indexOf(input);
+    const tlog::LinkEvents events = readEventsAgain(bytes);
+    const tlog::LogIndex index = tlog::indexOf(input, events);
     const auto isOnLine = [&](const tlog::LogSpan &span) {
         return Duration::zero() <= span.from && span.from <= span.to && span.to <= index.length;
     };
@@ -70,6 +85,9 @@ void indexAgain(ByteView bytes)
         require(isOnLine(armed.span));
     for (const tlog::ModeChange &mode : index.modes)
         require(isOnLine({mode.at, mode.at}));
+    for (const tlog::SuiteMark &mark : index.suites)
+        require(isOnLine({mark.at, mark.at}));
+    require(index.suites.size() == std::min(events.events.size(), tlog::LogIndex::kListed));
     require(index.gaps.size() <= tlog::LogIndex::kListed && index.armed.size() <= tlog::LogIndex::kListed);
     require(index.modes.size() <= tlog::LogIndex::kListed && index.vehicles.size() <= 255);
     require(index.first || (index.length == Duration::zero() && index.gaps.empty()));

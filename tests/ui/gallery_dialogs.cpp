@@ -1,7 +1,10 @@
 #include "gallery_dialogs.h"
+#include "fake_station.h"
 #include "fake_sweep.h"
+#include "scripted_snapshots.h"
 
 #include "ui/dialogs/help_dialog.h"
+#include "core/log/log_index.h"
 #include "ui/dialogs/settings_dialog.h"
 #include "ui/flight/change_altitude_dialog.h"
 #include "ui/flight/pre_arm_dialog.h"
@@ -63,6 +66,31 @@ struct Stage
     FakeKeyring &keyring;
     FakePairing &pairing;
 };
+
+/// One sealed flight, one without notes about ciphers, one with damaged ones, one that is still being read.
+QWidget *recordingsOf(const Stage &stage)
+{
+    using namespace std::chrono_literals;
+    auto *station = new FakeStation(&stage.window);
+    auto *dialog = new RecordingsDialog(*station, QStringLiteral("/home/ann/.local/share/skyseal/skyseal/logs"), &stage.window);
+    std::vector<engine::RecordingInfo> all;
+    for (const char *name : {"2026-05-02T10-00-00Z", "2026-05-01T16-20-11Z", "2026-04-27T08-03-54Z", "2026-04-26T11-41-30Z"}) {
+        engine::RecordingInfo one{"/logs/" + std::string(name) + ".tlog", std::string(name) + ".tlog"};
+        one.bytes = 3'100'000 + 450'000 * all.size();
+        one.modified = WallTime(1'777'716'000s - 86'400s * static_cast<int>(all.size()));
+        all.push_back(std::move(one));
+    }
+    const tlog::LogIndex flight = *replayedSnapshot(0).replay->index;
+    tlog::LogIndex plain = flight, damaged = flight;
+    plain.suites.clear();
+    damaged.suites.resize(1);
+    damaged.unreadableEvents = 2;
+    all[0].index = std::make_shared<const tlog::LogIndex>(flight);
+    all[1].index = std::make_shared<const tlog::LogIndex>(plain);
+    all[2].index = std::make_shared<const tlog::LogIndex>(damaged);
+    Q_EMIT station->recordingsListed(all);
+    return dialog;
+}
 
 QWidget *keysOf(const Stage &stage)
 {
@@ -189,6 +217,7 @@ const std::map<QString, Open> &dialogs()
              find->setText(QStringLiteral("battery volt"));
              return dialog;
          }},
+        {QStringLiteral("recordings"), &recordingsOf},
         {QStringLiteral("map-source"),
          [](const Stage &stage) -> QWidget * {
              MapSource source;

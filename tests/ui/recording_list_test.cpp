@@ -51,6 +51,20 @@ private Q_SLOTS:
         QCOMPARE(std::ranges::count_if(m_listings.at(1), &RecordingInfo::isRead), kMany - 1);
     }
 
+    void isReadAgainWhenTheFileBesideItHasGrown()
+    {
+        write(QStringLiteral("a.tlog"), 3);
+        list();
+        EVENTUALLY_EQUAL(m_read.size(), std::size_t(1));
+        QVERIFY(m_read[0].index->suites.empty());
+        const tlog::LinkEvent event{tlog::LinkEvent::Kind::Sealed, tlog::kNoon, "aes-256-gcm", "air-1"};
+        std::ofstream(m_folder->filePath(QStringLiteral("a.tlog.events")).toStdString()) << tlog::lineOf(event);
+        list();
+        EVENTUALLY_EQUAL(m_read.size(), std::size_t(2));
+        QCOMPARE(m_listings.back().size(), std::size_t(1)); // the other file is no recording
+        QCOMPARE(m_read[1].index->suites.size(), std::size_t(1));
+    }
+
     void newestIsFirst()
     {
         write(QStringLiteral("a.tlog"), 1);

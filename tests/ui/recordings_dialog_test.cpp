@@ -2,6 +2,7 @@
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/replay/recordings_dialog.h"
+#include "ui/text/units.h"
 #include "window_rig.h"
 
 #include "core/mavlink/enums.h"
@@ -61,6 +62,48 @@ private Q_SLOTS:
         QVERIFY(text(row, RecordingModel::Vehicle).contains(QStringLiteral(" 1, ")));
         QVERIFY(text(1 - row, RecordingModel::Vehicle).contains(QStringLiteral("permission denied")));
         QVERIFY(state().startsWith(QStringLiteral("2 recordings")));
+    }
+
+    void ciphersAreListed()
+    {
+        engine::RecordingInfo sealed = file("sealed.tlog", 3000s), plain = file("plain.tlog", 2000s),
+                              damaged = file("damaged.tlog", 1000s);
+        list({sealed, plain, damaged});
+        QCOMPARE(text(0, RecordingModel::Ciphers), QString());
+        QCOMPARE(m_view->model()->headerData(RecordingModel::Ciphers, Qt::Horizontal).toString(), QStringLiteral("Ciphers"));
+        auto index = *indexed(1'600'000'000s, 754s, {1});
+        plain.index = std::make_shared<const tlog::LogIndex>(index);
+        for (const char *suite : {"chacha20-poly1305", "rc4", "chacha20-poly1305", "of-tomorrow"})
+            index.suites.push_back({{}, {tlog::LinkEvent::Kind::Switched, {}, suite, "air-1"}});
+        sealed.index = std::make_shared<const tlog::LogIndex>(index);
+        index.suites.resize(1);
+        index.unreadableEvents = 1;
+        damaged.index = std::make_shared<const tlog::LogIndex>(index);
+        for (const engine::RecordingInfo &one : {sealed, plain, damaged})
+            Q_EMIT m_station->recordingRead(one);
+        const QString names = text(0, RecordingModel::Ciphers);
+        QVERIFY2(names.startsWith(QStringLiteral("ChaCha20-Poly1305, RC4")) && names.contains(QStringLiteral("insecure"))
+                     && names.endsWith(QStringLiteral(", of-tomorrow")),
+                 qPrintable(names));
+        QCOMPARE(names.count(QStringLiteral("ChaCha20")), 1);
+        QCOMPARE(text(1, RecordingModel::Ciphers), dash());
+        const QModelIndex none = m_view->model()->index(1, RecordingModel::Ciphers);
+        QVERIFY(none.data(Qt::ToolTipRole).toString().contains(QStringLiteral("No cipher suite is noted")));
+        QCOMPARE(text(2, RecordingModel::Ciphers), QStringLiteral("ChaCha20-Poly1305, one unreadable line about ciphers"));
+    }
+
+    /// A file beside a recording may name any number of suites.
+    void ciphersOfAHostileFileAreFew()
+    {
+        engine::RecordingInfo one = file("a.tlog", 1000s);
+        list({one});
+        auto index = *indexed(1'600'000'000s, 754s, {1});
+        for (int i = 0; i < 500; ++i)
+            index.suites.push_back({{}, {tlog::LinkEvent::Kind::Switched, {}, "suite-" + std::to_string(i), {}}});
+        one.index = std::make_shared<const tlog::LogIndex>(index);
+        Q_EMIT m_station->recordingRead(one);
+        QVERIFY(text(0, RecordingModel::Ciphers).size() < 200);
+        QVERIFY(text(0, RecordingModel::Ciphers).endsWith(QStringLiteral("and others")));
     }
 
     void emptyFolderSaysWhatToDo()

@@ -6,6 +6,7 @@
 #include "ui/replay/replay_bar.h"
 #include "ui/replay/replay_timeline.h"
 #include "ui/text/figures.h"
+#include "ui/theme/suite_style.h"
 #include "window_rig.h"
 
 #include "core/log/log_index.h"
@@ -173,12 +174,62 @@ private Q_SLOTS:
         const auto *line = find<ReplayTimeline>("replayLine");
         const QString said = line->accessibleDescription();
         for (const char *words :
-             {"06:40 nothing recorded for 00:55", "01:00 armed until 13:35", "01:20 mode AUTO", "12:40 mode LAND"})
+             {"06:40 nothing recorded for 00:55", "01:00 armed until 13:35", "01:20 mode AUTO", "12:40 mode LAND",
+              "00:00 sealed with ChaCha20-Poly1305", "08:20 switched to AES-256-GCM", "11:40 switched to ChaCha20-Poly1305"})
             QVERIFY2(said.contains(QLatin1String(words)), qPrintable(said));
         const int gap = line->width() * 427 / 900;
         QVERIFY2(line->textAt(gap).contains(QStringLiteral("nothing recorded")), qPrintable(line->textAt(gap)));
         QVERIFY(line->textAt(gap).contains(QStringLiteral("armed until")));
         QVERIFY(!line->textAt(line->width() * 500 / 900).contains(QStringLiteral("nothing recorded")));
+    }
+
+    void switchIsSaidUnderThePointerAndReachedByKeys()
+    {
+        start();
+        auto *line = find<ReplayTimeline>("replayLine");
+        const int at = line->width() * 500 / 900;
+        QVERIFY2(line->textAt(at).contains(QStringLiteral("\n08:20 switched to AES-256-GCM")), qPrintable(line->textAt(at)));
+        QVERIFY(!line->textAt(line->width() * 580 / 900).contains(QStringLiteral("switched")));
+        showAt(456);
+        line->setFocus();
+        QTest::keyClick(line, Qt::Key_Right, Qt::ControlModifier);
+        QCOMPARE(newest<engine::SeekReplay>()->to, Duration(500s));
+    }
+
+    /// A diamond in the color of the suite, below the line.
+    void switchIsDrawnInTheColorOfItsSuite()
+    {
+        start();
+        auto *line = find<ReplayTimeline>("replayLine");
+        const auto hasColor = [&](int second) {
+            const QImage picture = line->grab().toImage();
+            const double ratio = picture.devicePixelRatio();
+            const int x = 6 + (line->width() - 12) * second / 900;
+            for (int y = line->height() / 2 + 5; y < line->height(); ++y)
+                for (int dx = -2; dx <= 2; ++dx)
+                    if (picture.pixelColor(int((x + dx) * ratio), int(y * ratio)) == suiteColor(crypto::SuiteId::Aes256Gcm))
+                        return true;
+            return false;
+        };
+        QVERIFY(hasColor(500));
+        QVERIFY(!hasColor(600));
+    }
+
+    void severalLinksAreNamed()
+    {
+        m_window->startReplay(QStringLiteral("tlog:/logs/own.tlog"));
+        showAt(300, [](engine::ReplayStatus &status) {
+            auto index = *status.index;
+            index.suites.at(1).event.peer = "air-2";
+            index.suites.at(2).event.suite = "of-tomorrow";
+            index.unreadableEvents = 2;
+            status.index = std::make_shared<const tlog::LogIndex>(index);
+        });
+        const QString said = find<ReplayTimeline>("replayLine")->accessibleDescription();
+        for (const char *words : {"2 unreadable lines about ciphers", "00:00 sealed with ChaCha20-Poly1305 (link to air-1)",
+                                  "08:20 switched to AES-256-GCM (link to air-2)", "11:40 switched to of-tomorrow"})
+            QVERIFY2(said.contains(QLatin1String(words)), qPrintable(said));
+        QVERIFY(find<FigureLabel>("replayPosition")->toolTip().contains(QStringLiteral("2 unreadable lines")));
     }
 
     void positionIsSaid()

@@ -104,6 +104,9 @@ private Q_SLOTS:
             content += tlog::entry(tlog::kNoon + std::chrono::milliseconds(500 * i), tlog::heartbeat(i, 7));
         content.resize(content.size() - 9); // the crash cut the last frame
         writeFile(recording, QByteArray::fromStdString(content));
+        const tlog::LinkEvent event{tlog::LinkEvent::Kind::Switched, tlog::kNoon, "aes-256-gcm", "air-1"};
+        const std::string line = tlog::lineOf(event);
+        writeFile(recording + QStringLiteral(".events"), QByteArray::fromStdString(line + line.substr(0, line.size() / 2)));
         const QString runs = dataFolder() + QStringLiteral("/runs");
         writeFile(runs + QStringLiteral("/run-dead01"),
                   "recording " + recording.toUtf8() + "\nlink udpin:127.0.0.1:0\nlink udpout:127.0.0.1:9\n");
@@ -133,6 +136,8 @@ private Q_SLOTS:
         EVENTUALLY(window->view().isReplay() && window->view().vehicle);
         QCOMPARE(window->view().vehicle->state.systemId, std::uint8_t(7));
         EVENTUALLY(window->view().snapshot->replay->index && window->view().snapshot->replay->index->frames == 19);
+        QCOMPARE(window->view().snapshot->replay->index->suites.size(), std::size_t(1)); // of what was noted beside it
+        QCOMPARE(window->view().snapshot->replay->index->unreadableEvents, std::uint64_t(1));
         QTest::mouseClick(bar->findChild<QPushButton *>(QStringLiteral("rescueDismiss")), Qt::LeftButton);
         EVENTUALLY(!window->findChild<QFrame *>(QStringLiteral("rescueBar")));
         QCOMPARE(markersIn(runs).size(), 1); // its own, which lives

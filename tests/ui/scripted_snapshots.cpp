@@ -206,6 +206,10 @@ engine::Snapshot replayedSnapshot(double position)
             out->modes.push_back({at, 1, mavlink::MAV_TYPE_QUADROTOR, mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA, 1, mode});
         out->armed.push_back({{60s, 815s}, 1});
         out->gaps.push_back({400s, 455s});
+        using enum tlog::LinkEvent::Kind;
+        out->suites = {{0s, {Sealed, *out->first, "chacha20-poly1305", "air-1"}},
+                       {500s, {Switched, *out->first + 500s, "aes-256-gcm", "air-1"}},
+                       {700s, {Switched, *out->first + 700s, "chacha20-poly1305", "air-1"}}};
         return out;
     }();
     engine::Snapshot out = plainSnapshot(position);

@@ -15,7 +15,8 @@ engine::Snapshot pendingApprovalSnapshot();
 engine::Snapshot plainSnapshot(double time);
 engine::Snapshot sealedSnapshot(double time, crypto::SuiteId suite = crypto::SuiteId::ChaCha20Poly1305,
                                 std::uint32_t epoch = 3);
-/// What a recording of a quarter of an hour shows, playing at `position` seconds. Its index has a gap, modes and times armed.
+/// What a recording of a quarter of an hour shows, playing at `position` seconds. Its index has a gap, modes, times armed
+/// and cipher switches.
 engine::Snapshot replayedSnapshot(double position);
 /// Samples of the diagnostics from `fromTime` to `toTime`, four a second, as one suite.
 std::vector<engine::MetricsSample> samplesOf(std::uint64_t firstNumber, double fromTime, double toTime, crypto::SuiteId suite,

@@ -1,9 +1,11 @@
 #include "ui/replay/recording_model.h"
 
 #include "core/engine/text/state_text.h"
+#include "ui/replay/link_event_text.h"
 #include "ui/text/plain_tip.h"
 #include "ui/text/units.h"
 #include "ui/text/vehicle_text.h"
+#include "ui/theme/suite_style.h"
 
 #include <QtCore/QDateTime>
 #include <QtCore/QLocale>
@@ -38,6 +40,28 @@ QString vehicleOf(const RecordingInfo &recording)
                     : RecordingModel::tr("%1 %2").arg(engine::vehicleTypeText(mode->type), number));
     }
     return out.isEmpty() ? RecordingModel::tr("no vehicle") : out.join(QStringLiteral(", "));
+}
+
+/// Each suite once, in the order of their use.
+QString ciphersOf(const RecordingInfo &recording)
+{
+    constexpr qsizetype kMostNamed = 8;
+    if (!recording.index)
+        return {};
+    QStringList out;
+    for (const tlog::SuiteMark &mark : recording.index->suites) {
+        const QString name = suiteNameOf(mark.event.suite);
+        if (out.contains(name))
+            continue;
+        if (out.size() == kMostNamed) {
+            out << RecordingModel::tr("and others");
+            break;
+        }
+        out << name;
+    }
+    if (recording.index->unreadableEvents > 0)
+        out << unreadableEventsText(*recording.index);
+    return out.isEmpty() ? dash() : out.join(QStringLiteral(", "));
 }
 
 } // namespace
@@ -82,6 +106,9 @@ QVariant RecordingModel::data(const QModelIndex &index, int role) const
     const bool isNumber = index.column() == Length || index.column() == Size;
     if (role == Qt::TextAlignmentRole && isNumber)
         return int(Qt::AlignRight | Qt::AlignVCenter);
+    if (role == Qt::ToolTipRole && index.column() == Ciphers)
+        return plainTip(one.index && one.index->suites.empty() ? tr("No cipher suite is noted beside this recording")
+                                                               : ciphersOf(one));
     if (role == Qt::ToolTipRole)
         return plainTip(fromStd(one.path));
     if (role != Qt::DisplayRole && role != kSortRole)
@@ -97,6 +124,7 @@ QVariant RecordingModel::data(const QModelIndex &index, int role) const
         const double length = one.index ? seconds(one.index->length) : -1;
         return sorts ? QVariant(length) : durationText(length);
     }
+    case Ciphers: return ciphersOf(one);
     case Size: return sorts ? QVariant(static_cast<qulonglong>(one.bytes)) : sizeText(one.bytes);
     case File: return fromStd(one.name);
     default: return {};
@@ -111,6 +139,7 @@ QVariant RecordingModel::headerData(int section, Qt::Orientation orientation, in
     case Date: return tr("Date");
     case Vehicle: return tr("Vehicle");
     case Length: return tr("Length");
+    case Ciphers: return tr("Ciphers");
     case Size: return tr("Size");
     case File: return tr("File");
     default: return {};

@@ -14,7 +14,7 @@ class RecordingModel : public QAbstractTableModel
     Q_OBJECT
 
 public:
-    enum Column { Date, Vehicle, Length, Size, File, Columns };
+    enum Column { Date, Vehicle, Length, Ciphers, Size, File, Columns };
     static constexpr int kSortRole = Qt::UserRole; ///< a value in the order of the column
 
     using QAbstractTableModel::QAbstractTableModel;

@@ -40,6 +40,7 @@ RecordingsDialog::RecordingsDialog(StationInterface &station, const QString &fol
     widen(RecordingModel::Date, QStringLiteral("8888-88-88 88:88"));
     widen(RecordingModel::Vehicle, QStringLiteral("cannot be read: permission"));
     widen(RecordingModel::Length, QStringLiteral("88:88:88"));
+    widen(RecordingModel::Ciphers, QStringLiteral("ChaCha20-Poly1305, AES-256-GCM, RC4 (insecure)"));
     widen(RecordingModel::Size, QStringLiteral("888.8 MB"));
     m_state->setObjectName(QStringLiteral("recordingState"));
     m_state->setTextFormat(Qt::PlainText);
@@ -58,7 +59,7 @@ RecordingsDialog::RecordingsDialog(StationInterface &station, const QString &fol
     column->addWidget(m_view, 1);
     column->addWidget(m_state);
     column->addLayout(buttons);
-    resize(80 * kGrid, 50 * kGrid);
+    resize(122 * kGrid, 50 * kGrid);
 
     connect(m_view->selectionModel(), &QItemSelectionModel::selectionChanged, this, &RecordingsDialog::showState);
     connect(m_view, &QTreeView::doubleClicked, this, &RecordingsDialog::replaySelected); // Enter is the default button's

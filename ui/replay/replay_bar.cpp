@@ -1,6 +1,7 @@
 #include "ui/replay/replay_bar.h"
 
 #include "core/log/log_index.h"
+#include "ui/replay/link_event_text.h"
 #include "ui/replay/replay_timeline.h"
 #include "ui/text/figures.h"
 #include "ui/text/units.h"
@@ -111,6 +112,8 @@ void ReplayBar::showPosition()
         const QDateTime time = QDateTime::fromSecsSinceEpoch(since.count());
         tip += QLatin1Char('\n') + tr("Recorded %1").arg(QLocale().toString(time, QStringLiteral("yyyy-MM-dd HH:mm:ss")));
     }
+    if (m_status.index && m_status.index->unreadableEvents > 0)
+        tip += QLatin1Char('\n') + tr("Beside the recording: %1").arg(unreadableEventsText(*m_status.index));
     if (m_position->toolTip() != tip)
         m_position->setToolTip(tip);
 }

@@ -1,11 +1,13 @@
 #include "ui/replay/replay_timeline.h"
 
 #include "core/vehicle/flight_modes.h"
+#include "ui/replay/link_event_text.h"
 #include "ui/replay/timeline_access.h"
 #include "ui/text/units.h"
 #include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
+#include "ui/theme/suite_style.h"
 
 #include <QtCore/QDateTime>
 #include <QtCore/QLocale>
@@ -40,6 +42,17 @@ int replayMilliseconds(Duration at)
 {
     return static_cast<int>(
         std::clamp<std::int64_t>(std::chrono::floor<milliseconds>(at).count(), 0, std::numeric_limits<int>::max()));
+}
+
+QColor inkOf(const QWidget &widget)
+{
+    return widget.palette().color(widget.isEnabled() ? QPalette::WindowText : QPalette::PlaceholderText);
+}
+
+/// What the frame of the line leaves.
+QRectF innerOf(const QRectF &line)
+{
+    return line.adjusted(1, 1, -1, -1);
 }
 
 } // namespace
@@ -99,10 +112,35 @@ void ReplayTimeline::collectMarks()
         m_marks.push_back({mode.at, mode.at, tr("%1 mode %2").arg(timeText(mode.at), fromStd(name)) + ofVehicle(mode.systemId),
                            Mark::Kind::Mode});
     }
+    collectSuites();
     std::ranges::stable_sort(m_marks, {}, &Mark::from);
+    describeMarks();
+}
+
+/// The links are named if there are several.
+void ReplayTimeline::collectSuites()
+{
+    const std::vector<tlog::SuiteMark> &suites = m_index->suites;
+    const bool several = std::ranges::any_of(
+        suites, [&](const tlog::SuiteMark &mark) { return mark.event.peer != suites.front().event.peer; });
+    for (const tlog::SuiteMark &mark : suites) {
+        const bool switched = mark.event.kind == tlog::LinkEvent::Kind::Switched;
+        QString text = (switched ? tr("%1 switched to %2") : tr("%1 sealed with %2"))
+                           .arg(timeText(mark.at), suiteNameOf(mark.event.suite));
+        if (several)
+            text += tr(" (link to %1)").arg(fromStd(mark.event.peer));
+        const auto known = crypto::suiteFromName(mark.event.suite);
+        m_marks.push_back({mark.at, mark.at, text, Mark::Kind::Suite, suiteColor(known.value_or(crypto::SuiteId::None))});
+    }
+}
+
+void ReplayTimeline::describeMarks()
+{
     QStringList spoken;
+    if (const QString unreadable = unreadableEventsText(*m_index); !unreadable.isEmpty())
+        spoken << unreadable;
     for (const Mark &mark : m_marks) {
-        if (spoken.size() == static_cast<qsizetype>(kMostSpoken)) {
+        if (&mark - m_marks.data() == static_cast<std::ptrdiff_t>(kMostSpoken)) {
             spoken << tr("and %1 more").arg(m_marks.size() - kMostSpoken);
             break;
         }
@@ -221,35 +259,54 @@ bool ReplayTimeline::event(QEvent *event)
     return true;
 }
 
+void ReplayTimeline::paintMark(QPainter &painter, const Mark &mark) const
+{
+    const StateColors &colors = stateColors(palette());
+    const QRectF line = lineRect(), inner = innerOf(line);
+    const qreal from = pixelOf(mark.from), to = std::max(pixelOf(mark.to), from + 1);
+    switch (mark.kind) {
+    case Mark::Kind::Gap:
+        painter.fillRect(QRectF(from, inner.top(), to - from, inner.height()), palette().color(QPalette::Window));
+        painter.fillRect(QRectF(from, inner.top(), to - from, inner.height()), QBrush(inkOf(*this), Qt::BDiagPattern));
+        break;
+    case Mark::Kind::Armed: painter.fillRect(QRectF(from, line.bottom() + 2, to - from, 3), colors.warning); break;
+    case Mark::Kind::Mode: {
+        QPainterPath pointer(QPointF(from, line.top() - 1));
+        pointer.lineTo(from - 4, line.top() - 7);
+        pointer.lineTo(from + 4, line.top() - 7);
+        pointer.closeSubpath();
+        painter.fillPath(pointer, colors.accent);
+        break;
+    }
+    case Mark::Kind::Suite: {
+        const QPointF middle(from, line.bottom() + 5);
+        painter.setPen(QPen(inkOf(*this), 1));
+        painter.setBrush(mark.color);
+        painter.drawPolygon(
+            QPolygonF{middle - QPointF(0, 4), middle + QPointF(4, 0), middle + QPointF(0, 4), middle - QPointF(4, 0)});
+        break;
+    }
+    }
+}
+
 void ReplayTimeline::paintEvent(QPaintEvent *)
 {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const StateColors &colors = stateColors(palette());
-    const QColor ink = palette().color(isEnabled() ? QPalette::WindowText : QPalette::PlaceholderText);
+    const QColor ink = inkOf(*this);
     const QRectF line = lineRect();
     painter.setPen(QPen(colors.edge, 1));
     painter.setBrush(palette().color(QPalette::Base));
     painter.drawRect(line.adjusted(0.5, 0.5, -0.5, -0.5));
-    const QRectF inner = line.adjusted(1, 1, -1, -1);
+    const QRectF inner = innerOf(line);
     const qreal here = pixelOf(milliseconds(value()));
     painter.fillRect(QRectF(inner.topLeft(), QPointF(here, inner.bottom())), palette().color(QPalette::Highlight));
-    for (const Mark &mark : m_marks) {
-        const qreal from = pixelOf(mark.from), to = std::max(pixelOf(mark.to), from + 1);
-        switch (mark.kind) {
-        case Mark::Kind::Gap:
-            painter.fillRect(QRectF(from, inner.top(), to - from, inner.height()), palette().color(QPalette::Window));
-            painter.fillRect(QRectF(from, inner.top(), to - from, inner.height()), QBrush(ink, Qt::BDiagPattern));
-            break;
-        case Mark::Kind::Armed: painter.fillRect(QRectF(from, line.bottom() + 2, to - from, 3), colors.warning); break;
-        case Mark::Kind::Mode: {
-            QPainterPath pointer(QPointF(from, line.top() - 1));
-            pointer.lineTo(from - 4, line.top() - 7);
-            pointer.lineTo(from + 4, line.top() - 7);
-            pointer.closeSubpath();
-            painter.fillPath(pointer, colors.accent);
-            break;
-        }
+    // Those of the suites last: the bar of a time armed must not cover them.
+    for (const bool suites : {false, true}) {
+        for (const Mark &mark : m_marks) {
+            if ((mark.kind == Mark::Kind::Suite) == suites)
+                paintMark(painter, mark);
         }
     }
     if (isEnabled()) {

@@ -1,10 +1,11 @@
-// The time line of a recording: where the replay is, where the vehicles were armed and changed their modes, and where nothing
-// was recorded. A slider in milliseconds: arrows move by 1 s, Page keys by 10 s, Home and End to the ends, Ctrl with an arrow
-// to the next mark; a press of the mouse goes to the place under it.
+// The time line of a recording: where the replay is, where the vehicles were armed and changed their modes, where the links
+// changed their cipher, and where nothing was recorded. A slider in milliseconds: arrows move by 1 s, Page keys by 10 s, Home
+// and End to the ends, Ctrl with an arrow to the next mark; a press of the mouse goes to the place under it.
 #pragma once
 
 #include "core/log/log_index.h"
 
+#include <QtGui/QColor>
 #include <QtWidgets/QAbstractSlider>
 
 #include <memory>
@@ -26,8 +27,8 @@ public:
     /// As if the operator had chosen the place, in milliseconds.
     void seekTo(int place);
 
-    /// Places of the gaps, mode changes and times armed in words, for the tool tip at a pixel and for screen readers; empty
-    /// where there is none.
+    /// Places of the gaps, mode changes, times armed and cipher switches in words, for the tool tip at a pixel and for screen
+    /// readers; empty where there is none.
     QString textAt(int x) const;
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -49,11 +50,15 @@ private:
     {
         Duration from{}, to{};
         QString text; ///< with its time
-        enum class Kind { Mode, Armed, Gap } kind{};
+        enum class Kind { Mode, Armed, Gap, Suite } kind{};
+        QColor color{}; ///< of a suite
     };
 
     void collectMarks();
+    void collectSuites();
+    void describeMarks();
     void goToMark(bool forward);
+    void paintMark(QPainter &painter, const Mark &mark) const;
     qreal pixelOf(Duration at) const;
     int millisecondsAt(int x) const;
     QRectF lineRect() const;

@@ -19,6 +19,12 @@ QString suiteName(SuiteId suite)
     return engine::suiteText(suite);
 }
 
+QString suiteNameOf(const std::string &nameInFiles)
+{
+    const auto suite = crypto::suiteFromName(nameInFiles);
+    return suite ? suiteName(*suite) : QString::fromStdString(nameInFiles);
+}
+
 QIcon suiteDot(SuiteId suite)
 {
     constexpr int size = 32;

@@ -8,12 +8,17 @@
 #include <QtGui/QColor>
 #include <QtGui/QIcon>
 
+#include <string>
+
 namespace skyseal::ui {
 
 QColor suiteColor(crypto::SuiteId suite);
 
 /// The displayed name. That of a research suite always contains "insecure".
 QString suiteName(crypto::SuiteId suite);
+
+/// The displayed name of a suite by its name in files; that name if this build does not know the suite.
+QString suiteNameOf(const std::string &nameInFiles);
 
 /// A filled dot in the suite's color.
 QIcon suiteDot(crypto::SuiteId suite);

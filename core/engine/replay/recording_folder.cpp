@@ -29,6 +29,9 @@ std::vector<RecordingInfo> recordingsIn(const std::string &folder)
         RecordingInfo one{entry->path().string(), entry->path().filename().string()};
         one.bytes = entry->file_size(unreadable);
         one.modified = wallTimeOf(entry->last_write_time(unreadable));
+        std::error_code none;
+        if (const auto size = fs::file_size(tlog::linkEventsFile(one.path), none); !none)
+            one.eventBytes = size;
         if (!unreadable)
             out.push_back(std::move(one));
     }
@@ -46,7 +49,7 @@ RecordingInfo readRecording(RecordingInfo recording, const std::atomic<bool> &st
         recording.problem = file.error();
         return recording;
     }
-    tlog::LogIndexer indexer(*file);
+    tlog::LogIndexer indexer(*file, tlog::linkEventsOf(recording.path));
     indexer.endWhen(stopped);
     while (!stopped) {
         if (!indexer.read(kPortion))

@@ -13,6 +13,7 @@ struct RecordingInfo
 {
     std::string path, name;
     std::uint64_t bytes = 0;
+    std::uint64_t eventBytes = 0;                  ///< of the file with link events beside it
     WallTime modified{};                           ///< when the file was written last
     std::shared_ptr<const tlog::LogIndex> index{}; ///< null before the file was read, and if it cannot be
     std::string problem{};                         ///< reason why it cannot be read; empty if it can

@@ -64,7 +64,7 @@ bool ReplayWorker::open()
     }
     m_file = std::move(*file);
     m_indexFile = std::move(*indexed);
-    m_indexer = std::make_unique<tlog::LogIndexer>(m_indexFile);
+    m_indexer = std::make_unique<tlog::LogIndexer>(m_indexFile, tlog::linkEventsOf(path));
     m_indexer->endWhen(m_stopped);
     return true;
 }
