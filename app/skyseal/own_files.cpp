@@ -20,6 +20,11 @@ QString defaultRecordFolder()
     return dataFolder() + QStringLiteral("/logs");
 }
 
+QString indexCacheFile()
+{
+    return QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/recordings.index");
+}
+
 Result<engine::KeyPaths, InputError> ownKeys(RandomSource &random)
 {
     const QDir folder(dataFolder());

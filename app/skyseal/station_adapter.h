@@ -1,6 +1,7 @@
 // The engine behind the windows' interface. The station can be replaced while the window lives (the demo creates its own keys).
 #pragma once
 
+#include "app/skyseal/own_files.h"
 #include "app/skyseal/recording_list.h"
 #include "core/engine/replay/replay.h"
 #include "core/engine/station/station.h"
@@ -55,7 +56,7 @@ private:
 
     std::unique_ptr<engine::Station> m_station; ///< null only after failed()
     std::unique_ptr<engine::Replay> m_replay;   ///< null unless a recording is replayed
-    RecordingList m_recordings;
+    RecordingList m_recordings{indexCacheFile().toStdString()};
     std::vector<engine::ServeConfig> m_served; ///< also by the station after an exchange
     bool m_inspecting = false;
     std::vector<engine::FieldChoice> m_fields;

@@ -1,5 +1,6 @@
 // The thread that reads the recordings of a folder: all of them, the newest first, and none twice.
 #include "app/skyseal/recording_list.h"
+#include "core/engine/replay/index_cache.h"
 #include "tests/log/recordings.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
@@ -21,13 +22,7 @@ private Q_SLOTS:
     void init()
     {
         m_folder = std::make_unique<QTemporaryDir>();
-        m_recordings = std::make_unique<app::RecordingList>();
-        m_listings.clear();
-        m_read.clear();
-        connect(m_recordings.get(), &app::RecordingList::listed, this,
-                [this](const std::vector<RecordingInfo> &all) { m_listings.push_back(all); });
-        connect(m_recordings.get(), &app::RecordingList::read, this,
-                [this](const RecordingInfo &one) { m_read.push_back(one); });
+        start({});
     }
 
     void manyAreReadAndKept()
@@ -93,6 +88,63 @@ private Q_SLOTS:
         QVERIFY(m_read[0].isRead());
     }
 
+    void nextStartReadsOnlyWhatHasChanged()
+    {
+        for (const char *name : {"a.tlog", "b.tlog", "c.tlog"})
+            write(QLatin1String(name), 3);
+        startAgain();
+        list();
+        EVENTUALLY_EQUAL(m_read.size(), std::size_t(3));
+        startAgain();
+        write(QStringLiteral("b.tlog"), 60);
+        QVERIFY(QFile::remove(m_folder->filePath(QStringLiteral("c.tlog"))));
+        list();
+        EVENTUALLY_EQUAL(m_read.size(), std::size_t(1));
+        QCOMPARE(m_read[0].name, std::string("b.tlog"));
+        QCOMPARE(m_listings.at(0).size(), std::size_t(2));
+        QCOMPARE(std::ranges::count_if(m_listings[0], &RecordingInfo::isRead), 1);
+        startAgain();
+        list();
+        EVENTUALLY_EQUAL(m_listings.size(), std::size_t(1));
+        for (const RecordingInfo &one : m_listings[0])
+            QCOMPARE(one.index ? one.index->frames : 0, std::uint64_t(one.name == "b.tlog" ? 60 : 3));
+        QVERIFY(m_read.empty());
+        m_recordings.reset();                                              // waits for the file
+        QCOMPARE(engine::loadIndexes(cacheFile()).size(), std::size_t(2)); // the deleted one is forgotten
+    }
+
+    void damagedCacheIsMadeAgain()
+    {
+        write(QStringLiteral("a.tlog"), 3);
+        QFile cache(QString::fromStdString(cacheFile()));
+        QVERIFY(cache.open(QIODevice::WriteOnly) && cache.write("no index") > 0);
+        cache.close();
+        startAgain();
+        list();
+        EVENTUALLY_EQUAL(m_read.size(), std::size_t(1));
+        startAgain();
+        list();
+        EVENTUALLY_EQUAL(m_listings.size(), std::size_t(1));
+        QVERIFY(m_listings[0].at(0).index && m_read.empty());
+    }
+
+    void whatWasReadBeforeTheStopIsKept()
+    {
+        for (int i = 0; i < 50; ++i)
+            write(QStringLiteral("%1.tlog").arg(i), 100);
+        startAgain();
+        connect(m_recordings.get(), &app::RecordingList::read, this, [this] {
+            if (m_read.size() == 3)
+                m_recordings->stop();
+        });
+        list();
+        EVENTUALLY_EQUAL(m_read.size(), std::size_t(3));
+        startAgain();
+        list();
+        EVENTUALLY_EQUAL(m_listings.size(), std::size_t(1));
+        QCOMPARE(std::ranges::count_if(m_listings[0], &RecordingInfo::isRead), 3);
+    }
+
     void stoppedListingReportsNothingMore()
     {
         write(QStringLiteral("a.tlog"), 1000);
@@ -105,6 +157,23 @@ private Q_SLOTS:
     }
 
 private:
+    void start(const std::string &cache)
+    {
+        m_recordings = std::make_unique<app::RecordingList>(cache);
+        m_listings.clear();
+        m_read.clear();
+        connect(m_recordings.get(), &app::RecordingList::listed, this,
+                [this](const std::vector<RecordingInfo> &all) { m_listings.push_back(all); });
+        connect(m_recordings.get(), &app::RecordingList::read, this,
+                [this](const RecordingInfo &one) { m_read.push_back(one); });
+    }
+    /// As another start of the program.
+    void startAgain()
+    {
+        m_recordings.reset(); // waits for the file
+        start(cacheFile());
+    }
+    std::string cacheFile() const { return m_folder->filePath(QStringLiteral("recordings.index")).toStdString(); }
     void list() { m_recordings->list(m_folder->path().toStdString()); }
     void write(const QString &name, int frames)
     {
