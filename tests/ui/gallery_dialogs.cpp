@@ -3,8 +3,8 @@
 #include "fake_sweep.h"
 #include "scripted_snapshots.h"
 
-#include "ui/dialogs/help_dialog.h"
 #include "core/log/log_index.h"
+#include "ui/dialogs/help_dialog.h"
 #include "ui/dialogs/settings_dialog.h"
 #include "ui/flight/change_altitude_dialog.h"
 #include "ui/flight/pre_arm_dialog.h"
