@@ -64,7 +64,9 @@ struct PeersWatch::Found
 class PeersWatch::Reader
 {
 public:
-    Reader(const QString &path, Read read) : m_path(path.toLocal8Bit()), m_read(std::move(read)) {}
+    Reader(const QString &path, Read read, Clock clock)
+        : m_path(path.toLocal8Bit()), m_read(std::move(read)), m_clock(std::move(clock))
+    {}
 
     Found look()
     {
@@ -72,7 +74,7 @@ public:
         Found found{stamp.isFile(), false, {}};
         if (stamp == m_inForce)
             return found;
-        const auto now = std::chrono::steady_clock::now();
+        const auto now = m_clock();
         const std::optional<Stamp> last = std::exchange(m_last, stamp);
         if (last && !(*last == stamp))
             m_lastSince = now;
@@ -106,6 +108,7 @@ private:
 
     const QByteArray m_path;
     const Read m_read;
+    const Clock m_clock;
     std::optional<Stamp> m_inForce;                    ///< of the file that is in force; nullopt if it is not known
     std::optional<Stamp> m_last;                       ///< of the last look
     std::chrono::steady_clock::time_point m_lastSince; ///< when a look found it first
@@ -115,12 +118,12 @@ private:
 
 PeersWatch::PeersWatch(const std::string &file, Apply apply, QObject *parent)
     : PeersWatch(
-        file, [file] { return keys::readPeers(file); }, std::move(apply), parent)
+        file, [file] { return keys::readPeers(file); }, std::move(apply), &std::chrono::steady_clock::now, parent)
 {}
 
-PeersWatch::PeersWatch(const std::string &file, Read read, Apply apply, QObject *parent)
+PeersWatch::PeersWatch(const std::string &file, Read read, Apply apply, Clock clock, QObject *parent)
     : QObject(parent), m_file(QString::fromStdString(file)), m_apply(std::move(apply)),
-      m_reader(std::make_shared<Reader>(m_file, std::move(read)))
+      m_reader(std::make_shared<Reader>(m_file, std::move(read), std::move(clock)))
 {
     m_settle.setSingleShot(true);
     m_settle.setInterval(kSettle);

@@ -12,6 +12,7 @@
 #include <QtCore/QObject>
 #include <QtCore/QTimer>
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <string>
@@ -28,13 +29,16 @@ public:
     /// Reads the list, on the other thread; must own all that it uses.
     using Read = std::function<Result<keys::UsablePeers, InputError>()>;
     using Apply = std::function<void(std::vector<channel::Peer>)>;
+    /// Measures how long the file has stayed the same. Called on the other thread.
+    using Clock = std::function<std::chrono::steady_clock::time_point()>;
 
     /// A look that takes longer is reported by refused().
     static constexpr std::chrono::seconds kSlow{5};
 
     /// Reads the list once, as it may have changed since the program read it.
     PeersWatch(const std::string &file, Apply apply, QObject *parent = nullptr);
-    PeersWatch(const std::string &file, Read read, Apply apply, QObject *parent = nullptr);
+    PeersWatch(const std::string &file, Read read, Apply apply, Clock clock = &std::chrono::steady_clock::now,
+               QObject *parent = nullptr);
     ~PeersWatch() override;
 
     /// Looks whether the file has changed. Call after a change that need not wait for the system's notification.

@@ -6,13 +6,13 @@
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QCoreApplication>
-#include <QtCore/QElapsedTimer>
 #include <QtCore/QFile>
 #include <QtCore/QFileInfo>
 #include <QtCore/QTemporaryDir>
 #include <QtTest/QTest>
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
@@ -100,29 +100,35 @@ void PeersWatchTest::halfWrittenFileIsNotRead()
         ++(QFileInfo(path).size() == 0 ? empty : read);
         return keys::UsablePeers{};
     };
+    std::atomic<int> now = 0; // ms
+    std::atomic<int> looks = 0;
+    const auto clock = [&] {
+        ++looks;
+        return std::chrono::steady_clock::time_point(std::chrono::milliseconds(now));
+    };
     write(path, "one");
-    PeersWatch watch(path.toStdString(), readFile, [](const auto &) {});
+    PeersWatch watch(
+        path.toStdString(), readFile, [](const auto &) {}, clock);
     EVENTUALLY(read == 1);
-    // A machine that stops for longer than an empty file is waited for proves nothing: try again.
-    bool wasQuick = false;
-    for (int attempt = 0; attempt < 5 && !wasQuick; ++attempt) {
-        const int before = read;
-        empty = 0;
-        QElapsedTimer sinceEmptied;
-        sinceEmptied.start();
-        write(path, "");
-        while (sinceEmptied.elapsed() < 300) {
-            watch.look();
-            QCoreApplication::processEvents(QEventLoop::AllEvents, 5);
-        }
-        write(path, "two");
-        wasQuick = sinceEmptied.elapsed() < 800;
-        EVENTUALLY(read == before + 1);
-    }
-    QVERIFY(wasQuick);
+    write(path, "");
+    const int before = looks;
+    EVENTUALLY(looks > before); // found empty
+    now = 900;
+    const int later = looks;
+    EVENTUALLY(looks > later + 3);
+    QCOMPARE(empty.load(), 0);
+    write(path, "two");
+    const int written = looks;
+    EVENTUALLY(looks > written + 1);
+    now = 1'800;
+    EVENTUALLY(read == 2);
     QCOMPARE(empty.load(), 0);
     // A file that stays empty is an empty list.
     write(path, "");
+    const int emptied = looks;
+    EVENTUALLY(looks > emptied);
+    QCOMPARE(empty.load(), 0);
+    now = 2'801;
     EVENTUALLY(empty == 1);
 }
 
