@@ -28,6 +28,12 @@ struct MissionItem
 
 using MissionItems = std::shared_ptr<const std::vector<MissionItem>>;
 
+/// Whether this kind of autopilot (MAV_AUTOPILOT) keeps home as item 0 of its mission.
+constexpr bool keepsHomeFirst(std::uint8_t autopilot)
+{
+    return autopilot == mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA;
+}
+
 /// Kinds of plans; each is a list of items of its own on the vehicle.
 enum class MissionType : std::uint8_t {
     Mission = mavlink::MAV_MISSION_TYPE_MISSION,

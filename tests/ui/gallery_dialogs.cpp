@@ -6,6 +6,7 @@
 #include "core/log/log_index.h"
 #include "ui/dialogs/help_dialog.h"
 #include "ui/dialogs/settings_dialog.h"
+#include "ui/flight/add_waypoint_dialog.h"
 #include "ui/flight/change_altitude_dialog.h"
 #include "ui/flight/pre_arm_dialog.h"
 #include "ui/flight/take_off_dialog.h"
@@ -249,6 +250,11 @@ const std::map<QString, Open> &dialogs()
         {QStringLiteral("change-altitude"),
          [](const Stage &stage) -> QWidget * {
              return new ChangeAltitudeDialog(commandsOf(stage), UnitSystem::Metric, 42, &stage.window);
+         }},
+        {QStringLiteral("add-waypoint"),
+         [](const Stage &stage) -> QWidget * {
+             return new AddWaypointDialog(commandsOf(stage), UnitSystem::Metric, 47.3979, 8.5461,
+                                          QStringLiteral("47.3979000, 8.5461000, 38 m from the vehicle"), &stage.window);
          }},
         {QStringLiteral("peer-new"),
          [](const Stage &stage) -> QWidget * { return new PeerDialog(stage.keyring, &stage.window); }},

@@ -32,6 +32,7 @@ private Q_SLOTS:
     {
         setUp();
         m_time = 0;
+        m_mission.reset();
         show([](vehicle::VehicleState &) {});
         m_map = find<MapView>("map");
     }
@@ -60,6 +61,46 @@ private Q_SLOTS:
         QCOMPARE(find<QLabel>("commandResult")->text(), QStringLiteral("Go here: requested…"));
         m_station->notify(vehicle::CommandResult{vehicle::RequestId{1}, 1, vehicle::CommandOutcome::Refused, 2, "denied"});
         QCOMPARE(find<QLabel>("commandResult")->text(), QStringLiteral("Go here: denied"));
+    }
+
+    /// Only a mission that is known can be added to: the whole mission is sent.
+    void addsToTheMission()
+    {
+        QMenu *menu = openMenu(m_map->rect().center());
+        const auto *entry = menu->findChild<QAction *>(QStringLiteral("mapAddWaypoint"));
+        QVERIFY(!entry->isEnabled());
+        QVERIFY2(entry->toolTip().contains(QStringLiteral("has not been read")), qPrintable(entry->toolTip()));
+        menu->close();
+        std::vector<vehicle::MissionItem> items(3);
+        items[1] = {.sequence = 1, .command = mavlink::MAV_CMD_NAV_TAKEOFF, .altitude = 18};
+        items[2] = {.sequence = 2, .command = mavlink::MAV_CMD_NAV_RETURN_TO_LAUNCH};
+        m_mission = std::make_shared<const std::vector<vehicle::MissionItem>>(items);
+        show([](vehicle::VehicleState &) {});
+
+        const QPoint at = m_map->rect().center() + QPoint(80, -40);
+        const LatLong place = placeAt(at);
+        choose(openMenu(at), "mapAddWaypoint");
+        auto *altitude = find<QDoubleSpinBox>("addWaypointDialogAltitude");
+        QVERIFY(altitude);
+        QVERIFY(isMarked(place));
+        QCOMPARE(altitude->value(), 18.0);
+        QTest::keyClicks(altitude, QStringLiteral("42"));
+        auto *go = find<HoldButton>("addWaypointDialogGo");
+        QTest::mouseClick(go, Qt::LeftButton); // too short
+        QVERIFY(m_station->missionWrites.empty());
+        QTest::mousePress(go, Qt::LeftButton);
+        EVENTUALLY_EQUAL(m_station->missionWrites.size(), std::size_t(1));
+        QVERIFY(!m_map->mark());
+        const auto &[systemId, sent] = m_station->missionWrites.front();
+        QCOMPARE(systemId, std::uint8_t(1));
+        QCOMPARE(sent.size(), std::size_t(4));
+        QCOMPARE((LatLong{sent[2].latitude, sent[2].longitude}), place);
+        QCOMPARE(sent[2].altitude, 42.0f);
+        QCOMPARE(sent[3].command, std::uint16_t(mavlink::MAV_CMD_NAV_RETURN_TO_LAUNCH));
+        QCOMPARE(find<QLabel>("commandResult")->text(), QStringLiteral("Add to the mission: requested…"));
+        m_station->notify(vehicle::MissionResult{.id = vehicle::RequestId{1}, .systemId = 1, .ok = false, .reason = "denied"});
+        QVERIFY2(find<QLabel>("commandResult")->text().contains(QStringLiteral("denied")),
+                 qPrintable(find<QLabel>("commandResult")->text()));
     }
 
     void clickSelectsAnotherVehicle()
@@ -308,6 +349,7 @@ private:
         state.armed = true;
         state.altitudeRelative = m_altitude;
         change(state);
+        snapshot.vehicles.front().mission = m_mission;
         m_station->show(snapshot);
     }
 
@@ -356,6 +398,7 @@ private:
     QMessageBox *question() const { return test::shownQuestion(*m_window); }
 
     MapView *m_map = nullptr;
+    vehicle::MissionItems m_mission;
     double m_time = 0;
     const double m_altitude = 12.4;
 };

@@ -19,6 +19,9 @@ class AltitudeDialog : public QDialog
     Q_OBJECT
 
 protected:
+    /// Metres: above what any flight may have reached, so that nothing descends by mistake.
+    static constexpr double kHighestFlown = 10'000;
+
     struct Wording
     {
         QString id;                       ///< object name; "Altitude" and "Go" are appended for the parts

@@ -4,10 +4,6 @@
 
 namespace skyseal::ui {
 
-namespace {
-constexpr double kHighest = 10'000; ///< metres: above what any flight may have reached, so that nothing descends by mistake
-} // namespace
-
 ChangeAltitudeDialog::ChangeAltitudeDialog(VehicleCommands &commands, UnitSystem units, double metres, QWidget *parent)
     : AltitudeDialog(commands, units, metres,
                      {.id = QStringLiteral("changeAltitudeDialog"),
@@ -15,7 +11,7 @@ ChangeAltitudeDialog::ChangeAltitudeDialog(VehicleCommands &commands, UnitSystem
                       .hint = tr("Hold the button for half a second. The vehicle leaves its mission, and climbs or descends "
                                  "where it is."),
                       .verb = tr("Change altitude"),
-                      .highest = kHighest},
+                      .highest = kHighestFlown},
                      parent)
 {}
 

@@ -2,10 +2,13 @@
 
 #include "core/engine/station/snapshot.h"
 #include "core/engine/text/event_text.h"
+#include "core/vehicle/mission_edit.h"
 #include "ui/text/command_permits.h"
 #include "ui/text/vehicle_text.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace skyseal::ui {
 
@@ -17,6 +20,17 @@ VehicleCommands::VehicleCommands(StationInterface &station, QObject *parent) : Q
 void VehicleCommands::showViewState(const ViewState &view)
 {
     m_systemId = view.vehicle ? view.vehicle->state.systemId : 0;
+    m_mission = view.vehicle ? view.vehicle->mission : nullptr;
+    m_home.reset();
+    if (view.vehicle && vehicle::keepsHomeFirst(view.vehicle->state.autopilot)) {
+        const vehicle::Position &home = view.vehicle->state.home;
+        m_home.emplace().frame = mavlink::MAV_FRAME_GLOBAL;
+        if (home.known()) {
+            m_home->latitude = home.latitude;
+            m_home->longitude = home.longitude;
+            m_home->altitude = std::isfinite(home.altitude) ? static_cast<float>(home.altitude) : 0;
+        }
+    }
     m_severalVehicles = view.snapshot && view.snapshot->vehicles.size() > 1;
     m_preflight.showViewState(view);
     const QString reason = commandsDisabledReason(view);
@@ -28,18 +42,41 @@ void VehicleCommands::showViewState(const ViewState &view)
 
 void VehicleCommands::send(std::uint8_t systemId, const vehicle::VehicleCommand &command)
 {
-    if (systemId == 0)
-        return;
     const QString text = commandText(command);
+    if (maySend(systemId, text))
+        request(systemId, command, text);
+}
+
+void VehicleCommands::addWaypoint(std::uint8_t systemId, double latitude, double longitude, float altitude)
+{
+    const QString text = tr("Add to the mission");
+    if (!maySend(systemId, text))
+        return;
+    if (!m_mission) {
+        Q_EMIT resultReported(tr("%1: not sent: %2").arg(text, tr("the mission is not known")), false);
+        return;
+    }
+    request(systemId, vehicle::WriteMission{vehicle::withWaypoint(*m_mission, latitude, longitude, altitude, m_home)}, text);
+}
+
+bool VehicleCommands::maySend(std::uint8_t systemId, const QString &text)
+{
+    if (systemId == 0)
+        return false;
     if (m_systemId != 0 && systemId != m_systemId) {
         Q_EMIT resultReported(tr("%1: not sent: vehicle %2 is no longer selected").arg(text).arg(systemId), false);
-        return;
+        return false;
     }
     if (!m_disabledReason.isEmpty()) {
         Q_EMIT resultReported(tr("%1: not sent: %2").arg(text, m_disabledReason), false);
-        return;
+        return false;
     }
-    const vehicle::RequestId id = m_station.perform(systemId, command);
+    return true;
+}
+
+void VehicleCommands::request(std::uint8_t systemId, vehicle::Request request, const QString &text)
+{
+    const vehicle::RequestId id = m_station.perform(systemId, std::move(request));
     m_asked.insert(static_cast<quint32>(id), text);
     Q_EMIT resultReported(tr("%1: requested…").arg(text), true);
 }
@@ -55,17 +92,22 @@ void VehicleCommands::setTakeOffAltitude(double metres)
 
 void VehicleCommands::handleEvent(const engine::Event &event)
 {
-    const auto *result = std::get_if<vehicle::CommandResult>(&event);
-    if (!result)
-        return;
-    const auto asked = m_asked.constFind(static_cast<quint32>(result->id));
+    if (const auto *result = std::get_if<vehicle::CommandResult>(&event))
+        reportResult(result->id, engine::commandOutcomeText(*result), result->outcome == vehicle::CommandOutcome::Accepted);
+    else if (const auto *mission = std::get_if<vehicle::MissionResult>(&event))
+        reportResult(mission->id, engine::eventText(event, {}).sentence, mission->ok);
+}
+
+void VehicleCommands::reportResult(vehicle::RequestId id, const QString &outcome, bool ok)
+{
+    const auto asked = m_asked.constFind(static_cast<quint32>(id));
     if (asked == m_asked.constEnd())
         return;
-    QString outcome = engine::commandOutcomeText(*result);
-    outcome.replace(QStringLiteral(": %1: ").arg(asked.value()), QStringLiteral(": ")); // autopilots begin with "Arm: " as well
-    const QString line = tr("%1: %2").arg(asked.value(), outcome);
+    QString shown = outcome;
+    shown.replace(QStringLiteral(": %1: ").arg(asked.value()), QStringLiteral(": ")); // autopilots begin with "Arm: " as well
+    const QString line = tr("%1: %2").arg(asked.value(), shown);
     m_asked.erase(asked);
-    Q_EMIT resultReported(line, result->outcome == vehicle::CommandOutcome::Accepted);
+    Q_EMIT resultReported(line, ok);
 }
 
 } // namespace skyseal::ui

@@ -29,6 +29,10 @@ public:
     /// Sends the command to `systemId`. Refused, with a report, if commands cannot be sent or if another vehicle has been
     /// selected since the operator confirmed, because its result would not be visible.
     void send(std::uint8_t systemId, const vehicle::VehicleCommand &command);
+    /// The mission of the selected vehicle as it was read or written last; null if it is not known.
+    const vehicle::MissionItems &mission() const { return m_mission; }
+    /// Sends that mission with a further waypoint (degrees, metres above home), by the same rules as send().
+    void addWaypoint(std::uint8_t systemId, double latitude, double longitude, float altitude);
     void handleEvent(const engine::Event &event);
 
     /// The checklists of the vehicles; see armOrAsk().
@@ -45,10 +49,17 @@ Q_SIGNALS:
     void resultReported(const QString &line, bool ok);
 
 private:
+    /// False, with a report, if nothing can be sent to `systemId`.
+    bool maySend(std::uint8_t systemId, const QString &text);
+    void request(std::uint8_t systemId, vehicle::Request request, const QString &text);
+    void reportResult(vehicle::RequestId id, const QString &outcome, bool ok);
+
     StationInterface &m_station;
     Preflight m_preflight;
     std::uint8_t m_systemId = 0;
     bool m_severalVehicles = false;
+    vehicle::MissionItems m_mission;
+    std::optional<vehicle::MissionItem> m_home; ///< item 0 of a mission that is empty so far, if home belongs there
     QString m_disabledReason;
     double m_takeOffAltitude = 10;
     QHash<quint32, QString> m_asked;

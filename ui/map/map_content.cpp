@@ -28,7 +28,8 @@ bool MapContent::showMission(const engine::VehicleSnapshot &vehicle, bool homeMo
         return false;
     m_missionCurrent = vehicle.state.missionCurrent;
     m_mission = vehicle.mission;
-    m_route = m_mission ? std::optional(routeOf(*m_mission, m_home, keepsHomeFirst(vehicle.state.autopilot))) : std::nullopt;
+    const bool homeFirst = vehicle::keepsHomeFirst(vehicle.state.autopilot);
+    m_route = m_mission ? std::optional(routeOf(*m_mission, m_home, homeFirst)) : std::nullopt;
     return true;
 }
 

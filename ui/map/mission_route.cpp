@@ -137,11 +137,6 @@ const RouteStop *MissionRoute::stopOf(int sequence) const
     return found == stops.end() ? nullptr : &*found;
 }
 
-bool keepsHomeFirst(std::uint8_t autopilot)
-{
-    return autopilot == MAV_AUTOPILOT_ARDUPILOTMEGA;
-}
-
 MissionRoute routeOf(const std::vector<vehicle::MissionItem> &items, std::optional<QPointF> home, bool firstIsHome)
 {
     MissionRoute route;

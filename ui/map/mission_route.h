@@ -53,9 +53,6 @@ struct MissionRoute
     const RouteStop *stopOf(int sequence) const;
 };
 
-/// Whether this kind of autopilot (MAV_AUTOPILOT) keeps home as item 0 of its mission.
-bool keepsHomeFirst(std::uint8_t autopilot);
-
 /// Whether the item names a place on the globe.
 bool hasPlace(const vehicle::MissionItem &item);
 

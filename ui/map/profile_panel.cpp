@@ -55,7 +55,8 @@ void ProfilePanel::showViewState(const ViewState &view)
     m_home = home;
     m_homeAltitude = state.home.altitude;
     m_current = state.missionCurrent;
-    m_view->showProfile(profileOf(routeOf(*mission, home, keepsHomeFirst(state.autopilot)), m_homeAltitude), m_current);
+    const MissionRoute route = routeOf(*mission, home, vehicle::keepsHomeFirst(state.autopilot));
+    m_view->showProfile(profileOf(route, m_homeAltitude), m_current);
     m_pages->setCurrentWidget(m_view);
 }
 

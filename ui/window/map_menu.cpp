@@ -88,6 +88,16 @@ MenuItems MapMenu::itemsFor(const LatLong &place)
              .text = tr("&Loiter at the present position…"),
              .trigger = [command] { command(tr("Stop and loiter at the present position?"), {}, vehicle::Loiter{}); },
              .disabledReason = [this] { return movesDisabledReason(m_selection.view()); }},
+            {.id = QStringLiteral("mapAddWaypoint"),
+             .text = tr("Add &to the mission…"),
+             .trigger = [this, place] { markUntilClosed(place, m_dialogs.openAddWaypoint(place, describe(place))); },
+             .disabledReason =
+                 [this] {
+                     const QString reason = commandsDisabledReason(m_selection.view());
+                     return reason.isEmpty() && !m_commands.mission()
+                         ? tr("the mission has not been read: Plan, Read from the vehicle")
+                         : reason;
+                 }},
             {},
             {.id = QStringLiteral("mapPointAt"),
              .text = tr("&Point at here…"),
@@ -157,8 +167,13 @@ MenuItem MapMenu::setHome(const LatLong &place)
 void MapMenu::ask(const LatLong &place, QMessageBox *question)
 {
     m_question = question;
+    markUntilClosed(place, question);
+}
+
+void MapMenu::markUntilClosed(const LatLong &place, QDialog *dialog)
+{
     m_map.setMark(place);
-    connect(question, &QMessageBox::finished, &m_map, [this] { m_map.setMark(std::nullopt); });
+    connect(dialog, &QDialog::finished, &m_map, [this] { m_map.setMark(std::nullopt); });
 }
 
 /// The coordinates, and how far they are from the vehicle.

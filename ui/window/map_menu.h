@@ -7,6 +7,7 @@
 #include <QtCore/QObject>
 #include <QtCore/QPointer>
 
+class QDialog;
 class QMessageBox;
 class QPoint;
 class QWidget;
@@ -38,6 +39,7 @@ private:
     MenuItem setHome(const LatLong &place);
     /// Marks `place` until the question is answered.
     void ask(const LatLong &place, QMessageBox *question);
+    void markUntilClosed(const LatLong &place, QDialog *dialog);
     QString describe(const LatLong &place) const;
     const vehicle::VehicleState *vehicle() const;
 

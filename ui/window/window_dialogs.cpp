@@ -4,6 +4,7 @@
 #include "ui/charts/quantities.h"
 #include "ui/dialogs/help_dialog.h"
 #include "ui/dialogs/settings_dialog.h"
+#include "ui/flight/add_waypoint_dialog.h"
 #include "ui/flight/change_altitude_dialog.h"
 #include "ui/flight/take_off_dialog.h"
 #include "ui/keys/keys_dialog.h"
@@ -112,6 +113,15 @@ void WindowDialogs::openChangeAltitude(const ViewState &view)
     if (view.vehicle && !raiseOpen<ChangeAltitudeDialog>(m_window))
         showModeless(
             *make<ChangeAltitudeDialog>(m_commands, m_settings.units, view.vehicle->state.altitudeRelative, &m_window));
+}
+
+QDialog *WindowDialogs::openAddWaypoint(const LatLong &place, const QString &where)
+{
+    if (auto *open = m_window.findChild<AddWaypointDialog *>())
+        open->reject(); // it is about another place
+    auto *dialog = make<AddWaypointDialog>(m_commands, m_settings.units, place.latitude, place.longitude, where, &m_window);
+    showModeless(*dialog);
+    return dialog;
 }
 
 void WindowDialogs::openMapSource()

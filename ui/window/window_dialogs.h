@@ -6,6 +6,7 @@
 
 #include <QtCore/QObject>
 
+class QDialog;
 class QWidget;
 
 namespace skyseal::ui {
@@ -41,6 +42,8 @@ public:
     void openTakeOff();
     /// Offers the present altitude of the vehicle in `view`.
     void openChangeAltitude(const ViewState &view);
+    /// `place` in degrees, `where` as a text. The mission of the selected vehicle must be known.
+    QDialog *openAddWaypoint(const LatLong &place, const QString &where);
     void openKeys();
     void openMapSource();
     void openOverlays(MapView &map);

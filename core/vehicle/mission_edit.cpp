@@ -1,0 +1,57 @@
+#include "core/vehicle/mission_edit.h"
+
+#include <algorithm>
+#include <ranges>
+
+namespace skyseal::vehicle {
+
+namespace {
+
+bool endsMission(const MissionItem &item)
+{
+    return item.command == mavlink::MAV_CMD_NAV_RETURN_TO_LAUNCH || item.command == mavlink::MAV_CMD_NAV_LAND
+        || item.command == mavlink::MAV_CMD_NAV_VTOL_LAND;
+}
+
+bool isAboveHome(const MissionItem &item)
+{
+    return item.frame == mavlink::MAV_FRAME_GLOBAL_RELATIVE_ALT || item.frame == mavlink::MAV_FRAME_GLOBAL_RELATIVE_ALT_INT;
+}
+
+} // namespace
+
+std::size_t placeOfNextWaypoint(const std::vector<MissionItem> &items)
+{
+    return items.empty() || !endsMission(items.back()) ? items.size() : items.size() - 1;
+}
+
+std::optional<float> altitudeBeforeNextWaypoint(const std::vector<MissionItem> &items)
+{
+    const std::size_t place = placeOfNextWaypoint(items);
+    for (const MissionItem &item : items | std::views::take(place) | std::views::reverse)
+        if (isAboveHome(item) && item.altitude > 0)
+            return item.altitude;
+    return std::nullopt;
+}
+
+std::vector<MissionItem> withWaypoint(std::vector<MissionItem> items, double latitude, double longitude, float altitude,
+                                      const std::optional<MissionItem> &home)
+{
+    if (items.empty() && home)
+        items.push_back(*home);
+    const std::size_t place = placeOfNextWaypoint(items);
+    for (MissionItem &item : items)
+        if (item.command == mavlink::MAV_CMD_DO_JUMP && item.parameters[0] >= static_cast<float>(place))
+            item.parameters[0] += 1;
+    MissionItem waypoint;
+    waypoint.latitude = latitude;
+    waypoint.longitude = longitude;
+    waypoint.altitude = altitude;
+    items.insert(items.begin() + static_cast<std::ptrdiff_t>(place), waypoint);
+    std::uint16_t sequence = 0;
+    for (MissionItem &item : items)
+        item.sequence = sequence++;
+    return items;
+}
+
+} // namespace skyseal::vehicle
