@@ -107,10 +107,12 @@ std::shared_ptr<const std::vector<vehicle::MissionItem>> routeMission()
         vehicle::MissionItem item = placeNorthEast(command, north, east, first);
         item.sequence = sequence;
         item.parameters[2] = third;
+        item.frame = mavlink::MAV_FRAME_GLOBAL_RELATIVE_ALT;
+        item.altitude = 20.0f + 6.0f * static_cast<float>(sequence % 4);
         return item;
     };
     std::vector<vehicle::MissionItem> out{place(0, mavlink::MAV_CMD_NAV_WAYPOINT, 0, 0),
-                                          {.sequence = 1, .command = mavlink::MAV_CMD_NAV_TAKEOFF},
+                                          {.sequence = 1, .command = mavlink::MAV_CMD_NAV_TAKEOFF, .altitude = 20},
                                           place(2, mavlink::MAV_CMD_NAV_WAYPOINT, 60, -60),
                                           place(3, mavlink::MAV_CMD_NAV_SPLINE_WAYPOINT, 80, 0),
                                           place(4, mavlink::MAV_CMD_NAV_SPLINE_WAYPOINT, 60, 60),

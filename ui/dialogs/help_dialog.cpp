@@ -1,39 +1,27 @@
 #include "ui/dialogs/help_dialog.h"
 
+#include "ui/dialogs/help_page.h"
 #include "ui/theme/grid.h"
 
-#include <QtCore/QFile>
 #include <QtWidgets/QDialogButtonBox>
-#include <QtWidgets/QTextBrowser>
+#include <QtWidgets/QPushButton>
 #include <QtWidgets/QVBoxLayout>
 
 namespace skyseal::ui {
-
-namespace {
-
-QString pageText(const QString &page, const QHash<QString, QString> &inserts)
-{
-    QFile file(QStringLiteral(":/skyseal/help/%1.md").arg(page));
-    if (!file.open(QIODevice::ReadOnly))
-        return HelpDialog::tr("There is no help page \"%1\".").arg(page);
-    QString text = QString::fromUtf8(file.readAll());
-    for (auto insert = inserts.begin(); insert != inserts.end(); ++insert)
-        text.replace(QStringLiteral("<!-- %1 -->").arg(insert.key()), insert.value());
-    return text;
-}
-
-} // namespace
 
 HelpDialog::HelpDialog(const QString &page, const QHash<QString, QString> &inserts, QWidget *parent) : QDialog(parent)
 {
     setObjectName(QStringLiteral("helpDialog"));
     setWindowTitle(tr("Help"));
-    auto *text = new QTextBrowser(this);
-    text->setAccessibleName(tr("Help page"));
-    text->setFrameShape(QFrame::NoFrame);
-    text->document()->setDocumentMargin(2 * kGrid);
-    text->setMarkdown(pageText(page, inserts));
+    auto *text = new HelpPage(inserts, this);
+    text->open(page);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    QPushButton *back = buttons->addButton(tr("&Back"), QDialogButtonBox::ActionRole);
+    back->setShortcut(QKeySequence::Back);
+    back->setObjectName(QStringLiteral("helpBack"));
+    back->setEnabled(false);
+    connect(text, &HelpPage::historyChanged, back, &QWidget::setEnabled);
+    connect(back, &QPushButton::clicked, text, &HelpPage::back);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, kGrid);
@@ -42,7 +30,7 @@ HelpDialog::HelpDialog(const QString &page, const QHash<QString, QString> &inser
     row->setContentsMargins(kGrid, 0, kGrid, 0);
     row->addWidget(buttons);
     column->addLayout(row);
-    resize(90 * kGrid, 72 * kGrid);
+    resize(110 * kGrid, 78 * kGrid);
 }
 
 } // namespace skyseal::ui

@@ -84,7 +84,8 @@ void ProfileView::paintEvent(QPaintEvent *)
     painter.setRenderHint(QPainter::Antialiasing);
     const Range shown = range();
     const QFontMetricsF metrics(font());
-    const double labels = metrics.horizontalAdvance(altitudeFigure(shown.highest, m_units).text()) + kRadius + kGrid;
+    const auto widthOf = [&](double altitude) { return metrics.horizontalAdvance(altitudeFigure(altitude, m_units).text()); };
+    const double labels = std::max(widthOf(shown.highest), widthOf(shown.lowest)) + kRadius + kGrid;
     const QRectF area = QRectF(rect()).adjusted(labels, kGrid, -2 * kGrid, -metrics.height() - kHalfGrid);
     if (area.width() <= 0 || area.height() <= 0)
         return;

@@ -276,24 +276,25 @@ Menu toolsMenu(const MenuTargets &on)
 
 Menu helpMenu(const MenuTargets &on)
 {
+    const auto page = [&on](const char *id, const QString &text, const char *name, const QKeySequence &keys = {}) {
+        return MenuItem{.id = QLatin1String(id),
+                        .text = text,
+                        .trigger = [on, name] { on.dialogs.openHelp(QLatin1String(name)); },
+                        .shortcut = keys};
+    };
     return {QStringLiteral("menuHelp"),
             Text::tr("&Help"),
-            {{.id = QStringLiteral("actionHelp"),
-              .text = Text::tr("&First steps"),
-              .trigger = [on] { on.dialogs.openHelp(QStringLiteral("start")); },
-              .shortcut = QKeySequence::HelpContents},
-             {.id = QStringLiteral("actionHelpSealing"),
-              .text = Text::tr("&Sealing a link"),
-              .trigger = [on] { on.dialogs.openHelp(QStringLiteral("sealing")); }},
-             {.id = QStringLiteral("actionHelpDiagnostics"),
-              .text = Text::tr("&Diagnostics"),
-              .trigger = [on] { on.dialogs.openHelp(QStringLiteral("diagnostics")); }},
-             {.id = QStringLiteral("actionHelpMap"),
-              .text = Text::tr("The &map"),
-              .trigger = [on] { on.dialogs.openHelp(QStringLiteral("map")); }},
-             {.id = QStringLiteral("actionHelpValues"),
-              .text = Text::tr("&Values"),
-              .trigger = [on] { on.dialogs.openHelp(QStringLiteral("values")); }},
+            {page("actionHelp", Text::tr("&First steps"), "start", QKeySequence::HelpContents),
+             {},
+             page("actionHelpFly", Text::tr("The workspace &Fly"), "fly"),
+             page("actionHelpPlan", Text::tr("The workspace &Plan"), "plan"),
+             page("actionHelpVehicle", Text::tr("The workspace Ve&hicle"), "vehicle"),
+             page("actionHelpLab", Text::tr("The workspace &Lab"), "lab"),
+             {},
+             page("actionHelpSealing", Text::tr("&Sealing a link"), "sealing"),
+             page("actionHelpMap", Text::tr("The &map"), "map"),
+             page("actionHelpValues", Text::tr("&Values"), "values"),
+             page("actionHelpDiagnostics", Text::tr("&Diagnostics"), "diagnostics"),
              {},
              {.id = QStringLiteral("actionAbout"), .text = Text::tr("&About Skyseal"), .trigger = [on] {
                   on.dialogs.openAbout(on.version);
