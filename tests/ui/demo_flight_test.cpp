@@ -123,7 +123,7 @@ private Q_SLOTS:
         };
         confirm(home, "mapSetHome", QStringLiteral("Set home here: accepted"));
         EVENTUALLY(apart(home, m_window->view().vehicle->state.home) < 1);
-        confirm(home, "mapPointAt", QStringLiteral("Point at here: accepted"));
+        confirm(home, "mapPointAt", QStringLiteral("Point camera here: accepted"));
         confirm(goal, "mapGoHere", QStringLiteral("Go here: accepted"));
         picture("map-menu-flight");
         EVENTUALLY(apart(goal, m_window->view().vehicle->state.position) < 2);

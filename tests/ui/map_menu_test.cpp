@@ -170,8 +170,8 @@ private Q_SLOTS:
                                   << QString::fromUtf8(result);
         };
         row("mapLoiter", vehicle::Loiter{}, "Loiter: requested…");
-        row("mapPointAt", vehicle::PointAt{}, "Point at here: requested…");
-        row("mapStopPointing", vehicle::StopPointing{}, "Stop pointing: requested…");
+        row("mapPointAt", vehicle::PointAt{}, "Point camera here: requested…");
+        row("mapStopPointing", vehicle::StopPointing{}, "Stop pointing camera: requested…");
         row("mapSetHome", vehicle::SetHome{}, "Set home here: requested…");
     }
 

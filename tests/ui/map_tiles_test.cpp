@@ -45,7 +45,7 @@ private Q_SLOTS:
     void nothingIsRequestedBeforeTheOperatorAgrees()
     {
         typeAddress();
-        QCOMPARE(find<QLabel>("mapSourceState")->text(), QStringLiteral("Tiles will be requested of 127.0.0.1"));
+        QCOMPARE(find<QLabel>("mapSourceState")->text(), QStringLiteral("Tiles will be requested from 127.0.0.1"));
         QTest::keyClick(find<QDialog>("mapSourceDialog"), Qt::Key_Escape);
         m_station->show(sealedSnapshot(2));
         map()->repaint();

@@ -157,7 +157,7 @@ private Q_SLOTS:
         EVENTUALLY(!m_window->findChild<QDialog *>(QStringLiteral("overlayDialog")));
         QVERIFY(QFile::remove(field));
         openDialog();
-        EVENTUALLY(cell(0, OverlayModel::State).startsWith(QStringLiteral("Shown as it was read before: field.kml: ")));
+        EVENTUALLY(cell(0, OverlayModel::State).startsWith(QStringLiteral("Shown as last read: field.kml: ")));
         QVERIFY(isDrawn(OverlayColor::Blue));
     }
 

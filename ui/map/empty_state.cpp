@@ -112,7 +112,7 @@ void EmptyState::showViewState(const ViewState &view)
             tr("%1\n\nNo link is sealed until this is resolved. Plain MAVLink is shown, but not sealed.").arg(view.keyProblem);
     } else if (view.session) {
         title = tr("Waiting for the autopilot behind %1").arg(fromStd(view.session->info.peerName));
-        text = tr("The link to the agent is sealed; nothing has been received from the vehicle beside it yet.");
+        text = tr("The link to the agent is sealed; nothing has been received from its vehicle yet.");
     } else if (view.pendingApproval) {
         m_held = *view.pendingApproval;
         title = tr("Vehicle %1 is not sealed").arg(m_held.systemId);

@@ -22,8 +22,8 @@ MapSourceDialog::MapSourceDialog(const MapSource &source, QWidget *parent) : QDi
 {
     setObjectName(QStringLiteral("mapSourceDialog"));
     setWindowTitle(tr("Map source"));
-    m_none = named(new QRadioButton(tr("&No pictures: lines of latitude and longitude"), this), "mapSourceNone",
-                   tr("No pictures"));
+    m_none = named(new QRadioButton(tr("&No imagery: lines of latitude and longitude"), this), "mapSourceNone",
+                   tr("No imagery"));
     m_server = named(new QRadioButton(tr("A tile &server"), this), "mapSourceServer", tr("A tile server"));
     m_file = named(new QRadioButton(tr("An &MBTiles file on this computer"), this), "mapSourceFile", tr("An MBTiles file"));
     m_serverForm = makeServer();
@@ -68,16 +68,16 @@ QWidget *MapSourceDialog::makeServer()
     m_url = named(new QLineEdit(m_start.url, box), "mapSourceUrl", tr("Address of the tiles"));
     m_url->setPlaceholderText(QStringLiteral("https://tile.example.org/{z}/{x}/{y}.png"));
     m_attribution = named(new QLineEdit(m_start.attribution, box), "mapSourceAttribution", tr("Attribution"));
-    m_attribution->setPlaceholderText(tr("© who made the map; most servers require it"));
-    m_deepest = named(new QSpinBox(box), "mapSourceDeepest", tr("Deepest level"));
+    m_attribution->setPlaceholderText(tr("© map data; required by most servers"));
+    m_deepest = named(new QSpinBox(box), "mapSourceDeepest", tr("Maximum zoom level"));
     m_deepest->setRange(1, TileId::kDeepest);
     m_deepest->setValue(m_start.deepest);
     form->addRow(tr("&Address"), m_url);
     form->addRow(tr("A&ttribution"), m_attribution);
-    form->addRow(tr("&Deepest level"), m_deepest);
-    form->addRow(smallPrint(tr("The server learns which places you look at and when, and so where you fly, together with the "
-                               "address of this computer. With http:// everyone on the way learns it too. Nothing is requested "
-                               "before you press OK; what was received is kept on this computer."),
+    form->addRow(tr("Ma&ximum zoom level"), m_deepest);
+    form->addRow(smallPrint(tr("The server learns which areas you view and when, and thus where you fly, and the address "
+                               "of this computer. With http://, anyone on the path learns it too. Nothing is requested "
+                               "until you press OK; received tiles are kept on this computer."),
                             box));
     return box;
 }
@@ -129,7 +129,7 @@ void MapSourceDialog::refresh()
     m_ok->setToolTip(wrong);
     QString state = wrong;
     if (wrong.isEmpty() && m_server->isChecked())
-        state = tr("Tiles will be requested of %1").arg(TileTemplate::parse(m_url->text())->host());
+        state = tr("Tiles will be requested from %1").arg(TileTemplate::parse(m_url->text())->host());
     m_state->setText(state);
 }
 

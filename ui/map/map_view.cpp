@@ -48,9 +48,10 @@ void MapView::describe()
 {
     setAccessibleDescription(
         m_measure.isOn()
-            ? tr("%1. Return sets a point in the middle of the map, Backspace removes the last, Escape ends")
+            ? tr("%1. Enter sets a point at the centre of the map, Backspace removes the last, Escape ends")
                   .arg(measuredText(m_measure, m_units))
-            : tr("Arrow keys move it, plus and minus zoom, Home follows the vehicle, Menu opens the commands for its middle"));
+            : tr("Arrow keys move the map, plus and minus zoom, Home follows the vehicle, Menu opens the commands for "
+                 "the centre"));
 }
 
 void MapView::showCursor()

@@ -110,7 +110,7 @@ void MeasurePainter::paintTotal(const QString &total)
     const QFont usual = m_painter.font();
     QFont strong = usual;
     strong.setBold(true);
-    const QString help = tr("Click or Return sets a point, Backspace removes the last, Esc ends");
+    const QString help = tr("Click or Enter sets a point, Backspace removes the last, Esc ends");
     const QFontMetricsF bold(strong), metrics(usual);
     const double room = std::max(m_viewport.size().width() - 14 * kGrid, 20.0 * kGrid);
     const QRectF lines = metrics.boundingRect(QRectF(0, 0, room, 1000), Qt::AlignHCenter | Qt::TextWordWrap, help);

@@ -41,8 +41,8 @@ RegionDialog::RegionDialog(TileLoader &loader, const MapSource &source, const QR
     constexpr int kLevelsBelow = 3;
     setObjectName(QStringLiteral("regionDialog"));
     setWindowTitle(tr("Fetch the area in view"));
-    m_from = named(new QSpinBox(this), "regionFrom", tr("From level"));
-    m_to = named(new QSpinBox(this), "regionTo", tr("To level"));
+    m_from = named(new QSpinBox(this), "regionFrom", tr("From zoom level"));
+    m_to = named(new QSpinBox(this), "regionTo", tr("To zoom level"));
     for (QSpinBox *box : {m_from, m_to})
         box->setRange(0, std::min(source.deepest, TileId::kDeepest));
     m_from->setValue(std::min(level, source.deepest));
@@ -58,7 +58,7 @@ RegionDialog::RegionDialog(TileLoader &loader, const MapSource &source, const QR
     m_state->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     m_state->setMinimumHeight(3 * m_state->fontMetrics().lineSpacing());
     m_start = named(new QPushButton(tr("&Fetch"), this), "regionStart", tr("Fetch"));
-    m_use = named(new QPushButton(tr("&Use as the map"), this), "regionUse", tr("Use the file as the map"));
+    m_use = named(new QPushButton(tr("&Use as map source"), this), "regionUse", tr("Use the file as the map source"));
     m_use->setEnabled(false);
     m_cancel = named(new QPushButton(tr("Close"), this), "regionCancel", tr("Close"));
 
@@ -68,7 +68,7 @@ RegionDialog::RegionDialog(TileLoader &loader, const MapSource &source, const QR
     levels->addWidget(new QLabel(tr("to"), this));
     levels->addWidget(m_to);
     levels->addStretch(1);
-    auto *label = new QLabel(tr("&Levels"), this);
+    auto *label = new QLabel(tr("Zoom &levels"), this);
     label->setBuddy(m_from);
     form->addRow(label, levels);
     auto *where = new QHBoxLayout;
@@ -88,8 +88,7 @@ RegionDialog::RegionDialog(TileLoader &loader, const MapSource &source, const QR
     column->setContentsMargins(2 * kGrid, 2 * kGrid, 2 * kGrid, 2 * kGrid);
     column->setSpacing(kGrid);
     column->addLayout(form);
-    column->addWidget(
-        smallPrint(tr("One tile after the other, two at a time. Whether the server permits it is for you to know."), this));
+    column->addWidget(smallPrint(tr("Tiles are fetched two at a time. Check that the server permits it."), this));
     column->addWidget(m_bar);
     column->addWidget(m_state);
     column->addStretch(1);
@@ -134,10 +133,11 @@ void RegionDialog::refresh()
     const qint64 count = region().count();
     QString wrong = m_forbidden;
     if (wrong.isEmpty() && m_from->value() > m_to->value())
-        wrong = tr("The first level is deeper than the last");
+        wrong = tr("The first zoom level is greater than the last");
     else if (wrong.isEmpty() && count > kMostTiles)
-        wrong =
-            tr("%L1 tiles: at most %L2 can be fetched at a time. Zoom in, or choose fewer levels").arg(count).arg(kMostTiles);
+        wrong = tr("%L1 tiles: at most %L2 can be fetched at a time. Zoom in, or choose fewer zoom levels")
+                    .arg(count)
+                    .arg(kMostTiles);
     else if (wrong.isEmpty() && m_path->text().isEmpty())
         wrong = tr("No file is chosen");
     m_start->setEnabled(wrong.isEmpty() && !m_running);

@@ -140,8 +140,8 @@ void OverlayDialog::refresh()
             : any ? m_model.stateText(selected)
             : m_model.rowCount() > 0
             ? QString()
-            : tr("No overlays. Add… draws the fields, areas and places of KML and GeoJSON files over the map. They are "
-                 "pictures only: the vehicle does not know them."));
+            : tr("No overlays. Add… draws the points, lines and areas of KML and GeoJSON files over the map. They are "
+                 "for display only: the vehicle does not know about them."));
 }
 
 } // namespace skyseal::ui

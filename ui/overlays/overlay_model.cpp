@@ -167,12 +167,11 @@ QString OverlayModel::stateText(int row) const
         return tr("Reading…");
     QStringList out;
     if (!entry.problem.isEmpty())
-        out << (entry.shapes ? tr("Shown as it was read before: %1").arg(entry.problem)
-                             : tr("Not shown: %1").arg(entry.problem));
+        out << (entry.shapes ? tr("Shown as last read: %1").arg(entry.problem) : tr("Not shown: %1").arg(entry.problem));
     if (entry.hasChanged)
         out << tr("Changed since it was added");
     if (entry.shapes && entry.leftOut > 0)
-        out << tr("%1 not drawn: without a place, or of another kind").arg(entry.leftOut);
+        out << tr("%1 not drawn: no position, or an unsupported kind").arg(entry.leftOut);
     return out.join(QStringLiteral(". "));
 }
 

@@ -106,7 +106,7 @@ Result<void, QString> MbtilesFile::readFacts()
         return tl::unexpected(Text::tr("it is not an MBTiles file (%1)").arg(problem()));
     const QString format = metadata("format").toLower();
     if (format == QStringLiteral("pbf"))
-        return tl::unexpected(Text::tr("it has vector tiles, and only pictures (PNG, JPEG, WebP) can be shown"));
+        return tl::unexpected(Text::tr("it has vector tiles; only images (PNG, JPEG, WebP) can be shown"));
     m_facts.name = plainText(metadata("name"));
     m_facts.attribution = plainText(metadata("attribution"));
     bool ok = false;

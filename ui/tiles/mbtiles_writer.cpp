@@ -51,7 +51,7 @@ Result<std::unique_ptr<MbtilesWriter>, QString> MbtilesWriter::create(const QStr
 {
     std::unique_ptr<MbtilesWriter> out(new MbtilesWriter(path));
     if (QFile::exists(out->m_part) && !QFile::remove(out->m_part)) // of a program that ended early
-        return tl::unexpected(Text::tr("%1 is in the way").arg(out->m_part));
+        return tl::unexpected(Text::tr("%1 cannot be replaced").arg(out->m_part));
     sqlite3 *database = nullptr;
     const int opened = sqlite3_open_v2(QFile::encodeName(out->m_part).constData(), &database,
                                        SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX, nullptr);

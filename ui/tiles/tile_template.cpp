@@ -28,10 +28,11 @@ Result<TileTemplate, QString> TileTemplate::parse(const QString &text)
     out.m_text = text.trimmed();
     const bool rows = out.m_text.contains(QStringLiteral("{y}")) != out.m_text.contains(QStringLiteral("{-y}"));
     if (!out.m_text.contains(QStringLiteral("{z}")) || !out.m_text.contains(QStringLiteral("{x}")) || !rows)
-        return tl::unexpected(Text::tr("The address needs {z}, {x} and {y}, where the server expects level, column and row"));
+        return tl::unexpected(Text::tr("The address must contain {z}, {x} and {y}, where the server expects zoom level, "
+                                       "column and row"));
     const QString example = filled(out.m_text, {});
     if (example.contains(QLatin1Char('{')) || example.contains(QLatin1Char('}')))
-        return tl::unexpected(Text::tr("Only {z}, {x} and {y} (or {-y}) can be filled in"));
+        return tl::unexpected(Text::tr("Only the placeholders {z}, {x} and {y} (or {-y}) are supported"));
     const QUrl url(example, QUrl::StrictMode);
     if (!url.isValid() || url.host().isEmpty()
         || (url.scheme() != QStringLiteral("https") && url.scheme() != QStringLiteral("http")))
@@ -39,7 +40,7 @@ Result<TileTemplate, QString> TileTemplate::parse(const QString &text)
     // The server's name stays the same for all tiles, so that the operator knows whom the map asks.
     out.m_host = url.host();
     if (QUrl(filled(out.m_text, {1, 1, 0})).host() != out.m_host)
-        return tl::unexpected(Text::tr("The name of the server must not depend on the tile"));
+        return tl::unexpected(Text::tr("The server name must not contain placeholders"));
     return out;
 }
 
@@ -51,7 +52,7 @@ QUrl TileTemplate::urlOf(const TileId &tile) const
 QString TileTemplate::offlineForbiddenReason() const
 {
     if (m_host == QStringLiteral("openstreetmap.org") || m_host.endsWith(QStringLiteral(".openstreetmap.org")))
-        return Text::tr("The rules of openstreetmap.org forbid to fetch areas for later use; choose a server that permits it");
+        return Text::tr("openstreetmap.org does not permit fetching areas for later use; choose a server that does");
     return {};
 }
 

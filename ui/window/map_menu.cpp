@@ -100,17 +100,17 @@ MenuItems MapMenu::itemsFor(const LatLong &place)
                  }},
             {},
             {.id = QStringLiteral("mapPointAt"),
-             .text = tr("&Point at here…"),
+             .text = tr("&Point camera here…"),
              .trigger =
                  [this, command, place] {
-                     command(tr("Point the camera at this place?\n%1").arg(describe(place)),
-                             tr("At the altitude of home. A copter whose camera cannot pan turns its nose."),
+                     command(tr("Point the camera at this location?\n%1").arg(describe(place)),
+                             tr("The target is at the altitude of home. A copter whose camera cannot pan yaws instead."),
                              vehicle::PointAt{place.latitude, place.longitude});
                  },
              .disabledReason = sendable},
             {.id = QStringLiteral("mapStopPointing"),
-             .text = tr("&Stop pointing…"),
-             .trigger = [command] { command(tr("Stop pointing the camera at a place?"), {}, vehicle::StopPointing{}); },
+             .text = tr("&Stop pointing camera…"),
+             .trigger = [command] { command(tr("Stop pointing the camera at a location?"), {}, vehicle::StopPointing{}); },
              .disabledReason = sendable},
             setHome(place),
             {},
@@ -135,9 +135,9 @@ MenuItem MapMenu::goHere(const LatLong &place)
             return;
         const QString mode = modeOfPlaces(*state);
         const QString altitude = altitudeFigure(state->altitudeRelative, m_map.units()).text();
-        QString question = tr("Go to this place?\n%1").arg(describe(place));
+        QString question = tr("Go to this location?\n%1").arg(describe(place));
         if (flies(*state))
-            question = tr("Go to this place at %1 above home?\n%2").arg(altitude, describe(place));
+            question = tr("Go to this location at %1 above home?\n%2").arg(altitude, describe(place));
         const QString details = mode.isEmpty() || fromStd(state->mode) == mode
             ? QString()
             : tr("The mode changes from %1 to %2.").arg(fromStd(state->mode), mode);
@@ -154,8 +154,9 @@ MenuItem MapMenu::setHome(const LatLong &place)
     const auto trigger = [this, place] {
         ask(place,
             confirmCommand(m_commands, vehicle::SetHome{place.latitude, place.longitude},
-                           tr("Set home to this place?\n%1").arg(describe(place)),
-                           tr("RTL flies there. Home keeps its altitude; the height of the ground there is not known."),
+                           tr("Set home to this location?\n%1").arg(describe(place)),
+                           tr("RTL will fly there. The altitude of home stays the same; the ground elevation there is "
+                              "not known."),
                            &m_window));
     };
     return {.id = QStringLiteral("mapSetHome"), .text = tr("Set &home here…"), .trigger = trigger, .disabledReason = [this] {
