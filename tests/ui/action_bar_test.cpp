@@ -34,10 +34,10 @@ private Q_SLOTS:
         QTest::addColumn<QString>("button");
         QTest::addColumn<QString>("line");
         QTest::newRow("take off") << QStringLiteral("takeOffButton") << QStringLiteral("Take off to 10 m: requested…");
-        QTest::newRow("start") << QStringLiteral("startMissionButton") << QStringLiteral("Start the mission: requested…");
+        QTest::newRow("start") << QStringLiteral("startMissionButton") << QStringLiteral("Start mission: requested…");
         QTest::newRow("pause") << QStringLiteral("pauseButton") << QStringLiteral("Loiter: requested…");
         QTest::newRow("land") << QStringLiteral("landButton") << QStringLiteral("Land: requested…");
-        QTest::newRow("return") << QStringLiteral("returnButton") << QStringLiteral("Return to launch: requested…");
+        QTest::newRow("return") << QStringLiteral("returnButton") << QStringLiteral("RTL: requested…");
     }
 
     void buttonsSendTheirCommands()
@@ -67,7 +67,7 @@ private Q_SLOTS:
         row("disarmed", "armButton", "");
         row("disarmed", "setModeButton", "");
         row("in LOITER", "takeOffButton", "Not now: take-off needs the mode GUIDED, the vehicle is in LOITER");
-        row("without a mission", "startMissionButton", "Not now: the mission read last is empty: read it again");
+        row("without a mission", "startMissionButton", "Not now: the mission last read is empty: read it again");
         row("without a position", "pauseButton", "Not now: its position is not known");
         row("disarmed a while ago", "landButton", ""); // it may have been armed since
         row("disarmed a while ago", "unlockStop", "");
@@ -237,9 +237,9 @@ private Q_SLOTS:
         QTest::addColumn<QString>("text");
         QTest::newRow("silent about it") << -1 << 0 << 0.1 << false << QStringLiteral("Pre-arm: unknown");
         QTest::newRow("passed") << 1 << 0 << 0.1 << false << QStringLiteral("Pre-arm: ok");
-        QTest::newRow("failed") << 0 << 3 << 0.1 << false << QStringLiteral("Pre-arm: 3 reasons");
-        QTest::newRow("one") << 0 << 1 << 0.1 << false << QStringLiteral("Pre-arm: 1 reason");
-        QTest::newRow("refused at an attempt") << 1 << 1 << 0.1 << false << QStringLiteral("Pre-arm: 1 reason");
+        QTest::newRow("failed") << 0 << 3 << 0.1 << false << QStringLiteral("Pre-arm: 3 failures");
+        QTest::newRow("one") << 0 << 1 << 0.1 << false << QStringLiteral("Pre-arm: 1 failure");
+        QTest::newRow("refused at an attempt") << 1 << 1 << 0.1 << false << QStringLiteral("Pre-arm: 1 failure");
         QTest::newRow("failed without a word") << 0 << 0 << 0.1 << false << QStringLiteral("Pre-arm: not ok");
         QTest::newRow("passed a while ago") << 1 << 0 << 4.0 << false << QStringLiteral("Pre-arm: unknown");
         QTest::newRow("armed") << 1 << 0 << 0.1 << true << QStringLiteral("Pre-arm: armed");
@@ -305,7 +305,7 @@ private Q_SLOTS:
         row("Logging failed", "SD card");
         row("AUTO mode not armable", "Set a mode");
         row("Board (4.1v) out of range 4.3-5.8v", "power supply");
-        row("something new", "manual of the autopilot");
+        row("something new", "autopilot's documentation");
     }
 
     void commonReasonsHaveARemedy()

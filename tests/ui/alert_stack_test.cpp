@@ -267,7 +267,7 @@ private Q_SLOTS:
         showAge(1, 0.1);
         showAge(2, 0.1, "RTL");
         QVERIFY(m_stack->isVisible());
-        QCOMPARE(row(0)->alert()->text, QStringLiteral("Mode GUIDED → RTL, not from here"));
+        QCOMPARE(row(0)->alert()->text, QStringLiteral("Mode GUIDED → RTL, not by this station"));
     }
 
     void replayHidesNoAlertOfTheLiveVehicle()

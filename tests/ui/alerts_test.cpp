@@ -226,10 +226,10 @@ private Q_SLOTS:
     {
         show(0);
         show(1, mode("RTL"));
-        QCOMPARE(texts(), QStringList{QStringLiteral("Mode GUIDED → RTL, not from here")});
+        QCOMPARE(texts(), QStringList{QStringLiteral("Mode GUIDED → RTL, not by this station")});
         QVERIFY(m_list.hasMomentary());
         show(5, mode("LAND"));
-        QCOMPARE(texts(), QStringList{QStringLiteral("Mode RTL → LAND, not from here (2 times)")});
+        QCOMPARE(texts(), QStringList{QStringLiteral("Mode RTL → LAND, not by this station (2 times)")});
         show(14.9, mode("LAND"));
         QCOMPARE(m_list.alerts().size(), std::size_t(1));
         m_list.expire(15);
@@ -259,7 +259,7 @@ private Q_SLOTS:
         m_list.dismiss({AlertKind::ModeChanged, 1});
         QVERIFY(m_list.alerts().empty());
         show(2, mode("GUIDED"));
-        QCOMPARE(texts(), QStringList{QStringLiteral("Mode RTL → GUIDED, not from here")});
+        QCOMPARE(texts(), QStringList{QStringLiteral("Mode RTL → GUIDED, not by this station")});
     }
 
     void unknownAgentIsReportedOnce()

@@ -114,7 +114,7 @@ private Q_SLOTS:
         QCOMPARE(title(), QStringLiteral("Checklist quad.txt: 2 of 3 done"));
         m_station->show(landed(2, 95));
         QVERIFY(isChecked(2));
-        QVERIFY(list().item(2)->text().contains(QStringLiteral("by itself")));
+        QVERIFY(list().item(2)->text().contains(QStringLiteral("automatic")));
         engine::Snapshot old = landed(3, 95);
         old.vehicles.front().state.messageAge = 12;
         m_station->show(old);

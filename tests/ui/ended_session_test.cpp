@@ -176,11 +176,11 @@ private Q_SLOTS:
         QCOMPARE(lockFaceOf(view).variants.front(), QStringLiteral("Not sealed · plain MAVLink"));
         view.plainRun = true;
         panel.showViewState(view);
-        QCOMPARE(text("secureTitle"), QStringLiteral("Not sealed, in a sweep"));
+        QCOMPARE(text("secureTitle"), QStringLiteral("Not sealed, sweep running"));
         QVERIFY(!text("secureAdvice").contains(QStringLiteral("Start skyseal-air")));
-        QVERIFY(text("secureAdvice").contains(QStringLiteral("measured at present")));
+        QVERIFY(text("secureAdvice").contains(QStringLiteral("is measuring plain MAVLink")));
         QVERIFY(panel.findChild<QPushButton *>(QStringLiteral("secureHelp"))->isHidden());
-        QCOMPARE(lockFaceOf(view).variants.front(), QStringLiteral("Not sealed · in a sweep"));
+        QCOMPARE(lockFaceOf(view).variants.front(), QStringLiteral("Not sealed · sweep running"));
         QVERIFY(!lockFaceOf(view).toolTip.contains(QStringLiteral("Start skyseal-air")));
 
         // Between plain MAVLink and a suite the session is ended by the sweep; a lost session is shown as lost.
@@ -213,9 +213,9 @@ private Q_SLOTS:
         sweeps.begin(crypto::SuiteId::Aes256Gcm);
         QCOMPARE(title(plainSnapshot(2)), QStringLiteral("Not sealed")); // without consent
         sweeps.begin(crypto::SuiteId::None);
-        QCOMPARE(title(plainSnapshot(3)), QStringLiteral("Not sealed, in a sweep"));
+        QCOMPARE(title(plainSnapshot(3)), QStringLiteral("Not sealed, sweep running"));
         sweeps.begin(crypto::SuiteId::Aes256Gcm);
-        QCOMPARE(title(plainSnapshot(4)), QStringLiteral("Not sealed, in a sweep")); // on its way back
+        QCOMPARE(title(plainSnapshot(4)), QStringLiteral("Not sealed, sweep running")); // on its way back
         QCOMPARE(title(sealedSnapshot(5)), QStringLiteral("Sealed"));
         QCOMPARE(title(plainSnapshot(6)), QStringLiteral("Not sealed"));
         sweeps.begin(crypto::SuiteId::None);

@@ -147,7 +147,7 @@ private Q_SLOTS:
         QTest::addColumn<QString>("title");
         QTest::newRow("recording") << true << QStringLiteral("it is a replay") << QStringLiteral("Replay");
         QTest::newRow("stream that is never sent to")
-            << false << QStringLiteral("its link is listen-only") << QStringLiteral("Not sealed, listening only");
+            << false << QStringLiteral("its link is receive-only") << QStringLiteral("Not sealed, receive only");
     }
 
     void nothingIsSentOneWay()

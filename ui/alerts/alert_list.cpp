@@ -87,7 +87,7 @@ void AlertList::showVehicle(const engine::VehicleSnapshot &vehicle, double now)
         Alert failsafe{{AlertKind::Failsafe, id},
                        AlertSeverity::Severe,
                        reason.isEmpty() ? title : Text::tr("%1: %2").arg(title, reason),
-                       Text::tr("The autopilot reports an abnormal state. Messages may name the reason.")};
+                       Text::tr("The autopilot reports an abnormal state. The Messages panel may show the reason.")};
         failsafe.subject = status;
         raiseState(std::move(failsafe), now);
     } else if (const auto said = m_failsafeTexts.find(id);
@@ -112,7 +112,7 @@ void AlertList::showVehicle(const engine::VehicleSnapshot &vehicle, double now)
         raiseState({{AlertKind::LowBattery, id},
                     veryLow ? AlertSeverity::Severe : AlertSeverity::Warning,
                     text.arg(number(state.batteryPercent, 0)),
-                    Text::tr("As the vehicle reports it.")},
+                    Text::tr("As reported by the vehicle.")},
                    now);
     }
     showMode(vehicle, now);
@@ -131,9 +131,9 @@ void AlertList::showMode(const engine::VehicleSnapshot &vehicle, double now)
         return;
     raiseEvent({{AlertKind::ModeChanged, id},
                 AlertSeverity::Warning,
-                Text::tr("Mode %1 → %2, not from here").arg(engine::qt(before), engine::qt(vehicle.state.mode)),
-                Text::tr("The mode changed without a command from this station: by the autopilot itself, by the remote control "
-                         "or by another station.")},
+                Text::tr("Mode %1 → %2, not by this station").arg(engine::qt(before), engine::qt(vehicle.state.mode)),
+                Text::tr("The mode changed without a command from this station. The autopilot, the RC transmitter or "
+                         "another station changed it.")},
                now);
 }
 
@@ -154,7 +154,7 @@ void AlertList::showAttacks(const engine::Snapshot &snapshot, double now)
     for (const auto &[systemId, attack] : attacks) {
         const AlertId forged{AlertKind::ForgedFrames, systemId}, replayed{AlertKind::ReplayedFrames, systemId};
         const bool refuses = m_refusals.lastMinute(systemId, now) > 0;
-        const QString details = Text::tr("All of them were refused. The secure link panel counts them.");
+        const QString details = Text::tr("All were refused. The Secure link panel counts them.");
         if (const auto count = countUp(forged, attack.forged, attack.forgedLastMinute, attack.forgedLastMinute > 0 || refuses))
             raiseState({forged, AlertSeverity::Warning,
                         framesText(*count, Text::tr("One forged frame"), Text::tr("%1 forged frames")), details, *count},
@@ -241,12 +241,12 @@ void AlertList::handleEvent(const engine::Event &event, double now)
                        now);
     } else if (const auto *refused = std::get_if<channel::HandshakeRefused>(&event)) {
         if (refused->reason == channel::RefusalReason::UnknownPeer)
-            raiseEvent(
-                {{AlertKind::UnknownAgent},
-                 AlertSeverity::Warning,
-                 Text::tr("Unknown agent at %1").arg(engine::qt(link::toText(refused->path.remote))),
-                 Text::tr("%1. Security → Keys and peers pairs the two").arg(engine::eventText(event, m_names).sentence)},
-                now);
+            raiseEvent({{AlertKind::UnknownAgent},
+                        AlertSeverity::Warning,
+                        Text::tr("Unknown agent at %1").arg(engine::qt(link::toText(refused->path.remote))),
+                        Text::tr("%1. To pair with it, open Security → Keys and peers")
+                            .arg(engine::eventText(event, m_names).sentence)},
+                       now);
     }
 }
 

@@ -73,7 +73,7 @@ void AlertRow::setAlert(const std::optional<Alert> &alert, const QString &began)
     setAccessibleDescription(alert->details);
     setToolTip(plainTip(tr("%1 since %2: %3. %4").arg(word, began, alert->text, alert->details)));
     m_dismiss->setAccessibleName(tr("Dismiss: %1").arg(alert->text));
-    m_dismiss->setToolTip(alert->ongoing ? tr("Dismiss until it begins again or becomes worse (Esc)") : tr("Dismiss (Esc)"));
+    m_dismiss->setToolTip(alert->ongoing ? tr("Dismiss until it recurs or gets worse (Esc)") : tr("Dismiss (Esc)"));
     if (isNew) {
         QAccessibleEvent event(this, QAccessible::Alert);
         QAccessible::updateAccessibility(&event);

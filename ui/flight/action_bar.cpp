@@ -40,7 +40,7 @@ ActionBar::ActionBar(VehicleCommands &commands, QWidget *parent)
     addTarget("takeOffButton", tr("Take off"), tr("Take off"), [this] { return vehicle::TakeOff{m_altitude->metres()}; });
     addTarget("startMissionButton", tr("Start mission"), tr("Mission"), [] { return vehicle::StartMission{}; });
     addTarget("pauseButton", tr("Pause"), tr("Pause"), [] { return vehicle::Loiter{}; });
-    m_targets.back().button->setPurpose(tr("Stops and holds the present place; an aeroplane circles it."));
+    m_targets.back().button->setPurpose(tr("Stops and holds the present position; a plane circles it."));
     addTarget("landButton", tr("Land"), tr("Land"), [] { return vehicle::Land{}; });
     addTarget("returnButton", tr("RTL"), tr("RTL"), [] { return vehicle::ReturnToLaunch{}; });
     m_targets.back().button->setPurpose(tr("Returns to launch and lands there."));

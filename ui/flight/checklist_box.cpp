@@ -68,7 +68,7 @@ void ChecklistBox::choose()
     const std::uint8_t systemId = m_systemId;
     const QString file = QFileDialog::getOpenFileName(this, tr("Checklist of vehicle %1").arg(systemId),
                                                       QFileInfo(m_preflight.file(systemId)).path(),
-                                                      tr("Texts (*.txt);;All files (*)"));
+                                                      tr("Text files (*.txt);;All files (*)"));
     if (!file.isEmpty())
         m_preflight.setFile(systemId, file);
 }
@@ -86,7 +86,7 @@ void ChecklistBox::refresh()
         QListWidgetItem &row = *m_list->item(static_cast<int>(i));
         const bool byHand = item.condition.isEmpty();
         const QString text = byHand ? item.text
-            : item.done             ? tr("%1 · by itself: %2").arg(item.text, item.condition)
+            : item.done             ? tr("%1 · automatic: %2").arg(item.text, item.condition)
                                     : tr("%1 · not yet: %2").arg(item.text, item.condition);
         if (row.text() != text)
             row.setText(text);
@@ -100,7 +100,7 @@ void ChecklistBox::refresh()
     const QString name = QFileInfo(file).fileName();
     const QString title = m_systemId == 0 ? tr("No checklist without a vehicle.")
         : file.isEmpty()
-        ? tr("No checklist for vehicle %1. It is a text file; Help → First steps describes it.").arg(m_systemId)
+        ? tr("No checklist for vehicle %1. A checklist is a text file; see Help → First steps.").arg(m_systemId)
         : items.empty() ? tr("Checklist %1 cannot be read").arg(name)
                         : tr("Checklist %1: %2 of %3 done").arg(name).arg(done).arg(items.size());
     if (m_title->text() != title)

@@ -66,7 +66,7 @@ void armOrAsk(VehicleCommands &commands, QWidget *window)
     if (open.isEmpty())
         return commands.send(commands.systemId(), vehicle::Arm{});
     if (window->findChild<QMessageBox *>(kQuestion) == nullptr) // else one is open, and is answered first
-        confirmCommand(commands, vehicle::Arm{}, Text::tr("Arm although the checklist is not done?"), open, window);
+        confirmCommand(commands, vehicle::Arm{}, Text::tr("Arm with an incomplete checklist?"), open, window);
 }
 
 } // namespace skyseal::ui

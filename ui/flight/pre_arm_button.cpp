@@ -32,8 +32,8 @@ void PreArmButton::showViewState(const ViewState &view)
         setAccessibleName(text);
     }
     const auto open = view.vehicle && !view.isReplay() ? m_commands.preflight().open(view.vehicle->state.systemId).size() : 0;
-    const QString list = open == 0 ? tr("Opens the list of the reasons and the checklist.")
-                                   : tr("%1 open on the checklist. Opens it with the list of the reasons.").arg(open);
+    const QString list = open == 0 ? tr("Opens the list of failures and the checklist.")
+                                   : tr("%1 open on the checklist. Opens the checklist and the list of failures.").arg(open);
     const QString tip = preArmSentence(view) + QLatin1Char('\n') + list;
     if (toolTip() != tip)
         setToolTip(tip);

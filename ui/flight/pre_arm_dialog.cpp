@@ -30,7 +30,7 @@ vehicle::RawCommand runChecks()
 
 PreArmDialog::PreArmDialog(VehicleCommands &commands, QWidget *parent)
     : QDialog(parent), m_state(smallPrint({}, this)),
-      m_list(named(new QListWidget(this), "preArmList", tr("Reasons against arming, with what to do"))),
+      m_list(named(new QListWidget(this), "preArmList", tr("Pre-arm failures, with what to do"))),
       m_check(named(new QPushButton(tr("Check now"), this), "preArmCheck", tr("Run the pre-arm checks now"))),
       m_checklist(new ChecklistBox(commands.preflight(), this))
 {
@@ -93,11 +93,11 @@ void PreArmDialog::showViewState(const ViewState &view)
         && vehicle::VehicleKind{view.vehicle->state.type, view.vehicle->state.autopilot}.isArduPilot();
     const bool armed = view.vehicle && view.vehicle->state.armed;
     const QString reason = !nothing.isEmpty() ? nothing
-        : !knows                              ? tr("This autopilot runs its checks by itself")
+        : !knows                              ? tr("This autopilot runs its checks automatically")
         : armed                               ? tr("The vehicle is armed")
                                               : QString();
     m_check->setEnabled(reason.isEmpty());
-    m_check->setToolTip(reason.isEmpty() ? tr("Lets the vehicle run its checks now and say what fails") : reason);
+    m_check->setToolTip(reason.isEmpty() ? tr("Makes the vehicle run its checks now and report failures") : reason);
 }
 
 } // namespace skyseal::ui

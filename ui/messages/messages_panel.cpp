@@ -56,12 +56,12 @@ MessagesPanel::MessagesPanel(QWidget *parent) : DockPanel(parent)
     auto *wanted = new QLineEdit(this);
     wanted->setObjectName(QStringLiteral("messageFilter"));
     wanted->setPlaceholderText(tr("Filter"));
-    wanted->setAccessibleName(tr("Filter of the messages"));
+    wanted->setAccessibleName(tr("Filter messages"));
     wanted->setClearButtonEnabled(true);
     connect(wanted, &QLineEdit::textChanged, this, [this](const QString &text) { m_filter.setWantedText(text); });
     auto *grave = new QComboBox(this);
     grave->setObjectName(QStringLiteral("messageSeverity"));
-    grave->setAccessibleName(tr("Least severity shown"));
+    grave->setAccessibleName(tr("Minimum severity shown"));
     grave->addItem(tr("all"), 7);
     grave->addItem(tr("notices and above"), 5);
     grave->addItem(tr("warnings and above"), 4);
@@ -143,8 +143,9 @@ QString MessagesPanel::withRemedy(const engine::EventText &text)
     switch (text.remedy) {
     case engine::EventText::Remedy::None: break;
     case engine::EventText::Remedy::AllowPlaintext:
-        return tr("%1. Security → Allow plain MAVLink accepts it").arg(text.sentence);
-    case engine::EventText::Remedy::PairAgent: return tr("%1. Security → Keys and peers pairs the two").arg(text.sentence);
+        return tr("%1. To accept it, choose Security → Allow plain MAVLink").arg(text.sentence);
+    case engine::EventText::Remedy::PairAgent:
+        return tr("%1. To pair with it, open Security → Keys and peers").arg(text.sentence);
     }
     return text.sentence;
 }

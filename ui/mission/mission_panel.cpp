@@ -154,7 +154,7 @@ void MissionPanel::showViewState(const ViewState &view)
         button->setToolTip(m_disabledReason);
     }
     if (m_disabledReason.isEmpty())
-        m_read->setToolTip(tr("The mission, and the fence and the rally points where the vehicle has them"));
+        m_read->setToolTip(tr("The mission, and the fence and rally points if the vehicle has them"));
     const bool hasItems = m_mission && !m_mission->empty();
     m_save->setEnabled(hasItems);
     m_pages->setCurrentIndex(hasItems ? 1 : 0);

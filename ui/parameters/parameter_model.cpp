@@ -96,7 +96,7 @@ void ParameterModel::setName(int vehicle)
 void ParameterModel::written(const vehicle::Parameter &parameter, bool ok, const QString &reason)
 {
     const QString name = fromStd(parameter.name);
-    m_states.insert(name, ok ? tr("written, read back %1").arg(parameter.value) : tr("not written: %1").arg(reason));
+    m_states.insert(name, ok ? tr("written, read back as %1").arg(parameter.value) : tr("not written: %1").arg(reason));
     touch(name);
 }
 

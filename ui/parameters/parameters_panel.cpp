@@ -32,7 +32,7 @@ ParametersPanel::ParametersPanel(StationInterface &station, QWidget *parent) : D
     auto *wanted = new QLineEdit(this);
     wanted->setObjectName(QStringLiteral("parameterFilter"));
     wanted->setPlaceholderText(tr("Filter by name"));
-    wanted->setAccessibleName(tr("Filter of the parameters"));
+    wanted->setAccessibleName(tr("Filter parameters"));
     wanted->setClearButtonEnabled(true);
     connect(wanted, &QLineEdit::textChanged, filter, &QSortFilterProxyModel::setFilterFixedString);
     m_progress = new QProgressBar(this);

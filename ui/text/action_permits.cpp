@@ -33,7 +33,7 @@ public:
     {
         const std::size_t home = m_kind.isArduPilot() ? 1 : 0; // ArduPilot's item 0
         if (m_vehicle.mission && m_vehicle.mission->size() <= home)
-            return Text::tr("the mission read last is empty: read it again");
+            return Text::tr("the mission last read is empty: read it again");
         return m_kind.isPx4() ? QString() : disarmed(); // PX4 arms by itself
     }
 

@@ -30,16 +30,16 @@ std::optional<LinkEnded> linkEndedOf(const ViewState &view)
     const QString name = ended.peerName.empty() ? Text::tr("the agent") : fromStd(ended.peerName);
     const QString ago = durationText(ended.age);
     const QString waiting = QLatin1Char(' ')
-        + Text::tr("Waiting: the session is established automatically when it is heard again. The last received values are "
-                   "shown. Plain MAVLink with the vehicle's system id is still refused.");
+        + Text::tr("Waiting: the session is re-established automatically when the agent is heard again. The last "
+                   "received values are shown. Plain MAVLink with the vehicle's system ID is still refused.");
     if (view.inSweep && ended.reason == DownReason::Closed)
         return LinkEnded{Text::tr("New session · %1").arg(name),
                          Text::tr("The sweep changes the protection of the link, which needs a new handshake.")};
     switch (ended.reason) {
     case DownReason::Revoked:
         return LinkEnded{Text::tr("Revoked · %1").arg(name),
-                         Text::tr("%1 is no longer a known peer: its session ended %2 ago and cannot be established again. The "
-                                  "last received values are shown. Pair it again to continue.")
+                         Text::tr("%1 is no longer a known peer: its session ended %2 ago and cannot be re-established. "
+                                  "The last received values are shown. Pair it again to continue.")
                              .arg(name, ago),
                          true};
     case DownReason::TimedOut:

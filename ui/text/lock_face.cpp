@@ -68,9 +68,9 @@ LockFace plainFace(const ViewState &view)
     }
     if (view.plainRun)
         return unsealedFace(
-            {Text::tr("Not sealed · in a sweep"), Text::tr("Not sealed")},
-            Text::tr("The sweep measures plain MAVLink at present, with your consent: anyone on the path can read "
-                     "and change the traffic. The sweep seals the link again afterwards."));
+            {Text::tr("Not sealed · sweep running"), Text::tr("Not sealed")},
+            Text::tr("The sweep is measuring plain MAVLink, with your consent: anyone on the path can read and change "
+                     "the traffic. The sweep seals the link again afterwards."));
     return unsealedFace({Text::tr("Not sealed · plain MAVLink"), Text::tr("Not sealed")},
                         Text::tr("Anyone on the path can read and change the traffic. Start skyseal-air beside the vehicle to "
                                  "seal the link."));
@@ -136,7 +136,7 @@ LockFace lockFaceOf(const ViewState &view)
         face.icon = QStringLiteral("lock-switching");
         if (session.info.pending.value_or(session.info.suite) == session.info.suite) {
             face.variants = {suite + dot + Text::tr("changing keys…")};
-            face.toolTip += QLatin1Char('\n') + Text::tr("New keys are being agreed");
+            face.toolTip += QLatin1Char('\n') + Text::tr("New keys are being negotiated");
             break;
         }
         const QString to = suiteName(*session.info.pending);

@@ -24,10 +24,10 @@ std::optional<OneWay> oneWayOf(const ViewState &view)
                       Text::tr("The values come from a recorded log. They are not live, and nothing can be sent."),
                       Text::tr("it is a replay"), true};
     if (view.link->listenOnly)
-        return OneWay{Text::tr("Not sealed, listening only"),
-                      Text::tr("This stream is protected like MAVSec's published code, which is insecure: anyone on the path "
-                               "can change it. Nothing is sent to it."),
-                      Text::tr("its link is listen-only")};
+        return OneWay{Text::tr("Not sealed, receive only"),
+                      Text::tr("This stream is protected as in the published MAVSec code, which is insecure: anyone on "
+                               "the path can change it. Nothing is sent."),
+                      Text::tr("its link is receive-only")};
     return std::nullopt;
 }
 

@@ -21,8 +21,8 @@ struct Remedy
 
 /// The first row applies of which a word of the text begins with `word`, so that narrow rows stand before wide ones.
 constexpr Remedy kRemedies[] = {
-    {"not armable", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Set a mode that can be armed, such as LOITER or GUIDED.")},
-    {"another mode", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Set a mode that can be armed, such as Hold or Position.")},
+    {"not armable", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Set a mode that allows arming, such as LOITER or GUIDED.")},
+    {"another mode", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Set a mode that allows arming, such as Hold or Position.")},
     {"safety", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Press the vehicle's safety switch until its light stays on.")},
     {"rc not calibrated",
      QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Calibrate the radio: move each stick and switch to both ends.")},
@@ -30,15 +30,15 @@ constexpr Remedy kRemedies[] = {
     {"rc not found", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Switch on the transmitter and check its receiver.")},
     {"throttle below failsafe",
      QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Switch on the transmitter and check its receiver.")},
-    {"throttle", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Pull the throttle stick down to its end.")},
+    {"throttle", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Lower the throttle stick fully.")},
     {"compass not calibrated", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Calibrate the compass away from metal.")},
     {"compass offsets", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Calibrate the compass away from metal.")},
     {"compass",
      QT_TRANSLATE_NOOP("skyseal::ui::PreArmText",
-                       "Move the vehicle away from metal, cables and magnets; calibrate the compass if it stays.")},
+                       "Move the vehicle away from metal, cables and magnets; calibrate the compass if the failure persists.")},
     {"mag field", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Move the vehicle away from metal, cables and magnets.")},
     {"fence requires position",
-     QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Wait for the GPS and the EKF, or switch the fence off.")},
+     QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Wait for the GPS and the EKF, or disable the fence.")},
     {"fence", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Place the vehicle inside its fence, or correct the fence.")},
     {"hdop", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Wait for more satellites, under an open sky.")},
     {"gps", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Wait for a 3D fix under an open sky; check the GPS cable.")},
@@ -46,24 +46,25 @@ constexpr Remedy kRemedies[] = {
      QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Wait for the GPS and the EKF, or set a mode that needs no position.")},
     {"ekf", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Keep the vehicle still until its estimate has settled.")},
     {"ahrs", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Keep the vehicle still until its estimate has settled.")},
-    {"gyro", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Keep the vehicle still; restart it if the text stays.")},
+    {"gyro", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Keep the vehicle still; restart it if the failure persists.")},
     {"accel",
-     QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Keep the vehicle still; calibrate the accelerometers if it stays.")},
+     QT_TRANSLATE_NOOP("skyseal::ui::PreArmText",
+                       "Keep the vehicle still; calibrate the accelerometers if the failure persists.")},
     {"baro", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Shield the barometer from wind and light; restart the vehicle.")},
     {"board", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Check the power supply of the autopilot.")},
     {"battery", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Charge or change the battery; check BATT_ARM_VOLT.")},
-    {"logging", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Check that the SD card is inserted and has room.")},
-    {"sd card", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Check that the SD card is inserted and has room.")},
+    {"logging", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Check that the SD card is inserted and has free space.")},
+    {"sd card", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Check that the SD card is inserted and has free space.")},
     {"mission", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Send a mission that suits this vehicle.")},
     {"terrain", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Wait until the terrain data have been loaded.")},
     {"leaning", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Place the vehicle on level ground.")},
     {"internal error",
-     QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Restart the autopilot, and do not fly before the cause is known.")},
-    {"not landed", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Wait until the vehicle has noticed that it has landed.")},
+     QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Restart the autopilot, and do not fly until the cause is known.")},
+    {"not landed", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Wait until the vehicle has detected the landing.")},
     {"motor", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Check the motor and frame parameters, and the ESCs.")},
     {"esc", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Check the power and the cables of the ESCs.")},
-    {"servo", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Correct the parameter that the text names.")},
-    {"check ", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Correct the parameter that the text names.")},
+    {"servo", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Correct the parameter named in the message.")},
+    {"check ", QT_TRANSLATE_NOOP("skyseal::ui::PreArmText", "Correct the parameter named in the message.")},
 };
 
 } // namespace
@@ -91,12 +92,12 @@ QString preArmText(const ViewState &view)
     const auto reasons = static_cast<int>(view.vehicle->state.preArmReasons.size());
     if (reasons == 0)
         return Text::tr("Pre-arm: not ok");
-    return reasons == 1 ? Text::tr("Pre-arm: 1 reason") : Text::tr("Pre-arm: %1 reasons").arg(reasons);
+    return reasons == 1 ? Text::tr("Pre-arm: 1 failure") : Text::tr("Pre-arm: %1 failures").arg(reasons);
 }
 
 QString widestPreArmText()
 {
-    return Text::tr("Pre-arm: %1 reasons").arg(88);
+    return Text::tr("Pre-arm: %1 failures").arg(88);
 }
 
 QString preArmSentence(const ViewState &view)
@@ -105,16 +106,15 @@ QString preArmSentence(const ViewState &view)
     case PreArm::Unknown:
         if (!view.vehicle)
             return Text::tr("No vehicle is connected.");
-        return view.stale()
-            ? Text::tr("The vehicle is silent, so the state of its checks is not known.")
-            : Text::tr("The vehicle does not say whether its checks pass, and has given no reason against arming.");
-    case PreArm::Ok: return Text::tr("The vehicle says that all its checks pass.");
+        return view.stale() ? Text::tr("The vehicle is silent, so the state of its checks is not known.")
+                            : Text::tr("The vehicle does not report whether its checks pass, and has not reported a failure.");
+    case PreArm::Ok: return Text::tr("The vehicle reports that all checks pass.");
     case PreArm::Armed: return Text::tr("The vehicle is armed.");
     case PreArm::Refused: break;
     }
     return view.vehicle->state.preArmReasons.empty()
-        ? Text::tr("The vehicle says that a check fails, but has not said which. It repeats its reasons every 30 s.")
-        : Text::tr("The vehicle would not arm. A reason goes when it has not been repeated for 40 s.");
+        ? Text::tr("The vehicle reports that a check fails, but not which one. It repeats its failures every 30 s.")
+        : Text::tr("The vehicle will not arm. A failure is removed when it has not been repeated for 40 s.");
 }
 
 QString preArmRemedy(const QString &reason)
@@ -123,7 +123,7 @@ QString preArmRemedy(const QString &reason)
     for (const Remedy &remedy : kRemedies)
         if (text.contains(QLatin1Char(' ') + QLatin1String(remedy.word), Qt::CaseInsensitive))
             return Text::tr(remedy.text);
-    return Text::tr("Look the text up in the manual of the autopilot.");
+    return Text::tr("Look up the message in the autopilot's documentation.");
 }
 
 } // namespace skyseal::ui

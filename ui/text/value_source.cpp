@@ -27,7 +27,7 @@ struct Text
 public:
     // clang-format off
     static constexpr Words kWords[] = {
-        {"sysid", QT_TR_NOOP("MAVLink system id"), QT_TR_NOOP("system")},
+        {"sysid", QT_TR_NOOP("MAVLink system ID"), QT_TR_NOOP("system")},
         {"mode", QT_TR_NOOP("Flight mode"), QT_TR_NOOP("mode")},
         {"armed", QT_TR_NOOP("Armed"), QT_TR_NOOP("armed")},
         {"roll", QT_TR_NOOP("Roll, right wing down positive"), QT_TR_NOOP("roll")},
@@ -53,10 +53,10 @@ public:
         {"distance_home", QT_TR_NOOP("Distance to home"), QT_TR_NOOP("home"), Measure::Distance},
         {"flight_time", QT_TR_NOOP("Flight time"), QT_TR_NOOP("time"), Measure::Duration},
         {"mission_current", QT_TR_NOOP("Current mission item"), QT_TR_NOOP("item")},
-        {"custom_mode", QT_TR_NOOP("Number of the flight mode"), QT_TR_NOOP("mode no.")},
+        {"custom_mode", QT_TR_NOOP("Flight mode number"), QT_TR_NOOP("mode no.")},
         {"system_status", QT_TR_NOOP("State of the system (MAV_STATE)"), QT_TR_NOOP("state")},
         {"cpu_load", QT_TR_NOOP("CPU load of the autopilot"), QT_TR_NOOP("CPU")},
-        {"vibration", QT_TR_NOOP("Vibration, the worst axis"), QT_TR_NOOP("vibration"), Measure::Plain, 1},
+        {"vibration", QT_TR_NOOP("Vibration, worst axis"), QT_TR_NOOP("vibration"), Measure::Plain, 1},
         {"latency", QT_TR_NOOP("Round-trip time of the link"), QT_TR_NOOP("latency"), Measure::Plain, 3},
         {"message_age", QT_TR_NOOP("Time since the last message"), QT_TR_NOOP("age")},
         {"lost", QT_TR_NOOP("Link lost"), QT_TR_NOOP("lost")},

@@ -55,19 +55,19 @@ QString commandText(const vehicle::VehicleCommand &command)
                    [](const vehicle::Disarm &c) { return c.force ? Text::tr("Emergency stop") : Text::tr("Disarm"); },
                    [](const vehicle::TakeOff &c) { return Text::tr("Take off to %1 m").arg(number(c.altitude, 0)); },
                    [](const vehicle::Land &) { return Text::tr("Land"); },
-                   [](const vehicle::ReturnToLaunch &) { return Text::tr("Return to launch"); },
+                   [](const vehicle::ReturnToLaunch &) { return Text::tr("RTL"); },
                    [](const vehicle::SetMode &c) { return Text::tr("Mode %1").arg(fromStd(c.mode)); },
                    [](const vehicle::GoTo &) { return Text::tr("Go here"); },
                    [](const vehicle::ChangeAltitude &c) {
                        return Text::tr("Change altitude to %1 m").arg(number(c.altitudeRelative, 0));
                    },
                    [](const vehicle::Loiter &) { return Text::tr("Loiter"); },
-                   [](const vehicle::PointAt &) { return Text::tr("Point at here"); },
-                   [](const vehicle::StopPointing &) { return Text::tr("Stop pointing"); },
+                   [](const vehicle::PointAt &) { return Text::tr("Point camera here"); },
+                   [](const vehicle::StopPointing &) { return Text::tr("Stop pointing camera"); },
                    [](const vehicle::SetHome &) { return Text::tr("Set home here"); },
                    [](const vehicle::ChangeSpeed &c) { return Text::tr("Speed %1 m/s").arg(number(c.metresPerSecond, 1)); },
                    [](const vehicle::SetCurrentMissionItem &c) { return Text::tr("Mission item %1").arg(c.index); },
-                   [](const vehicle::StartMission &) { return Text::tr("Start the mission"); },
+                   [](const vehicle::StartMission &) { return Text::tr("Start mission"); },
                    [](const vehicle::Reboot &) { return Text::tr("Restart the autopilot"); },
                    [](const vehicle::RawCommand &c) {
                        return c.command == mavlink::MAV_CMD_RUN_PREARM_CHECKS ? Text::tr("Pre-arm checks")

@@ -57,7 +57,7 @@ bool isLost(const ViewState &view)
 VehicleListCell linkCell(const ViewState &view)
 {
     if (isLost(view))
-        return {.text = Text::tr("lost"), .tone = CellTone::Alarm, .tip = Text::tr("No frames arrive"), .rank = -1};
+        return {.text = Text::tr("lost"), .tone = CellTone::Alarm, .tip = Text::tr("No frames received"), .rank = -1};
     const double arrived = 100 - (view.session ? view.session->lossPercent : view.vehicle->lossPercent);
     const QString percent = number(arrived, 0) + QStringLiteral(" %");
     const bool poor = arrived < kPoorPercent;

@@ -52,7 +52,7 @@ VehiclesPanel::VehiclesPanel(StationInterface &station, QWidget *parent) : DockP
 {
     m_clock.start();
     m_order.setSourceModel(&m_model);
-    m_typed = named(new QLineEdit(this), "vehicleFilter", tr("Filter of the vehicles"));
+    m_typed = named(new QLineEdit(this), "vehicleFilter", tr("Filter vehicles"));
     m_typed->setPlaceholderText(tr("Number or words, such as \"rover armed\""));
     m_typed->setClearButtonEnabled(true);
     m_typed->installEventFilter(this);

@@ -431,8 +431,8 @@ bool MainWindow::asksBeforeQuitting()
     askToConfirm({.objectName = object,
                   .title = tr("Quit Skyseal"),
                   .text = armed.size() == 1 ? tr("Vehicle %1 is armed. Quit?").arg(armed.first())
-                                            : tr("The vehicles %1 are armed. Quit?").arg(armed.join(QStringLiteral(", "))),
-                  .details = tr("Without this station, no vehicle can be commanded from here, and failsafes may trigger."),
+                                            : tr("Vehicles %1 are armed. Quit?").arg(armed.join(QStringLiteral(", "))),
+                  .details = tr("While Skyseal is closed, no vehicle can be commanded from here, and failsafes may trigger."),
                   .yes = tr("Quit"),
                   .icon = QMessageBox::Warning},
                  this, this, [this] { quit(); });

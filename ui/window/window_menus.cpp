@@ -142,8 +142,8 @@ Menu vehicleMenu(const MenuTargets &on)
               .trigger = [on] { on.dialogs.openChangeAltitude(on.selection.view()); },
               .shortcut = Qt::CTRL | Qt::SHIFT | Qt::Key_G,
               .disabledReason = [on] { return climbsDisabledReason(on.selection.view()); }},
-             command(Text::tr("&Start the mission…"), QStringLiteral("actionStartMission"), Qt::Key_S,
-                     Text::tr("Fly the mission?"), vehicle::StartMission{}),
+             command(Text::tr("&Start mission…"), QStringLiteral("actionStartMission"), Qt::Key_S, Text::tr("Fly the mission?"),
+                     vehicle::StartMission{}),
              {},
              {.id = QStringLiteral("menuMode"),
               .text = Text::tr("&Mode"),
@@ -264,12 +264,12 @@ Menu toolsMenu(const MenuTargets &on)
                          .text = Text::tr("Start the &demo"),
                          .trigger = on.startDemo,
                          .disabledReason = [on] {
-                             return on.inDemo() ? Text::tr("The demo runs") : demoDisabledReason(on.selection.view());
+                             return on.inDemo() ? Text::tr("The demo is running") : demoDisabledReason(on.selection.view());
                          }});
         items.push_back({.id = QStringLiteral("actionEndDemo"),
                          .text = Text::tr("&End the demo"),
                          .trigger = on.endDemo,
-                         .disabledReason = [on] { return on.inDemo() ? QString() : Text::tr("No demo runs"); }});
+                         .disabledReason = [on] { return on.inDemo() ? QString() : Text::tr("No demo is running"); }});
     }
     return {QStringLiteral("menuTools"), Text::tr("&Tools"), std::move(items)};
 }
