@@ -38,7 +38,7 @@ tl::expected<ValueChoice, QString> readChoice(const QJsonValue &value)
     const QJsonValue caption = object.value(kCaption), decimals = object.value(kDecimals), line = object.value(kLine);
     out.caption = caption.toString();
     if (!(caption.isUndefined() || caption.isString()) || out.caption.size() > kLongestCaption)
-        return tl::unexpected(Text::tr("\"caption\" is not a text of at most %1 characters").arg(kLongestCaption));
+        return tl::unexpected(Text::tr("\"caption\" is not text of at most %1 characters").arg(kLongestCaption));
     out.decimals = decimals.toInt(decimals.isUndefined() ? -1 : -2);
     if (out.decimals < -1 || out.decimals > kMostDecimals)
         return tl::unexpected(Text::tr("\"decimals\" is not a number from 0 to %1").arg(kMostDecimals));

@@ -309,7 +309,7 @@ void Application::endDemo()
 void Application::beginDemo()
 {
     connect(m_demo.get(), &Demo::ended, m_window.get(), [this](const QString &problem) {
-        m_window->reportProblem(problem, tr("Start it again"), [this] {
+        m_window->reportProblem(problem, tr("Restart the demo"), [this] {
             if (m_demo)
                 m_demo->restart();
         });

@@ -107,7 +107,7 @@ void Demo::launch(QProcess &process, const QString &name, const QStringList &arg
 {
     const QString program = programPath(name);
     if (program.isEmpty()) {
-        Q_EMIT ended(tr("The demo needs %1, which is neither beside this program nor on the PATH.").arg(name));
+        Q_EMIT ended(tr("The demo needs %1, which was not found beside this program or in PATH.").arg(name));
         return;
     }
 #ifdef Q_OS_LINUX
@@ -137,7 +137,7 @@ void Demo::reportEnd(const QString &name, QProcess &process)
         : process.exitStatus() == QProcess::CrashExit              ? tr("it was killed or crashed")
         : lines.isEmpty()                                          ? tr("exit status %1").arg(process.exitCode())
                                                                    : lines.last();
-    Q_EMIT ended(tr("%1 of the demo ended: %2").arg(name, how));
+    Q_EMIT ended(tr("The demo's %1 exited: %2").arg(name, how));
 }
 
 } // namespace skyseal::app

@@ -97,7 +97,7 @@ private:
         const bool there = std::ranges::any_of(known, [](const QString &name) {
             return name == QLatin1String("org.freedesktop.secrets") || name.startsWith(QLatin1String("org.kde.kwalletd"));
         });
-        return there ? QString() : tr("no keyring runs in this desktop session");
+        return there ? QString() : tr("no keyring is running in this desktop session");
     }
 
     QStringList noted() const { return m_store.value(kNoted).toStringList(); }

@@ -12,7 +12,7 @@ class NoMemory : public PassphraseMemory
     Q_DECLARE_TR_FUNCTIONS(skyseal::app::NoMemory)
 
 public:
-    QString problem() const override { return tr("this Skyseal was built without it"); }
+    QString problem() const override { return tr("not included in this build"); }
     bool remembers(const std::string &) const override { return false; }
     std::optional<crypto::Passphrase> recall(const std::string &) override { return std::nullopt; }
     void remember(const std::string &, const crypto::Passphrase &) override {}

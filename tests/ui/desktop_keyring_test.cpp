@@ -77,7 +77,7 @@ void DesktopKeyringTest::initTestCase()
     if (!qEnvironmentVariableIsSet(kInside))
         QSKIP("needs dbus-run-session and gnome-keyring-daemon (packages dbus-daemon, gnome-keyring)");
     restart();
-    if (m_memory->problem().contains(QStringLiteral("built without")))
+    if (m_memory->problem().contains(QStringLiteral("not included")))
         QSKIP("built without QtKeychain (package qtkeychain-qt6-dev)");
     m_daemon.setProcessChannelMode(QProcess::ForwardedErrorChannel);
     m_daemon.start(QStringLiteral("gnome-keyring-daemon"),

@@ -43,7 +43,7 @@ private Q_SLOTS:
         m_station->show(waitingSnapshot());
         m_window->setKeyProblem({});
         QCOMPARE(find<QLabel>("secureTitle")->text(), QStringLiteral("No sealed link"));
-        QVERIFY(find<QLabel>("secureAdvice")->text().contains(QStringLiteral("starts by itself")));
+        QVERIFY(find<QLabel>("secureAdvice")->text().contains(QStringLiteral("starts automatically")));
         QVERIFY(find<QLabel>("emptyCommand")->isVisible());
     }
 };

@@ -222,7 +222,7 @@ void KeysDialogTest::everyInputErrorHasAMessage_data()
     QTest::newRow("no name") << good << QString() << QString() << QStringLiteral("Enter a name");
     QTest::newRow("bad name") << good << QStringLiteral("two words") << QString() << QStringLiteral("is not a peer's name");
     QTest::newRow("systems") << good << QStringLiteral("a") << QStringLiteral("1,300")
-                             << QStringLiteral("not a list of system ids");
+                             << QStringLiteral("not a list of system IDs");
 }
 
 void KeysDialogTest::everyInputErrorHasAMessage()
@@ -396,7 +396,7 @@ void KeysDialogTest::everyControlHasANameAndAKey()
 void KeysDialogTest::passphraseIsHiddenAndTaken()
 {
     PassphraseDialog dialog(QStringLiteral("/home/ann/identity.key"), true,
-                            QStringLiteral("no keyring runs in this desktop session"));
+                            QStringLiteral("no keyring is running in this desktop session"));
     auto *edit = dialog.findChild<QLineEdit *>(QStringLiteral("passphrase"));
     QCOMPARE(edit->echoMode(), QLineEdit::Password);
     QVERIFY(!okOf(&dialog)->isEnabled());
@@ -407,7 +407,7 @@ void KeysDialogTest::passphraseIsHiddenAndTaken()
     QVERIFY(taken && asText(taken->view()) == "swordfish");
     QVERIFY(edit->text().isEmpty());
     auto *remember = dialog.findChild<QCheckBox *>(QStringLiteral("rememberPassphrase"));
-    QVERIFY(!remember->isEnabled() && remember->text().contains(QStringLiteral("no keyring runs")));
+    QVERIFY(!remember->isEnabled() && remember->text().contains(QStringLiteral("no keyring is running")));
     QVERIFY(!dialog.isToBeRemembered());
     PassphraseDialog other(QStringLiteral("/home/ann/identity.key"), false, {});
     other.show();

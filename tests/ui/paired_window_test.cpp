@@ -374,7 +374,7 @@ void PairedWindowTest::changedKeyIsRefusedUntilReplaced()
         for (int row = 0; row < messages->model()->rowCount(); ++row) {
             for (int column = 0; column < messages->model()->columnCount(); ++column) {
                 const QString text = messages->model()->index(row, column).data().toString();
-                count += text.contains(QStringLiteral("with a key that is not known here")) ? 1 : 0;
+                count += text.contains(QStringLiteral("with an unknown key")) ? 1 : 0;
             }
         }
         return count;

@@ -89,7 +89,7 @@ void PairingDialogTest::comparedAndConfirmed()
     see(5, "heron");
     QVERIFY(find<QLabel>("pairingCode")->isVisible());
     QCOMPARE(find<QLabel>("pairingCode")->text(), QStringLiteral("012 345"));
-    QCOMPARE(find<QLabel>("pairingSystem")->text(), QStringLiteral("system id 7"));
+    QCOMPARE(find<QLabel>("pairingSystem")->text(), QStringLiteral("system ID 7"));
     QCOMPARE(find<QLineEdit>("pairingName")->text(), QStringLiteral("heron"));
     Q_EMIT m_pairing->confirmedThere();
     QVERIFY(words().contains(QStringLiteral("has confirmed")));

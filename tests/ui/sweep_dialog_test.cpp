@@ -142,7 +142,7 @@ private Q_SLOTS:
 
         type("sweepAutopilot", "tcp:nowhere");
         QVERIFY(!run().isEnabled());
-        QVERIFY(find<QLabel>("sweepSummary")->text().contains(QStringLiteral("not a link URL")));
+        QVERIFY(find<QLabel>("sweepSummary")->text().contains(QStringLiteral("must be a URL")));
         type("sweepAutopilot", "udpin:14560");
         QVERIFY(run().isEnabled());
         QCOMPARE(dialog.order().autopilot->toText(), std::string("udpin:127.0.0.1:14560"));

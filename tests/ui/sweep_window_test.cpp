@@ -339,8 +339,8 @@ void SweepWindowTest::cancelGoesBack()
     EVENTUALLY(!page().results()->samples.empty());
     QVERIFY(!m_window->view().session);
     const QString advice = find<QLabel>("secureAdvice")->text();
-    QVERIFY2(advice.contains(q("measured at present")) && !advice.contains(q("Start skyseal-air")), qPrintable(advice));
-    QVERIFY2(find<StripItem>("stripLock")->toolTip().contains(q("measures plain MAVLink")),
+    QVERIFY2(advice.contains(q("is measuring plain MAVLink")) && !advice.contains(q("Start skyseal-air")), qPrintable(advice));
+    QVERIFY2(find<StripItem>("stripLock")->toolTip().contains(q("is measuring plain MAVLink")),
              qPrintable(find<StripItem>("stripLock")->toolTip()));
     QCOMPARE(find<QLabel>("switchNote")->text(), QString()); // the session ended as was wanted
     picture("sweep-in-clear");

@@ -304,11 +304,11 @@ private Q_SLOTS:
         };
         snapshot.storageProblem = "/x.counters: cannot be written: No space left on device";
         const auto own = shown();
-        QCOMPARE(own.first, QStringLiteral("Sealed, the disk of this computer fails"));
+        QCOMPARE(own.first, QStringLiteral("Sealed, disk error on this computer"));
         QVERIFY2(own.second.contains(QStringLiteral("No space left")), qPrintable(own.second));
         snapshot.sessions.front().stats.peerCannotStore = true; // more important
         const auto agents = shown();
-        QCOMPARE(agents.first, QStringLiteral("Sealed, the disk of the agent fails"));
+        QCOMPARE(agents.first, QStringLiteral("Sealed, disk error at the agent"));
         QVERIFY2(agents.second.contains(QStringLiteral("The link stays up")), qPrintable(agents.second));
         snapshot.sessions.front().stats.peerCannotStore = false;
         snapshot.storageProblem.clear();

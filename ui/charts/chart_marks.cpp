@@ -64,7 +64,7 @@ private:
         m_attackSeen = sample.time;
         m_refused += count;
         m_marks[static_cast<std::size_t>(m_attack)].text =
-            Text::tr("%1 forged, replayed or clear, refused").arg(grouped(m_refused));
+            Text::tr("%1 forged, replayed or plain, refused").arg(grouped(m_refused));
     }
 
     double m_zero;

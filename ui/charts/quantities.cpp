@@ -115,10 +115,10 @@ std::vector<Quantity> costs()
          .title = Text::tr("Opening a record"),
          .unit = Text::tr("µs"),
          .note = Text::tr(
-             "From the datagram to the decrypted frames: look-up, replay window, tag, decryption. The first record "
-             "after the thread slept finds cold caches and takes several microseconds with any suite; at the "
-             "pace of telemetry that is nearly every record. “next” are records that follow in the same "
-             "wake-up, which show more of the cipher itself."),
+             "From the datagram to the decrypted frames: look-up, replay window, tag, decryption. The first record after "
+             "the thread slept finds cold caches and takes several microseconds with any suite; at telemetry rates that "
+             "is nearly every record. “next” is for the records that follow in the same wake-up, which show more of the "
+             "cipher itself."),
          .group = QuantityGroupId::Cost,
          .decimals = 2,
          .lines = {{Text::tr("p50"),
@@ -134,7 +134,7 @@ std::vector<Quantity> costs()
         {.key = "sealCost",
          .title = Text::tr("Sealing a record"),
          .unit = Text::tr("µs"),
-         .note = Text::tr("From the frames to the record that is sent, with the cold caches of a thread that slept."),
+         .note = Text::tr("From the frames to the record that is sent, with the cold caches of a thread that was asleep."),
          .group = QuantityGroupId::Cost,
          .decimals = 2,
          .lines = {{Text::tr("p50"),
@@ -146,8 +146,8 @@ std::vector<Quantity> costs()
         {.key = "cpu",
          .title = Text::tr("CPU"),
          .unit = Text::tr("% of a core"),
-         .note = Text::tr("CPU time of the process with its window, of the thread that carries the link, and of the suite in "
-                          "seal and open (elapsed time of each call, added up), over the last second."),
+         .note = Text::tr("CPU time over the last second: of the process with its window, of the link thread, and of the "
+                          "suite in seal and open (sum of the elapsed times of the calls)."),
          .group = QuantityGroupId::Cost,
          .overview = true,
          .decimals = 2,
@@ -184,17 +184,16 @@ Quantity power(const std::string &sysfs)
 {
     metrics::EnergyMeter meter(sysfs);
     const bool readable = meter.microjoules({}).has_value();
-    return {
-        .key = "power",
-        .title = Text::tr("Power of the machine"),
-        .unit = Text::tr("W"),
-        .note = Text::tr("From the kernel's energy counters or the sensor of the supply, over the last second: everything that "
-                         "runs on the machine, not this program alone (%1).")
-                    .arg(QString::fromStdString(meter.describe())),
-        .group = QuantityGroupId::Cost,
-        .least = 5,
-        .lines = {{{}, Stroke::Solid, {"processor_watts", read<&MetricsSample::powerWatts>, 1, Valid::Always}}},
-        .remark = readable ? QString() : Text::tr("not readable here")};
+    return {.key = "power",
+            .title = Text::tr("Power of the machine"),
+            .unit = Text::tr("W"),
+            .note = Text::tr("From the kernel's energy counters or the power supply's sensor, over the last second: the "
+                             "whole machine, not this program alone (%1).")
+                        .arg(QString::fromStdString(meter.describe())),
+            .group = QuantityGroupId::Cost,
+            .least = 5,
+            .lines = {{{}, Stroke::Solid, {"processor_watts", read<&MetricsSample::powerWatts>, 1, Valid::Always}}},
+            .remark = readable ? QString() : Text::tr("not readable here")};
 }
 
 } // namespace

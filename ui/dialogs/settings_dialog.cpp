@@ -99,10 +99,10 @@ QWidget *SettingsDialog::makeStation()
 {
     auto *box = new QGroupBox(tr("Station"), this);
     auto *form = new QFormLayout(box);
-    m_systemId = named(new QSpinBox(box), "settingSystemId", tr("MAVLink system id"));
+    m_systemId = named(new QSpinBox(box), "settingSystemId", tr("MAVLink system ID"));
     m_systemId->setRange(1, 255);
     m_systemId->setValue(m_start.systemId);
-    m_componentId = named(new QSpinBox(box), "settingComponentId", tr("MAVLink component id"));
+    m_componentId = named(new QSpinBox(box), "settingComponentId", tr("MAVLink component ID"));
     m_componentId->setRange(1, 255);
     m_componentId->setValue(m_start.componentId);
     m_link = named(new QLineEdit(m_start.defaultLink, box), "settingLink", tr("Link to open at start"));
@@ -127,7 +127,7 @@ QWidget *SettingsDialog::makeStation()
     auto *folderLabel = new QLabel(tr("&Folder"), box);
     folderLabel->setBuddy(m_folder); // a form finds no buddy in a row of widgets
     form->addRow(folderLabel, where);
-    form->addRow(QString(), smallPrint(tr("Ids, link and folder take effect at the next start."), box));
+    form->addRow(QString(), smallPrint(tr("IDs, link and folder take effect at the next start."), box));
     return box;
 }
 

@@ -100,7 +100,7 @@ QVariant InspectorModel::headerData(int section, Qt::Orientation orientation, in
         return {};
     switch (section) {
     case Name: return tr("Message");
-    case Id: return tr("Id");
+    case Id: return tr("ID");
     case Sender: return tr("From");
     case Rate: return tr("Rate");
     case Count: return tr("Count");

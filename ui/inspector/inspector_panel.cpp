@@ -41,7 +41,7 @@ InspectorPanel::InspectorPanel(StationInterface &station, QWidget *parent)
     auto *wanted = new QLineEdit(this);
     wanted->setObjectName(QStringLiteral("inspectorFilter"));
     wanted->setPlaceholderText(tr("Filter by name"));
-    wanted->setAccessibleName(tr("Filter for message types"));
+    wanted->setAccessibleName(tr("Filter message types"));
     wanted->setClearButtonEnabled(true);
     connect(wanted, &QLineEdit::textChanged, m_filter, &QSortFilterProxyModel::setFilterFixedString);
 

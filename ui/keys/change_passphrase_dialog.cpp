@@ -24,7 +24,7 @@ ChangePassphraseDialog::ChangePassphraseDialog(KeyringInterface &keyring, QWidge
     intro->setWordWrap(true);
     m_present = new PassphraseField("presentPassphrase", tr("Current passphrase"), this);
     m_next = new PassphraseField("newPassphrase", tr("New passphrase"), this);
-    m_again = new PassphraseField("newPassphraseAgain", tr("New passphrase, again"), this);
+    m_again = new PassphraseField("newPassphraseAgain", tr("Repeat the new passphrase"), this);
     m_none = new QCheckBox(tr("&No passphrase: anyone who has the file has the key"), this);
     m_none->setObjectName(QStringLiteral("noPassphrase"));
     m_remember = makeRememberBox(own.keyringProblem, this);

@@ -24,9 +24,9 @@ ChangedKeyWarning::ChangedKeyWarning(QWidget *parent) : QFrame(parent)
     m_text->setObjectName(QStringLiteral("changedKeyText"));
     m_text->setTextFormat(Qt::PlainText);
     m_text->setWordWrap(true);
-    m_known = fixedWidthLabel({}, "knownFingerprint", tr("Fingerprint known until now"), this);
+    m_known = fixedWidthLabel({}, "knownFingerprint", tr("Previous fingerprint"), this);
     m_offered = fixedWidthLabel({}, "offeredFingerprint", tr("Fingerprint of the new key"), this);
-    m_accept = new QCheckBox(tr("I compared the new fingerprint on the device itself: &replace the key"), this);
+    m_accept = new QCheckBox(tr("I have checked the new fingerprint on the device itself: &replace the key"), this);
     m_accept->setObjectName(QStringLiteral("replaceKey"));
     auto *grid = new QGridLayout(this);
     grid->setContentsMargins(2 * kGrid, kGrid, 2 * kGrid, kGrid);
@@ -34,7 +34,7 @@ ChangedKeyWarning::ChangedKeyWarning(QWidget *parent) : QFrame(parent)
     grid->setVerticalSpacing(kGrid);
     grid->addWidget(m_icon, 0, 0, Qt::AlignTop);
     grid->addWidget(m_text, 0, 1, 1, 2);
-    grid->addWidget(new QLabel(tr("known until now"), this), 1, 1, Qt::AlignTop);
+    grid->addWidget(new QLabel(tr("previous"), this), 1, 1, Qt::AlignTop);
     grid->addWidget(m_known, 1, 2);
     grid->addWidget(new QLabel(tr("new"), this), 2, 1, Qt::AlignTop);
     grid->addWidget(m_offered, 2, 2);

@@ -120,9 +120,9 @@ KeysDialog::KeysDialog(KeyringInterface &keyring, QWidget *parent) : QDialog(par
 void KeysDialog::offerPairing()
 {
     m_pair->show();
-    m_empty->setText(tr(
-        "No peers yet.\n\nPair with the agent beside your vehicle, or add its public key: there, skyseal-cli keys show prints "
-        "it."));
+    m_empty->setText(
+        tr("No peers yet.\n\nPair with the agent of your vehicle, or add its public key, which skyseal-cli keys show prints "
+           "there."));
 }
 
 const KnownPeer *KeysDialog::chosen() const

@@ -51,7 +51,7 @@ void PairingQuestionForm::showQuestion(const PairingQuestion &question, bool wit
 {
     m_code->setText(question.code);
     m_code->setVisible(withCode);
-    m_system->setText(tr("system id %1").arg(question.systemId));
+    m_system->setText(tr("system ID %1").arg(question.systemId));
     showRow(m_system, question.systemId != 0);
     m_theirs->setText(fingerprintLines(question.key));
     m_name->setText(question.name);

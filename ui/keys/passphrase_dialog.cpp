@@ -31,7 +31,7 @@ PassphraseDialog::PassphraseDialog(const QString &file, bool again, const QStrin
     m_remember = makeRememberBox(keyringProblem, this);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     buttons->button(QDialogButtonBox::Ok)->setText(tr("Open"));
-    buttons->button(QDialogButtonBox::Cancel)->setText(tr("Without sealed links"));
+    buttons->button(QDialogButtonBox::Cancel)->setText(tr("Continue without sealed links"));
     buttons->button(QDialogButtonBox::Ok)->setEnabled(false);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(2 * kGrid, 2 * kGrid, 2 * kGrid, 2 * kGrid);

@@ -20,10 +20,10 @@ QCheckBox *makeRememberBox(const QString &keyringProblem, QWidget *parent)
 {
     auto *out = new QCheckBox(parent);
     out->setObjectName(QStringLiteral("rememberPassphrase"));
-    out->setText(keyringProblem.isEmpty() ? QObject::tr("&Remember it in the desktop's keyring")
-                                          : QObject::tr("Remember it in the desktop's keyring (%1)").arg(keyringProblem));
-    out->setToolTip(QObject::tr("Anyone who is logged in as you, and every program that you run, can then use the key without "
-                                "the passphrase."));
+    out->setText(keyringProblem.isEmpty() ? QObject::tr("&Remember it in the desktop keyring")
+                                          : QObject::tr("Remember it in the desktop keyring (%1)").arg(keyringProblem));
+    out->setToolTip(QObject::tr("Anyone logged in as you, and any program you run, can then use the key without the "
+                                "passphrase."));
     out->setEnabled(keyringProblem.isEmpty());
     return out;
 }

@@ -54,7 +54,7 @@ PeerDialog::PeerDialog(KeyringInterface &keyring, const KnownPeer *peer, QWidget
     m_name->setAccessibleName(tr("Name"));
     m_systems = new QLineEdit(this);
     m_systems->setObjectName(QStringLiteral("peerSystems"));
-    m_systems->setAccessibleName(tr("MAVLink system ids"));
+    m_systems->setAccessibleName(tr("MAVLink system IDs"));
     m_systems->setPlaceholderText(tr("any; or e.g. 1,2"));
     m_warning = new ChangedKeyWarning(this);
     m_problem = new QLabel(this);

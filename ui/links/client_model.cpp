@@ -51,7 +51,7 @@ QVariant ClientModel::data(const QModelIndex &index, int role) const
         }
     case Qt::ToolTipRole:
         return index.column() == Refused
-            ? tr("%1 not permitted, %2 over the rate limit, %3 with a system id that it may not use")
+            ? tr("%1 not permitted, %2 over the rate limit, %3 with a system ID that it may not use")
                   .arg(grouped(counters.denied), grouped(counters.tooOften), grouped(counters.notItsSystem))
             : QVariant();
     case Qt::TextAlignmentRole:

@@ -53,15 +53,15 @@ GatewaySection::GatewaySection(StationInterface &station, QWidget *parent) : QWi
     m_on->setObjectName(QStringLiteral("serveOn"));
     m_on->setAccessibleName(m_on->text());
     m_on->setToolTip(
-        tr("QGroundControl, Mission Planner, MAVProxy or a MAVSDK program uses the sealed link through this window"));
+        tr("Lets QGroundControl, Mission Planner, MAVProxy and MAVSDK programs use the sealed link through this window"));
     m_url = new QComboBox(this);
     m_url->setObjectName(QStringLiteral("serveUrl"));
     m_url->setAccessibleName(tr("Address for other stations"));
     m_url->setEditable(true);
     m_url->setInsertPolicy(QComboBox::NoInsert);
-    m_url->setToolTip(tr("One address, or several with spaces between. Each may have options, e.g. "
-                         "udpout:127.0.0.1:14540,write=mission,param: the rights that it names narrow the choice beside it; "
-                         "also from=ADDRESS/PREFIX, sysid=ID and name=NAME"));
+    m_url->setToolTip(tr("One address, or several separated by spaces. Each may have options, e.g. "
+                         "udpout:127.0.0.1:14540,write=mission,param: write= narrows the rights chosen here. Other "
+                         "options: from=ADDRESS/PREFIX, sysid=ID and name=NAME"));
     const auto offer = [this](const QString &url, const QString &use) {
         m_url->addItem(url);
         m_url->setItemData(m_url->count() - 1, use, Qt::ToolTipRole);
@@ -74,14 +74,14 @@ GatewaySection::GatewaySection(StationInterface &station, QWidget *parent) : QWi
     m_rights->setObjectName(QStringLiteral("serveRights"));
     m_rights->setAccessibleName(tr("Rights of other stations"));
     m_rights->addItem(tr("Read only"));
-    m_rights->setItemData(
-        0, tr("Telemetry, parameters and missions can be read; commands and changes are refused, and so are files and logs"),
-        Qt::ToolTipRole);
+    m_rights->setItemData(0,
+                          tr("Telemetry, parameters and missions can be read; commands, changes, files and logs are refused"),
+                          Qt::ToolTipRole);
     m_rights->addItem(tr("Read and write"));
     m_rights->setItemData(
         1,
-        tr("They can command vehicles like this station; while they are connected, their heartbeat keeps a vehicle "
-           "from its failsafe"),
+        tr("They can command vehicles, like this station; while they are connected, their heartbeats keep the vehicle's "
+           "GCS failsafe from triggering"),
         Qt::ToolTipRole);
     m_state = new QLabel(this);
     m_state->setObjectName(QStringLiteral("serveState"));

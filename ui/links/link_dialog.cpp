@@ -215,11 +215,11 @@ QString LinkDialog::problem() const
     const bool wrongNonce = settings && !settings->nonceHex.empty()
         && (settings->nonceHex.size() != digits || !fromHex(settings->nonceHex));
     if (wrongNonce)
-        return tr("The nonce has %1 hex digits").arg(digits);
+        return tr("The nonce must have %1 hex digits").arg(digits);
     bool isNumber = false;
     static_cast<void>(m_counter->text().toUInt(&isNumber));
     const bool counts = settings && settings->kind == MavsecCipher::Kind::ChaCha20 && !m_counter->text().isEmpty();
-    return counts && !isNumber ? tr("The counter is a number from 0 to 4294967295") : QString();
+    return counts && !isNumber ? tr("The counter must be a number from 0 to 4294967295") : QString();
 }
 
 void LinkDialog::check()

@@ -73,8 +73,8 @@ void LinksPanel::removeChosen()
                   .title = tr("Remove the link"),
                   .text = armed.size() == 1
                       ? tr("Vehicle %1 on this link is armed. Remove the link?").arg(armed.first())
-                      : tr("The vehicles %1 on this link are armed. Remove the link?").arg(armed.join(QStringLiteral(", "))),
-                  .details = tr("Without this link, no vehicle on it can be commanded from here, and failsafes may trigger."),
+                      : tr("Vehicles %1 on this link are armed. Remove the link?").arg(armed.join(QStringLiteral(", "))),
+                  .details = tr("Without this link, its vehicles cannot be commanded from here, and failsafes may trigger."),
                   .yes = tr("Remove"),
                   .icon = QMessageBox::Warning},
                  this, this, [this, id = link->id] { m_station.removeLink(id); });

@@ -89,10 +89,10 @@ RecordingsDialog::~RecordingsDialog()
 void RecordingsDialog::showState()
 {
     const int all = m_model.rowCount(), read = m_model.readCount();
-    m_state->setText(!m_listed ? tr("Looking into %1…").arg(m_folder)
+    m_state->setText(!m_listed ? tr("Searching %1…").arg(m_folder)
                          : all == 0
-                         ? tr("No recordings in %1. File → Settings switches recording on; \"Other file\" replays a log "
-                              "from elsewhere.")
+                         ? tr("No recordings in %1. Enable recording in File → Settings, or choose \"Other file\" to "
+                              "replay another log.")
                                .arg(m_folder)
                          : read < all ? tr("%1 of %2 read in %3").arg(read).arg(all).arg(m_folder)
                                       : tr("%1 recordings in %2").arg(all).arg(m_folder));

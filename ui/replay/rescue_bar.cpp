@@ -20,7 +20,7 @@ RescueBar::RescueBar(const UnfinishedRun &run, QWidget *parent) : QFrame(parent)
     setBackgroundRole(QPalette::AlternateBase);
     auto *sign = new QLabel(this);
     sign->setPixmap(iconPixmap(QStringLiteral("warning"), 2 * kGrid, stateColors(palette()).warning, devicePixelRatioF()));
-    auto *text = named(new QLabel(tr("The last run did not end properly, about %1. What it recorded is kept.")
+    auto *text = named(new QLabel(tr("The last run ended unexpectedly at about %1. Its recording was kept.")
                                       .arg(QLocale().toString(run.ended, QLocale::ShortFormat)),
                                   this),
                        "rescueText", {});

@@ -32,11 +32,10 @@ void askAllowPlain(StationInterface &station, const engine::PendingVehicle &held
          .title = Text::tr("Plain MAVLink"),
          .text = Text::tr("Accept plain MAVLink from vehicle %1?").arg(held.systemId),
          .details =
-             Text::tr(
-                 "It currently sends from %2. If you allow it, any sender of plain MAVLink that claims to "
-                 "be vehicle %1, from any address, is shown and commanded as that vehicle until this "
-                 "program ends or the vehicle is heard sealed. Anyone on the path can read and change the traffic.\n\nIf this "
-                 "should be the vehicle of %3, choose Cancel: its sealed link is broken or blocked.")
+             Text::tr("It currently sends from %2. If you allow it, any sender of plain MAVLink that claims to be vehicle %1, "
+                      "from any address, is shown and commanded as that vehicle until this program ends or a sealed link to "
+                      "the vehicle is up. Anyone on the path can read and change the traffic.\n\nIf this should be the "
+                      "vehicle of %3, choose Cancel: its sealed link is broken or blocked.")
                  .arg(held.systemId)
                  .arg(fromStd(held.remoteAddress), engine::anyOfNames(held.mayBe)),
          .yes = Text::tr("Allow plain MAVLink"),

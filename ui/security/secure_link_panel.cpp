@@ -179,7 +179,7 @@ void SecureLinkPanel::showHead(const ViewState &view)
     switch (face.security) {
     case Security::Nothing:
         title = tr("No sealed link");
-        advice = tr("The session starts by itself once a known agent announces itself.");
+        advice = tr("The session starts automatically when a known agent announces itself.");
         if (!view.keyProblem.isEmpty()) {
             title = tr("No sealed links");
             advice = tr("This station cannot use its key: %1").arg(view.keyProblem);
@@ -220,8 +220,8 @@ void SecureLinkPanel::showHead(const ViewState &view)
                    "cannot seal the link, because it cannot use its key: %1")
                     .arg(view.keyProblem);
         } else if (view.plainRun) {
-            title = tr("Not sealed, in a sweep");
-            advice = tr("Plain MAVLink is measured at present, with your consent: anyone on the path can read the "
+            title = tr("Not sealed, sweep running");
+            advice = tr("The sweep is measuring plain MAVLink, with your consent: anyone on the path can read the "
                         "telemetry and command the vehicle. The sweep seals the link again afterwards.");
         }
         color = colors.warning;
@@ -231,22 +231,22 @@ void SecureLinkPanel::showHead(const ViewState &view)
         color = colors.good;
         if (view.session && view.session->info.silent) {
             title = tr("Sealed, no data received");
-            advice = tr("It continues automatically when the agent is received again.");
+            advice = tr("It continues automatically when the agent is heard again.");
             color = colors.warning;
         } else if (const auto age = commandAgeOf(view); age && age->late) {
             title = age->ignored ? tr("Sealed, commands are ignored") : tr("Sealed, commands are late");
             advice = tr("%1. %2.").arg(age->sentence, age->limits);
             color = colors.warning;
         } else if (view.session && view.session->stats.peerCannotStore) {
-            title = tr("Sealed, the disk of the agent fails");
-            advice = tr("The vehicle's computer cannot store handshake counters: its disk may be full, read-only "
-                        "or broken. The link stays up. If that computer restarts now, it will answer handshakes "
-                        "that were recorded before; no session results from them.");
+            title = tr("Sealed, disk error at the agent");
+            advice = tr("The companion computer cannot store handshake counters: its disk may be full, read-only or "
+                        "broken. The link stays up. If that computer restarts now, it will answer replayed handshakes, "
+                        "but they cannot establish a session.");
             color = colors.warning;
         } else if (!view.snapshot->storageProblem.empty()) {
-            title = tr("Sealed, the disk of this computer fails");
-            advice = tr("Handshake counters cannot be stored: %1. The link stays up. If this program restarts "
-                        "now, agents refuse its first handshake and return the correct counter.")
+            title = tr("Sealed, disk error on this computer");
+            advice = tr("Handshake counters cannot be stored: %1. The link stays up. If this program restarts now, "
+                        "agents will refuse its first handshake and return the correct counter.")
                          .arg(fromStd(view.snapshot->storageProblem));
             color = colors.warning;
         }

@@ -38,8 +38,8 @@ LinkConditions::LinkConditions(QWidget *parent) : QGroupBox(parent)
     };
     add("sweepClean", tr("Clea&n"), "clean");
     // Delays that are typical of half-duplex telemetry radios.
-    add("sweepRadio57600", tr("Radio of &57,600 baud"), "rate=57600,delay=20");
-    add("sweepRadio115200", tr("Radio of &115,200 baud"), "rate=115200,delay=20");
+    add("sweepRadio57600", tr("&57,600 baud radio"), "rate=57600,delay=20");
+    add("sweepRadio115200", tr("&115,200 baud radio"), "rate=115200,delay=20");
     upper->addStretch(1);
     m_presets.front().box->setChecked(true);
     m_own = named(new QCheckBox(tr("&Other:"), this), "sweepOwnLink", tr("Another link"));
@@ -76,7 +76,7 @@ void LinkConditions::addFields(QHBoxLayout &row)
     m_rate = number("sweepRate", tr("Line rate"), 10'000'000, tr(" baud"));
     m_rate->setSingleStep(9'600);
     m_rate->setGroupSeparatorShown(true);
-    m_rate->setSpecialValueText(tr("any rate"));
+    m_rate->setSpecialValueText(tr("no limit"));
     const auto place = [&](const QString &title, QWidget *field) {
         field->setToolTip(tr("In both directions"));
         field->setEnabled(false);

@@ -65,16 +65,16 @@ QWidget *SweepDialog::makeTargetGroup()
 {
     auto *box = new QGroupBox(tr("Measure on"), this);
     m_connected = named(new QRadioButton(box), "sweepConnected", tr("The connected link"));
-    m_own = named(new QRadioButton(tr("A simulated &vehicle of its own, on this machine"), box), "sweepOwn",
-                  tr("A simulated vehicle of its own"));
+    m_own = named(new QRadioButton(tr("A separate simulated &vehicle, on this machine"), box), "sweepOwn",
+                  tr("A separate simulated vehicle"));
     const QString notConnected = connectedLinkDisabledReason(m_context);
     const QString peer = m_context.view.session ? fromStd(m_context.view.session->info.peerName) : QString();
     m_connected->setText(notConnected.isEmpty() ? tr("The &connected link, to %1").arg(peer)
                                                 : tr("The &connected link · %1").arg(notConnected));
     m_connected->setEnabled(notConnected.isEmpty());
     m_own->setEnabled(m_context.noOwnPrograms.isEmpty());
-    m_beside = named(new QRadioButton(tr("An &autopilot that runs already, beside an agent of its own"), box), "sweepBeside",
-                     tr("An autopilot that runs already"));
+    m_beside = named(new QRadioButton(tr("A running &autopilot, with a separate agent"), box), "sweepBeside",
+                     tr("A running autopilot"));
     m_beside->setEnabled(m_context.noOwnPrograms.isEmpty());
     m_autopilot = named(new QLineEdit(QStringLiteral("tcp:127.0.0.1:5760"), box), "sweepAutopilot",
                         tr("Link to the autopilot"));
@@ -237,7 +237,7 @@ void SweepDialog::updateSummary()
 {
     const bool repeats = m_repeats->value() > 1;
     m_noise->setEnabled(repeats);
-    m_noise->setToolTip(repeats ? QString() : tr("The noise shows only in repeats: 2 or more."));
+    m_noise->setToolTip(repeats ? QString() : tr("The noise can be measured only with 2 or more repeats."));
     const experiment::Plan plan = order().plan;
     const std::size_t runs = experiment::schedule(plan).size();
     const bool hasLink = target() != SweepTarget::Autopilot || autopilot();
@@ -247,7 +247,7 @@ void SweepDialog::updateSummary()
     const double first = 3 * seconds(plan.warmUp) * static_cast<double>(plan.loads.size() * plan.conditions.size());
     const QString time = aboutTime(static_cast<double>(runs) * each + first);
     m_summary->setText(possible       ? (runs == 1 ? tr("One run, %1").arg(time) : tr("%1 runs, %2").arg(runs).arg(time))
-                           : !hasLink ? tr("The autopilot's link is not a link URL, such as tcp:127.0.0.1:5760.")
+                           : !hasLink ? tr("The link to the autopilot must be a URL, such as tcp:127.0.0.1:5760.")
                                       : tr("Choose a link, a suite, a framing that the suite supports, and a load."));
     const bool plain = target() == SweepTarget::Connected && m_suites.back().box->isChecked();
     m_warning->setText(plain

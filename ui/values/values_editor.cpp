@@ -65,7 +65,7 @@ ValuesEditor::ValuesEditor(const ValueChoices &choices, UnitSystem units, QWidge
     column->setSpacing(kGrid);
     column->addLayout(top, 1);
     column->addWidget(makeFinder(), 1);
-    m_problem = named(new QLabel(this), "editorProblem", tr("What is wrong"));
+    m_problem = named(new QLabel(this), "editorProblem", tr("Problem"));
     column->addWidget(m_problem);
     column->addWidget(makeButtons());
     resize(92 * kGrid, 74 * kGrid);
@@ -158,7 +158,7 @@ QWidget *ValuesEditor::makeFinder()
     m_find->installEventFilter(this);
     auto *label = new QLabel(tr("&Find"), box);
     label->setBuddy(m_find);
-    m_found = named(new QTreeView(box), "editorFound", tr("Values that contain what was typed"));
+    m_found = named(new QTreeView(box), "editorFound", tr("Matching values"));
     m_found->setModel(m_sources);
     m_found->setRootIsDecorated(false);
     m_found->setUniformRowHeights(true);
@@ -192,8 +192,8 @@ QWidget *ValuesEditor::makeFinder()
 QWidget *ValuesEditor::makeButtons()
 {
     auto *row = new QWidget(this);
-    auto *usual = makeButton(tr("Usual se&t"), "editorUsual", row);
-    usual->setToolTip(tr("The values that Skyseal shows without a choice; takes effect with Apply or OK"));
+    auto *usual = makeButton(tr("Defaul&ts"), "editorUsual", row);
+    usual->setToolTip(tr("Restores the default values; takes effect with Apply or OK"));
     auto *box = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Apply | QDialogButtonBox::Cancel, row);
     m_apply = box->button(QDialogButtonBox::Apply);
     m_apply->setText(tr("A&pply"));

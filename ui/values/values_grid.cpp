@@ -25,7 +25,7 @@ ValuesGrid::ValuesGrid(QWidget *parent)
     edit->setDefaultAction(m_edit);
     edit->setAutoRaise(true);
     edit->setFocusPolicy(Qt::StrongFocus);
-    edit->setToolTip(tr("Choose the values that stand here, their limits and their lines"));
+    edit->setToolTip(tr("Choose the values shown here, their limits and their lines"));
 
     auto *foot = new QHBoxLayout;
     foot->addWidget(m_age, 1);
@@ -46,7 +46,7 @@ ValuesGrid::ValuesGrid(QWidget *parent)
 void ValuesGrid::setValues(const ChosenValues &values)
 {
     m_problem->setVisible(!values.problem.isEmpty());
-    m_problem->setText(tr("The stored values cannot be read (%1). These are the usual ones.").arg(values.problem));
+    m_problem->setText(tr("The stored values cannot be read (%1). These are the defaults.").arg(values.problem));
     m_empty->setVisible(values.list.empty());
     if (values == m_values && m_cells->cells().size() == values.list.size())
         return; // the lines stay
