@@ -42,7 +42,7 @@ void PeopleReportTest::remediesAreCommands()
     QVERIFY(line.starts_with(engine::eventText(unknown, {}).sentence.toStdString()));
     QVERIFY(line.find("skyseal-air --pair") != line.npos);
     const engine::Event pending = engine::PlaintextRefused{1, "10.0.0.9:14550", 3, "air-1"};
-    QVERIFY(eventLine(pending, {}).find("awaits approval") != std::string::npos);
+    QVERIFY(eventLine(pending, {}).find("waiting for approval") != std::string::npos);
     QVERIFY(eventLine(pending, {}).find("--secure off") != std::string::npos);
 }
 

@@ -192,7 +192,7 @@ void EventTextTest::failedReadOfParametersHasNoName()
 void EventTextTest::vehicleThatWaitsForApprovalIsNotCalledRefused()
 {
     const EventText pending = eventText(PlaintextRefused{1, "10.0.0.9:14550", 3, "air-1, air-2"}, {});
-    QVERIFY2(pending.sentence.contains(QStringLiteral("awaits approval")), qPrintable(pending.sentence));
+    QVERIFY2(pending.sentence.contains(QStringLiteral("waiting for approval")), qPrintable(pending.sentence));
     QVERIFY(pending.sentence.contains(QStringLiteral("10.0.0.9:14550")));
     QVERIFY(pending.sentence.contains(QStringLiteral("air-1 or air-2")));
     QVERIFY(!pending.sentence.contains(QStringLiteral("efused")));
@@ -205,14 +205,16 @@ void EventTextTest::vehicleThatWaitsForApprovalIsNotCalledRefused()
 void EventTextTest::systemOfAnotherPeerNamesItsOwner()
 {
     const auto sentence = [](const char *owner) { return eventText(SystemRefused{1, "air-2", owner, 3}, {}).sentence; };
-    QCOMPARE(sentence(""),
-             QStringLiteral(
-                 "Refused 3 frames from air-2, which may not send as this vehicle. If air-2 is its agent, bind the system to "
-                 "air-2 in the list of peers"));
+    QCOMPARE(
+        sentence(""),
+        QStringLiteral(
+            "Refused 3 frames from air-2, which may not send as this vehicle. If air-2 is its agent, bind the system ID to "
+            "air-2 in the list of peers"));
     QCOMPARE(
         sentence("air-1"),
-        QStringLiteral("Refused 3 frames from air-2, which sends as this vehicle although that belongs to air-1. If air-2 is "
-                       "a new agent of the same vehicle, remove air-1 from the list of peers or bind the system to air-2"));
+        QStringLiteral(
+            "Refused 3 frames from air-2, which sends as this vehicle although its system ID belongs to air-1. If air-2 is "
+            "a new agent of the same vehicle, remove air-1 from the list of peers or bind the system ID to air-2"));
 }
 
 void EventTextTest::numbersAgreeWithTheirNouns()
@@ -222,12 +224,12 @@ void EventTextTest::numbersAgreeWithTheirNouns()
             .sentence;
     };
     QCOMPARE(refused(1), QStringLiteral("Refused one frame from vm, which is an observer: COMMAND_LONG 400"));
-    QCOMPARE(refused(4), QStringLiteral("Refused 4 frames from vm, which is an observer: the last one COMMAND_LONG 400"));
+    QCOMPARE(refused(4), QStringLiteral("Refused 4 frames from vm, which is an observer: most recently COMMAND_LONG 400"));
     QCOMPARE(eventText(EventsDropped{1}, {}).sentence,
              QStringLiteral("Dropped one event because this program did not keep up"));
     QVERIFY(eventText(PlaintextRefused{1, "10.0.0.9:14550", 1, {}}, {})
                 .sentence.startsWith(
-                    QStringLiteral("Refused one plain frame from 10.0.0.9:14550 with the system id of this sealed vehicle")));
+                    QStringLiteral("Refused one plain frame from 10.0.0.9:14550 with the system ID of this sealed vehicle")));
     QVERIFY(
         eventText(SystemRefused{1, "air-2", "", 1}, {}).sentence.startsWith(QStringLiteral("Refused one frame from air-2,")));
 }
@@ -235,7 +237,7 @@ void EventTextTest::numbersAgreeWithTheirNouns()
 void EventTextTest::vehicleIsNamedInALine()
 {
     QCOMPARE(eventText(VehicleLost{3}, {}).line(), QStringLiteral("Vehicle 3: Link to the vehicle lost"));
-    QCOMPARE(eventText(VehicleFound{3, 2, 3, false}, {}).line(), QStringLiteral("Vehicle 3: Found a quadrotor, not sealed"));
+    QCOMPARE(eventText(VehicleFound{3, 2, 3, false}, {}).line(), QStringLiteral("Vehicle 3: Found: quadrotor, not sealed"));
     LinkSnapshot link;
     link.url = "udpin:0.0.0.0:0";
     link.phase = LinkPhase::Listening;

@@ -33,13 +33,13 @@ public:
         const QString count = e.reason == FramesRefused::Reason::TooOften
             ? counted(e.frames, tr("one request"), tr("%1 requests"))
             : counted(e.frames, tr("one frame"), tr("%1 frames"));
-        const QString which = e.frames == 1 ? message : tr("the last one %1").arg(message);
+        const QString which = e.frames == 1 ? message : tr("most recently %1").arg(message);
         return {sentenceFor(e.reason).arg(count, qt(e.peer), which), std::uint8_t(mavlink::MAV_SEVERITY_WARNING)};
     }
     EventText operator()(const GroundIdClaimed &e) const
     {
-        const QString sentence = tr("A device on the vehicle side uses the system id %1 of a ground station and is ignored; "
-                                    "an autopilot needs another id");
+        const QString sentence = tr("A device on the vehicle side uses system ID %1 of a ground station and is ignored; "
+                                    "an autopilot needs a different ID");
         return {sentence.arg(e.systemId), std::uint8_t(mavlink::MAV_SEVERITY_ALERT)};
     }
     EventText operator()(const VehicleSignatures &e) const
@@ -55,9 +55,9 @@ public:
     EventText operator()(const CounterStorage &e) const
     {
         if (e.problem.empty())
-            return {tr("Handshake counters are stored again"), std::uint8_t(mavlink::MAV_SEVERITY_NOTICE)};
-        return {tr("Handshake counters cannot be stored: %1. The links stay up. If this agent restarts now, "
-                   "it will answer handshakes that were recorded before; no session results from them")
+            return {tr("Handshake counters can be stored again"), std::uint8_t(mavlink::MAV_SEVERITY_NOTICE)};
+        return {tr("Handshake counters cannot be stored: %1. The links stay up. If this agent restarts now, it will "
+                   "answer replayed handshakes, but they cannot establish a session")
                     .arg(qt(e.problem)),
                 std::uint8_t(mavlink::MAV_SEVERITY_ERROR)};
     }
@@ -67,7 +67,7 @@ private:
     {
         switch (reason) {
         case FramesRefused::Reason::Observer: return tr("Refused %1 from %2, which is an observer: %3");
-        case FramesRefused::Reason::System: return tr("Refused %1 from %2, which may not send as that system: %3");
+        case FramesRefused::Reason::System: return tr("Refused %1 from %2, which is not permitted to use that system ID: %3");
         case FramesRefused::Reason::TooOften: return tr("Refused %1 from %2, which sends requests too often: %3");
         case FramesRefused::Reason::Late: break;
         }
@@ -80,20 +80,20 @@ private:
         switch (kind) {
         case Kind::Verified: return tr("The vehicle signs its messages with the key of this agent");
         case Kind::Unsigned:
-            return tr(
-                "Refused %1 on the vehicle's side without a signature. If they are the vehicle's own, set up its signing: "
-                "skyseal-air --signing setup");
-        case Kind::Wrong: return tr("Refused %1 on the vehicle's side that are not signed with the key of this agent");
+            return tr("Refused %1 without a signature on the vehicle side. If the vehicle sent them, set up its signing: "
+                      "skyseal-air --signing setup");
+        case Kind::Wrong: return tr("Refused %1 on the vehicle side, not signed with the key of this agent");
         case Kind::Old:
-            return tr("Refused %1 on the vehicle's side that were signed before: somebody repeats them, or the vehicle "
-                      "lost its time, which then heals by itself");
-        case Kind::Unsignable: return tr("Did not forward %1 of stations: MAVLink 1 cannot be signed");
-        case Kind::KeyChange: return tr("Did not forward %1 of stations that change the vehicle's signing key");
+            return tr("Refused %1 on the vehicle side with an old signature: a replay, or the vehicle lost its signing "
+                      "time, which recovers automatically");
+        case Kind::Unsignable: return tr("Did not forward %1 from stations: MAVLink 1 cannot be signed");
+        case Kind::KeyChange:
+            return tr("Did not forward %1 from stations: only this agent may change the vehicle's signing key");
         case Kind::TooManySenders:
-            return tr("Did not forward %1 of stations: the vehicle remembers only so many senders until it restarts");
+            return tr("Did not forward %1 from stations: the vehicle cannot track more signing senders until it restarts");
         case Kind::TimeNotStored: break;
         }
-        return tr("The time of signatures cannot be stored: %1. Signing goes on");
+        return tr("The signing timestamp cannot be stored: %1. Signing continues");
     }
 
     const PeerNames &m_names;

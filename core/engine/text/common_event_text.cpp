@@ -48,7 +48,7 @@ public:
     {
         const auto epoch = static_cast<quint32>(e.epoch);
         if (e.failure != channel::SwitchFailure::None)
-            return {(e.rekey ? tr("The keys of %1 stay the same: %2") : tr("Switch to %1 rolled back: %2"))
+            return {(e.rekey ? tr("Keys of %1 not changed: %2") : tr("Switch to %1 rolled back: %2"))
                         .arg(suiteText(e.to), switchFailureText(e.failure)),
                     kWarning};
         if (e.rekey)
@@ -64,8 +64,8 @@ public:
         const bool isKeyKnown = e.peer != channel::PublicKey{};
         // A station receives an announcement, which does not contain the key; an agent receives a handshake, which does.
         if (e.reason == channel::RefusalReason::UnknownPeer && !isKeyKnown)
-            return {tr("An agent at %1 announces itself with a key that is not known here").arg(addressOf(e.path)), kWarning, 0,
-                    false, EventText::Remedy::PairAgent};
+            return {tr("An agent at %1 announces itself with an unknown key").arg(addressOf(e.path)), kWarning, 0, false,
+                    EventText::Remedy::PairAgent};
         const QString sentence = tr("Refused a handshake from %1: %2").arg(addressOf(e.path), refusalText(e.reason));
         return {isKeyKnown ? tr("%1 (key %2)").arg(sentence, qt(keys::fingerprint(e.peer))) : sentence, kWarning};
     }
@@ -121,11 +121,11 @@ public:
     EventText operator()(const channel::PeerStorageChanged &e) const
     {
         if (!e.failed)
-            return {tr("The computer of %1 stores handshake counters again").arg(peer(e.session)),
+            return {tr("The companion computer of %1 can store handshake counters again").arg(peer(e.session)),
                     mavlink::MAV_SEVERITY_NOTICE};
-        return {tr("The computer of %1 cannot store handshake counters; its disk may be full, read-only or "
-                   "broken. The link stays up. If that computer restarts now, it will answer handshakes "
-                   "that were recorded before; no session results from them")
+        return {tr("The companion computer of %1 cannot store handshake counters; its disk may be full, read-only or "
+                   "broken. The link stays up. If that computer restarts now, it will answer replayed handshakes, but "
+                   "they cannot establish a session")
                     .arg(peer(e.session)),
                 kError};
     }

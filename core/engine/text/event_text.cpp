@@ -27,8 +27,8 @@ public:
     EventText operator()(const VehicleFound &e) const
     {
         const QString type = vehicleTypeText(e.type);
-        return e.sealed ? EventText{tr("Found a %1, sealed").arg(type), kInfo, e.systemId}
-                        : EventText{tr("Found a %1, not sealed").arg(type), kWarning, e.systemId};
+        return e.sealed ? EventText{tr("Found: %1, sealed").arg(type), kInfo, e.systemId}
+                        : EventText{tr("Found: %1, not sealed").arg(type), kWarning, e.systemId};
     }
     EventText operator()(const VehicleLost &e) const { return {tr("Link to the vehicle lost"), kError, e.systemId}; }
     EventText operator()(const VehicleBack &e) const { return {tr("Link to the vehicle recovered"), kNotice, e.systemId}; }
@@ -37,29 +37,27 @@ public:
     {
         const QString address = qt(e.remoteAddress);
         if (e.mayBe.empty())
-            return {tr("Refused %1 from %2 with the system id of this sealed vehicle")
+            return {tr("Refused %1 from %2 with the system ID of this sealed vehicle")
                         .arg(counted(e.frames, tr("one plain frame"), tr("%1 plain frames")), address),
                     kError, e.systemId};
-        return {
-            tr("This vehicle, at %1, awaits approval: it is not sealed and may be impersonating %2, which has not been heard")
-                .arg(address, anyOfNames(e.mayBe)),
-            kWarning, e.systemId, false, EventText::Remedy::AllowPlaintext};
+        return {tr("This vehicle, at %1, is waiting for approval: it is not sealed and may be impersonating %2, which has "
+                   "not been heard")
+                    .arg(address, anyOfNames(e.mayBe)),
+                kWarning, e.systemId, false, EventText::Remedy::AllowPlaintext};
     }
     EventText operator()(const SystemRefused &e) const
     {
         const QString peer = qt(e.peer), owner = qt(e.owner);
         const QString frames = counted(e.frames, tr("one frame"), tr("%1 frames"));
         if (e.owner.empty())
-            return {
-                tr("Refused %1 from %2, which may not send as this vehicle. If %2 is its agent, bind the system to %2 in the "
-                   "list of peers")
-                    .arg(frames, peer),
+            return {tr("Refused %1 from %2, which may not send as this vehicle. If %2 is its agent, bind the system ID to %2 "
+                       "in the list of peers")
+                        .arg(frames, peer),
+                    kError, e.systemId};
+        return {tr("Refused %1 from %2, which sends as this vehicle although its system ID belongs to %3. If %2 is a new "
+                   "agent of the same vehicle, remove %3 from the list of peers or bind the system ID to %2")
+                    .arg(frames, peer, owner),
                 kError, e.systemId};
-        return {
-            tr("Refused %1 from %2, which sends as this vehicle although that belongs to %3. If %2 is a new agent of the same "
-               "vehicle, remove %3 from the list of peers or bind the system to %2")
-                .arg(frames, peer, owner),
-            kError, e.systemId};
     }
     EventText operator()(const AgentUnanswering &e) const
     {
@@ -82,9 +80,9 @@ public:
     EventText operator()(const CounterStorage &e) const
     {
         if (e.problem.empty())
-            return {tr("Handshake counters are stored again"), kNotice};
-        return {tr("Handshake counters cannot be stored: %1. The links stay up. If this station restarts "
-                   "now, agents refuse its first handshake and return the correct counter")
+            return {tr("Handshake counters can be stored again"), kNotice};
+        return {tr("Handshake counters cannot be stored: %1. The links stay up. If this station restarts now, agents "
+                   "will refuse its first handshake and return the correct counter")
                     .arg(qt(e.problem)),
                 kError};
     }

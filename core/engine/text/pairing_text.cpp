@@ -49,8 +49,8 @@ QString otherDeviceTriedText()
 QString passphraseDiffersText()
 {
     return Text::tr(
-        "The passphrases of the two ends differ, or only one end has one, or the link is very bad. Start again with "
-        "the same passphrase at both ends");
+        "The passphrases of the two ends differ, or only one end has one, or the link is very poor. Start again with the "
+        "same passphrase at both ends");
 }
 
 } // namespace skyseal::engine

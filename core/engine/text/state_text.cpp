@@ -88,7 +88,7 @@ QString switchFailureText(channel::SwitchFailure failure)
     case channel::SwitchFailure::NotAllowedHere: return StateText::tr("not allowed at this end");
     case channel::SwitchFailure::NotAllowedByPeer: return StateText::tr("not allowed by the other end");
     case channel::SwitchFailure::NotConfirmed: return StateText::tr("the other end did not confirm in time");
-    case channel::SwitchFailure::Superseded: return StateText::tr("the other end's choice came first");
+    case channel::SwitchFailure::Superseded: return StateText::tr("the other end's request took precedence");
     case channel::SwitchFailure::SessionEnded: return StateText::tr("the session ended");
     }
     return {};
@@ -101,18 +101,17 @@ QString refusalText(channel::RefusalReason reason)
     case channel::RefusalReason::WrongKey:
         return StateText::tr("it was made for a different key: a wrong destination, or an impersonation");
     case channel::RefusalReason::ReplayedHandshake:
-        return StateText::tr("its counter was used before: a replay, or the station lost its file of counters");
+        return StateText::tr("its counter was used before: a replay, or the station lost its counter file");
     case channel::RefusalReason::NoCommonSuite: return StateText::tr("there is no cipher suite that both ends allow");
     case channel::RefusalReason::OfferTampered: return StateText::tr("its offer of suites was modified in transit");
     case channel::RefusalReason::Version: return StateText::tr("it uses another version of the protocol");
     case channel::RefusalReason::CounterBehind:
         return StateText::tr(
-            "this end's file of counters was lost or restored; it continues from the number that the other end "
-            "remembers");
+            "this end's counter file was lost or restored; it continues from the number that the other end remembers");
     case channel::RefusalReason::CountersUsedUp:
         return StateText::tr("all handshake counters of this station's key are used up; it needs a new key");
     case channel::RefusalReason::Flood:
-        return StateText::tr("there are too many; only senders that prove their address are answered");
+        return StateText::tr("there are too many handshakes; only senders that prove their address are answered");
     }
     return {};
 }
