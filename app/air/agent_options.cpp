@@ -102,7 +102,7 @@ void declareAgent(Options &options)
         "ground",
         "Sealed link to a ground station; the agent announces itself there. May be given up to 8 times: for several "
         "stations, or for several modems to one, whose session uses the link on which the station was heard last. "
-        "With ,carrier=NAME after the URL, the link has another carrier than that of --carrier. On a udpin link the agent does "
+        "With ,carrier=NAME after the URL, the link uses that carrier instead of --carrier. On a udpin link the agent does "
         "not announce itself, and answers only known stations, which connect to it with a udpout link.",
         isLive);
     options.addValue(

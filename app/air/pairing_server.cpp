@@ -198,7 +198,7 @@ void PairingServer::keep(channel::Peer peer)
     std::string reason;
     // A station with the id of the vehicle would cut the vehicle off.
     if (std::ranges::any_of(peer.systemIds, [this](std::uint8_t id) { return m_agent.isVehicle(id); })) {
-        reason = "its system id " + keys::systemIdsText(peer.systemIds) + " is that of a vehicle here, and was not bound";
+        reason = "its system ID " + keys::systemIdsText(peer.systemIds) + " is that of a vehicle here, and was not bound";
         peer.systemIds.clear();
     }
     const auto change = m_replace ? keys::KeyChange::Accepted : keys::KeyChange::Refused;

@@ -34,7 +34,7 @@ constexpr Command kCommands[] = {
     {"ftp", "lists, reads, writes and removes files on a vehicle", runFtp},
     {"logs", "lists, reads and erases the flight logs of a vehicle", runLogs},
     {"sweep", "measures and compares the cost of each cipher suite", runSweep},
-    {"report", "writes the report of a sweep again, or a common one of several machines", runReport},
+    {"report", "writes the report of a sweep again, or one report over several sweeps", runReport},
     {"bench", "measures sealing and opening on this machine, with and without AES instructions", runBench},
     {"decode", "decodes MAVLink bytes or a .tlog, one message per line", runDecode},
     {"impair", "relays datagrams with loss, delay, duplication, reordering and corruption", runImpair},

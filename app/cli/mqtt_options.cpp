@@ -7,7 +7,7 @@ void declareMqtt(Options &options)
     options.addValue(
         "mqtt", "URL",
         "Publish states and events of the vehicles to an MQTT broker: mqtts://HOST[:PORT][/PREFIX], or mqtt:// without "
-        "TLS. Each gateway needs a PREFIX of its own (default: skyseal). The gateway never subscribes.");
+        "TLS. Each gateway needs its own PREFIX (default: skyseal). The gateway never subscribes.");
     options.addValue("mqtt-ca", "FILE", "Certificates of the authorities of the broker (PEM); default: those of the system.");
     options.addValue("mqtt-cert", "FILE", "Client certificate of this gateway (PEM).");
     options.addValue("mqtt-key", "FILE", "Private key of --mqtt-cert (PEM, no passphrase), not readable by other users.");

@@ -57,7 +57,7 @@ int runReport(const QStringList &arguments)
 {
     Options options(
         kName,
-        QStringLiteral("Writes the report of a finished sweep again, or a common one of the sweeps of several machines, "
+        QStringLiteral("Writes the report of a finished sweep again, or one report over the sweeps of several machines, "
                        "autopilots or days."));
     options.addArgument("DIR", "Folders written by sweep --out; their names are those of the machines in the report.");
     options.addValue("out", "DIR", "Folder for the report and its figures.");

@@ -22,8 +22,8 @@ void declare(Options &options)
     options.addLink("link", "Link to the vehicle's agent. Without it a simulator and an agent are started for the sweep.",
                     isLive);
     options.addLink("vehicle",
-                    "Link to an autopilot that runs already, such as tcp:127.0.0.1:5760, a serial port or udpin:14560, beside "
-                    "which the sweep starts its own agent and impairments.",
+                    "Link to a running autopilot, such as tcp:127.0.0.1:5760, a serial port or udpin:14560; the sweep starts "
+                    "its own agent and impairments.",
                     isLive);
     options.addValue("fly", "SCRIPT",
                      "With --vehicle: a flight script, as of monitor --do, that each repeat flies. All suites are measured "
@@ -44,7 +44,7 @@ void declare(Options &options)
     options.addValue("seconds", "S", "Length of each run.", "5");
     options.addValue(
         "launches", "L",
-        "Number of times that all programs start anew, including this station (with --link: this station only). Only "
+        "Number of times that all programs are started, including this station (with --link: this station only). Only "
         "launches show how results differ between starts; comparisons need 2 or more.",
         "5");
     options.addValue("repeats", "R", "Runs of each suite within each launch.", "1");
@@ -59,7 +59,7 @@ void declare(Options &options)
         "natural.");
     options.addValue(
         "pps", "LIST",
-        "Loads of so many frames a second besides the natural one, separated by commas, on a schedule that does not "
+        "Additional loads in frames a second, separated by commas, on a schedule that does not "
         "depend on the station: 100,500,2000. With two or more, the CPU time is fitted as a + b frames + c wake-ups. "
         "Alone unless --load is given.");
     options.addValue("impair", "SPEC",
@@ -179,7 +179,8 @@ void readConditions(Options &options, bool ownAgent, experiment::Plan &plan)
     if (!options.has("impair"))
         return;
     if (!ownAgent)
-        options.fail("--impair applies to the sweep's own agent; with --link use 'skyseal-cli impair' in front of the agent");
+        options.fail(
+            "--impair applies to the sweep's own agent; with --link use 'skyseal-cli impair' between station and agent");
     plan.conditions.clear();
     for (const std::string &text : options.texts("impair")) {
         if (auto condition = experiment::parseCondition(text))

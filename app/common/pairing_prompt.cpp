@@ -40,7 +40,7 @@ void PairingPrompt::declare(Options &options)
 {
     options.addFlag("json", "One JSON object per line on stdout.");
     options.addFlag("fingerprints", "Also show the fingerprints of both ends.");
-    options.addValue("expect", "FINGERPRINT", "Confirm the peer with this fingerprint without asking, and refuse any other.");
+    options.addValue("expect", "FINGERPRINT", "Confirm the peer with this fingerprint without a prompt, and refuse any other.");
     options.addFlag("replace", "With --expect: replace the key if the name is known with another one.");
     options.addValue("as", "NAME", "Name of the peer in the list, in place of the name that it claims.");
 }
@@ -135,7 +135,7 @@ void PairingPrompt::take(PairingStatus status)
 void PairingPrompt::ask()
 {
     const std::string print = keys::fingerprint(m_asked->key);
-    const std::string system = m_asked->systemId != 0 ? " (system id " + std::to_string(m_asked->systemId) + ")" : "";
+    const std::string system = m_asked->systemId != 0 ? " (system ID " + std::to_string(m_asked->systemId) + ")" : "";
     write("\"" + m_asked->name + "\"" + system + " requests pairing.");
     if (m_settings.hasPassphrase)
         write("It knows the passphrase.");

@@ -43,7 +43,7 @@ app::SimSettings settingsFrom(app::Options &options)
     settings.vehicles = static_cast<int>(options.wholeNumber("vehicles", 1, kMostVehicles));
     settings.systemId = static_cast<int>(options.wholeNumber("sysid", 1, 254));
     if (settings.systemId + settings.vehicles - 1 > 254)
-        options.fail("--vehicles: system ids end at 254");
+        options.fail("--vehicles: system IDs end at 254");
     settings.seed = options.wholeNumber("seed", 0, UINT64_MAX);
     settings.rate = options.number("rate", 0.1, 100);
     settings.type = typeFrom(options);
@@ -80,7 +80,7 @@ int main(int argc, char **argv)
     options.addValue("kind", "KIND", "Kind of vehicle: copter, plane or rover.", "copter");
     options.addValue("autopilot", "NAME", "Firmware to behave like: ardupilot or px4 (copter only).", "ardupilot");
     options.addValue("vehicles", "N", "Number of vehicles, which share the links.", "1");
-    options.addValue("sysid", "N", "System id of the first vehicle.", "1");
+    options.addValue("sysid", "N", "System ID of the first vehicle.", "1");
     options.addValue("seed", "N", "Seed of wind and noise, to repeat a flight.", "1");
     options.addValue("rate", "FACTOR", "Fly this many times as fast as real time; heartbeats and streams keep their rates.",
                      "1");
@@ -90,14 +90,15 @@ int main(int argc, char **argv)
         "0 = on no link.",
         "0");
     options.addFlag("saturate", "Let the first vehicle send telemetry as fast as the station answers, to load the link.");
-    options.addValue("pps", "N",
-                     "Let the first vehicle send N telemetry messages a second besides the streams, on a schedule fixed in "
-                     "advance; --json reports those that were missed.",
-                     "0");
+    options.addValue(
+        "pps", "N",
+        "Let the first vehicle send N telemetry messages a second in addition to the streams, on a schedule fixed in "
+        "advance; --json reports those that were missed.",
+        "0");
     options.addResearchValue(
         "framing", "plain|mavsec2019",
-        "Framing of what the vehicles send. mavsec2019: INSECURE, payloads encrypted as by the autopilot of the MAVSec paper, "
-        "without authentication; what they receive stays in clear.",
+        "Framing of messages from the vehicles. mavsec2019: INSECURE, payloads encrypted as by the autopilot of the MAVSec "
+        "paper, without authentication; messages to the vehicles stay in clear.",
         "plain");
     app::MavsecOptions::declare(options);
     options.addResearchFlag("stdin",

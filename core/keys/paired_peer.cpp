@@ -19,7 +19,7 @@ Result<void, InputError> checkSystemsAreFree(const PeersFile &file, const channe
     for (const PeerEntry &other : file.entries()) {
         for (const std::uint8_t id : peer.systemIds) {
             if (other.peer.key != peer.key && std::ranges::find(other.peer.systemIds, id) != other.peer.systemIds.end())
-                return tl::unexpected(InputError{"the system id " + std::to_string(id) + " is bound to \"" + other.peer.name
+                return tl::unexpected(InputError{"the system ID " + std::to_string(id) + " is bound to \"" + other.peer.name
                                                      + "\" already; each vehicle needs its own",
                                                  {}});
         }

@@ -93,7 +93,7 @@ Result<std::vector<std::uint8_t>, InputError> systemIdsFromText(std::string_view
         std::uint8_t id = 0;
         const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), id);
         if (error != std::errc() || end != part.data() + part.size() || id == 0)
-            return refuse(whole + " is not a list of system ids: numbers from 1 to 255 with commas between them, or \"any\"");
+            return refuse(whole + " is not a list of system IDs: numbers from 1 to 255 with commas between them, or \"any\"");
         if (std::find(ids.begin(), ids.end(), id) == ids.end())
             ids.push_back(id);
         if (comma == text.size())
@@ -120,7 +120,7 @@ Result<PeerEntry, InputError> parsePeerLine(std::string_view line)
 {
     const std::vector<std::string_view> fields = fieldsOf(line);
     if (fields.size() < 4 || fields.size() > 5)
-        return refuse("a peer needs a name, a role, system ids and a public key, here are " + std::to_string(fields.size())
+        return refuse("a peer needs a name, a role, system IDs and a public key, here are " + std::to_string(fields.size())
                       + " fields");
     PeerEntry entry;
     entry.peer.name = fields[0];
@@ -175,7 +175,7 @@ Result<void, InputError> checkPeerEntry(const PeerEntry &entry)
     if (auto named = checkPeerName(entry.peer.name); !named)
         return named;
     if (std::find(entry.peer.systemIds.begin(), entry.peer.systemIds.end(), 0) != entry.peer.systemIds.end())
-        return refuse("0 is not a system id: numbers from 1 to 255");
+        return refuse("0 is not a system ID: numbers from 1 to 255");
     if (entry.presharedKeyFile.find_first_of(" \t\r\n") != std::string::npos)
         return refuse(quoted(entry.presharedKeyFile) + " cannot be noted: the path of a pre-shared key must not have blanks");
     return {};

@@ -253,7 +253,7 @@ Result<std::optional<std::uint8_t>, InputError> parsePrefix(ScriptTokens &tokens
     const std::string_view text = tokens.rest().substr(0, digits);
     const auto parsed = std::from_chars(text.data(), text.data() + text.size(), number);
     if (parsed.ec != std::errc() || number < 1 || number > 255)
-        return fail(tokens, "a system id from 1 to 255 before the colon");
+        return fail(tokens, "a system ID from 1 to 255 before the colon");
     tokens.skip(digits);
     tokens.takeIf(":");
     return std::optional<std::uint8_t>(static_cast<std::uint8_t>(number));

@@ -277,7 +277,7 @@ void PlainStationTest::requestToAnUnknownVehicleFails()
     for (const vehicle::Request &request : requests)
         ids.push_back(ground.station->perform(7, request));
     EVENTUALLY_EQUAL(ground.ears->all<vehicle::MissionResult>().size(), std::size_t(3)); // in order, so the last
-    const std::string reason = "no vehicle with system id 7";
+    const std::string reason = "no vehicle with system ID 7";
     const auto commands = ground.ears->all<vehicle::CommandResult>();
     QCOMPARE(commands.size(), std::size_t(1));
     QVERIFY(commands[0].id == ids[0] && commands[0].outcome == vehicle::CommandOutcome::Refused);

@@ -411,7 +411,7 @@ void PairingTest::vehiclesIdIsNotBound()
     desk->notify(QStringLiteral("observer"));
     QCOMPARE(desk->waitForExit(), 0);
     QVERIFY2(read("air.peers").startsWith("tablet observer any "), read("air.peers").constData());
-    QVERIFY2(desk->errors().contains("WARNING: its system id 1 is that of a vehicle here, and was not bound"),
+    QVERIFY2(desk->errors().contains("WARNING: its system ID 1 is that of a vehicle here, and was not bound"),
              desk->errors().constData());
 }
 

@@ -105,7 +105,7 @@ void PairedPeerTest::systemOfAnotherAgentIsRefused()
     QVERIFY(keepPairedPeer(m_file, scout, KeyChange::Refused, SharedIds::Refused));
     const auto kept = keepPairedPeer(m_file, other, KeyChange::Refused, SharedIds::Refused);
     QVERIFY(!kept);
-    QVERIFY2(kept.error().text().find("system id 1 is bound to \"scout\"") != std::string::npos, kept.error().text().c_str());
+    QVERIFY2(kept.error().text().find("system ID 1 is bound to \"scout\"") != std::string::npos, kept.error().text().c_str());
     QCOMPARE(list().entries().size(), std::size_t(1));
     QVERIFY(keepPairedPeer(m_file, scout, KeyChange::Refused, SharedIds::Refused)); // again
     // Stations may share an id.

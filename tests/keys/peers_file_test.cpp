@@ -95,8 +95,8 @@ void PeersFileTest::errorsNameTheLine_data()
     row("few fields", "scout pilot", "here are 2 fields");
     row("many fields", line("scout pilot 1", 0) + " psk=a b", "here are 6 fields");
     row("role", line("scout captain 1", 0), "\"captain\" is not a role");
-    row("system id 0", line("scout pilot 0", 0), "\"0\" is not a list of system ids");
-    row("system id 256", line("scout pilot 1,256", 0), "\"1,256\" is not a list");
+    row("system ID 0", line("scout pilot 0", 0), "\"0\" is not a list of system IDs");
+    row("system ID 256", line("scout pilot 1,256", 0), "\"1,256\" is not a list");
     row("empty id", line("scout pilot 1,", 0), "is not a list");
     row("sign", line("scout pilot -1", 0), "is not a list");
     row("key", "scout pilot 1 skyseal:AAAA", "is not a public key");

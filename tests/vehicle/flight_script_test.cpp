@@ -127,8 +127,8 @@ void FlightScriptTest::errorsNameStepColumnAndExpectation_data()
     row("wait alt_rel>=high", 15, "a number to compare alt_rel with, found 'high'");
     row("wait mode>3", 10, "== or !=, since mode is a text, found '>'");
     row("wait alt_rel>=3 soon", 17, "a time-out in seconds");
-    row("0: arm", 1, "a system id from 1 to 255 before the colon");
-    row("300: arm", 1, "a system id from 1 to 255 before the colon");
+    row("0: arm", 1, "a system ID from 1 to 255 before the colon");
+    row("300: arm", 1, "a system ID from 1 to 255 before the colon");
     row("sleep -1", 7, "a time in seconds");
     row("param A_NAME_THAT_IS_TOO_LONG 1", 7, "up to 16 characters");
     row("item 70000", 6, "0 to 65535");

@@ -145,7 +145,7 @@ int addPeer(const QStringList &arguments)
     command.addPeersOption();
     options.addValue("name", "NAME", "Name of the peer.");
     options.addValue("role", "pilot|observer", "Role of the peer: may command, or only observe.", "pilot");
-    options.addValue("sysids", "LIST", "MAVLink system ids that it may use, e.g. 1,2.", "any");
+    options.addValue("sysids", "LIST", "MAVLink system IDs that it may use, e.g. 1,2.", "any");
     options.addValue("psk", "FILE", "Pre-shared key (keys psk); both ends need the same.");
     options.addFlag("replace",
                     "Replace the key of a known peer that has changed. Its other settings are kept unless "
@@ -262,8 +262,8 @@ int setPeerRole(const QStringList &arguments)
 
 int setPeerSystems(const QStringList &arguments)
 {
-    const PeerChange change{"peers sysids", "Changes the MAVLink system ids that a peer may use.", "LIST",
-                            "System ids from 1 to 255, separated by commas, or any."};
+    const PeerChange change{"peers sysids", "Changes the MAVLink system IDs that a peer may use.", "LIST",
+                            "System IDs from 1 to 255, separated by commas, or any."};
     return changePeer(arguments, change, &readSystems,
                       [](PeerEntry &entry, std::vector<std::uint8_t> systems) { entry.peer.systemIds = std::move(systems); });
 }

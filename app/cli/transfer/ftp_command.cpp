@@ -77,8 +77,8 @@ int runList(const QString &name, const QStringList &arguments)
 int runGet(const QString &name, const QStringList &arguments)
 {
     Options options(name,
-                    QStringLiteral("Reads a file of the vehicle and compares the checksums. What has arrived is in "
-                                   "FILE.part until then: a transfer that was broken off goes on from there."));
+                    QStringLiteral("Reads a file of the vehicle and compares the checksums. Until it is "
+                                   "complete, it is kept in FILE.part: an interrupted transfer resumes from there."));
     options.addArgument("PATH", kPathHelp);
     options.addArgument("[FILE]", "File to write; an existing one is replaced. Without it, the name in PATH, in this folder.");
     declareTransfer(options);

@@ -51,8 +51,8 @@ int runList(const QString &name, const QStringList &arguments)
 int runGet(const QString &name, const QStringList &arguments)
 {
     Options options(name,
-                    QStringLiteral("Reads a log. ArduPilot sends logs only while it is disarmed. What has arrived is in "
-                                   "FILE.part until then: a transfer that was broken off goes on from there."));
+                    QStringLiteral("Reads a log. ArduPilot sends logs only while it is disarmed. Until it is "
+                                   "complete, it is kept in FILE.part: an interrupted transfer resumes from there."));
     options.addArgument("ID", "Number of the log, as 'logs list' shows it.");
     options.addArgument("[FILE]", "File to write; an existing one is replaced. Without it, log-ID.bin in this folder.");
     declareTransfer(options);

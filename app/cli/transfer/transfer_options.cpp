@@ -49,7 +49,7 @@ void declareTransfer(Options &options)
     options.addResearchValue("secure", "required|off",
                              "required: accept only a sealed vehicle (default with --identity); off: use no sealed links.");
     declareKeys(options);
-    options.addValue("sysid", "ID", "System id of the vehicle; required if there are several.");
+    options.addValue("sysid", "ID", "System ID of the vehicle; required if there are several.");
     options.addValue("find-within", "S", "Give up if the vehicle is not heard within this many seconds.", "30");
     options.addFlag(
         "heartbeat",

@@ -21,7 +21,7 @@ Result<std::bitset<256>, std::string> parseSystems(std::string_view text)
         unsigned id = 0;
         const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), id);
         if (error != std::errc() || end != number.data() + number.size() || id < 1 || id > 255)
-            return tl::unexpected("'" + std::string(number) + "': a system id from 1 to 255 is expected");
+            return tl::unexpected("'" + std::string(number) + "': a system ID from 1 to 255 is expected");
         out.set(id);
         if (comma == std::string_view::npos)
             return out;

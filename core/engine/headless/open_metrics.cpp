@@ -93,7 +93,7 @@ void writeLink(Exposition &out, const Snapshot &snapshot)
         out.sample({{"outcome", outcome}}, count);
     out.counter("plaintext_frames_refused", "Plain MAVLink frames that were refused.");
     out.sample({}, snapshot.plaintextRefused);
-    out.counter("system_frames_refused", "Sealed frames with a system id that their peer may not use.");
+    out.counter("system_frames_refused", "Sealed frames with a system ID that their peer may not use.");
     out.sample({}, snapshot.spoofed);
     out.counter("events_dropped", "Events that were dropped because this program did not keep up.");
     out.sample({}, snapshot.eventsDropped);

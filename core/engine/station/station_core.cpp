@@ -184,7 +184,7 @@ void StationCore::perform(vehicle::RequestId id, std::uint8_t systemId, const ve
         vehicle->perform(steadyNow(), id, request);
         finishWake();
     } else {
-        const std::string reason = "no vehicle with system id " + std::to_string(systemId);
+        const std::string reason = "no vehicle with system ID " + std::to_string(systemId);
         std::visit([this](auto &&failure) { m_sinks.event(std::forward<decltype(failure)>(failure)); },
                    vehicle::failureOf(id, systemId, request, reason));
     }
