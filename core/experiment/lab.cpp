@@ -132,7 +132,7 @@ Result<std::unique_ptr<Lab>, InputError> Lab::create(LabPrograms programs, Rando
                                      std::pair(programs.relay, "skyseal-cli")}) {
         const bool isNeeded = !vehicle || path != programs.simulator;
         if (isNeeded && !QFileInfo(path).isExecutable())
-            return tl::unexpected(InputError{"is neither in the folder of this program nor on the PATH", name});
+            return tl::unexpected(InputError{"was not found beside this program or in PATH", name});
     }
     std::unique_ptr<Lab> lab(new Lab(std::move(programs), std::move(vehicle)));
     if (!lab->m_folder.isValid())

@@ -34,7 +34,7 @@ Result<PeersFile, InputError> PeersFile::parse(std::string_view text, const std:
 Result<PeersFile, InputError> PeersFile::load(const std::string &path)
 {
     if (!fileExists(path))
-        return tl::unexpected(InputError{"does not exist; keys pair and keys peers add make it", path});
+        return tl::unexpected(InputError{"does not exist; keys pair and keys peers add create it", path});
     const auto content = readFile(path, FileAccess::Trusted);
     if (!content)
         return tl::unexpected(content.error());

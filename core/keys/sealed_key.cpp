@@ -73,7 +73,7 @@ Result<SealedKey, InputError> SealedKey::parse(std::string_view text, const std:
         return truncated();
     const auto publicKey = publicKeyFromText(*line);
     if (!publicKey)
-        return refuse("the public key is expected here, and what stands here is none");
+        return refuse("a public key is expected here");
     key.publicKey = *publicKey;
     line = lines.nextContent();
     if (!line)

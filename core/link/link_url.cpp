@@ -122,7 +122,7 @@ private:
                 host = rest.substr(0, colon);
                 portAt = colon + 1;
                 if (rest.find(':', portAt) != rest.npos)
-                    return error(at, "an IPv6 address stands in brackets, as in [::1]:14550");
+                    return error(at, "an IPv6 address must be in brackets, as in [::1]:14550");
             }
         }
         if (const auto failed = takeHost(at, host, bracketed))

@@ -121,13 +121,13 @@ public:
     Plan operator()(const GoTo &place) const
     {
         if (!isPlace(place.latitude, place.longitude, place.altitudeRelative))
-            return refuse("the place is not on the globe");
+            return refuse("the location is not on the globe");
         const bool guided = m_state.mode == "GUIDED";
         if (m_kind.isArduPilot() && !guided && !place.changeMode)
-            return refuse("going to a place needs the mode GUIDED, the vehicle is in " + m_state.mode);
+            return refuse("going to a location needs the mode GUIDED, the vehicle is in " + m_state.mode);
         auto reposition = orderAt(mavlink::MAV_CMD_DO_REPOSITION, place.latitude, place.longitude, place.altitudeRelative);
         if (!reposition)
-            return refuse("going to a place needs a known home altitude");
+            return refuse("going to a location needs a known home altitude");
         reposition->parameters[0] = -1; // the present speed
         if (m_kind.isPx4() || (m_kind.isArduPilot() && !guided))
             reposition->parameters[1] = mavlink::MAV_DO_REPOSITION_FLAGS_CHANGE_MODE;
@@ -171,10 +171,10 @@ public:
     Plan operator()(const PointAt &place) const
     {
         if (!isPlace(place.latitude, place.longitude, place.altitudeRelative))
-            return refuse("the place is not on the globe");
+            return refuse("the location is not on the globe");
         auto point = orderAt(mavlink::MAV_CMD_DO_SET_ROI_LOCATION, place.latitude, place.longitude, place.altitudeRelative);
         if (!point)
-            return refuse("pointing at a place needs a known home altitude");
+            return refuse("pointing at a location needs a known home altitude");
         CommandPlan out{{*point}, {}};
         point->command = mavlink::MAV_CMD_DO_SET_ROI; // of older ArduPilot
         point->parameters[0] = mavlink::MAV_ROI_LOCATION;
@@ -191,7 +191,7 @@ public:
     Plan operator()(const SetHome &home) const
     {
         if (!isPlace(home.latitude, home.longitude, 0))
-            return refuse("the place is not on the globe");
+            return refuse("the location is not on the globe");
         if (std::isnan(homeAltitude()))
             return refuse("moving home needs a known home altitude");
         CommandOrder out = order(mavlink::MAV_CMD_DO_SET_HOME);

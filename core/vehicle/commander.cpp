@@ -137,7 +137,7 @@ void Commander::giveUpAfterSleep(TimePoint now)
         report(CommandResult{.id = action.id,
                              .systemId = addressing().system,
                              .outcome = CommandOutcome::TimedOut,
-                             .reason = "no answer yet, and it is not sent again: this program did not run for "
+                             .reason = "no answer yet, and not sent again: this program was suspended for "
                                  + std::to_string(seconds) + " s"});
         action.done = true;
     }
@@ -289,7 +289,7 @@ void Commander::answered(TimePoint now, Action &action, std::uint8_t result)
 void Commander::confirmationTimedOut(TimePoint now, Action &action)
 {
     if (!action.heartbeatSeen) {
-        finish(action, CommandOutcome::Accepted, "acknowledged; no heartbeat came since");
+        finish(action, CommandOutcome::Accepted, "acknowledged; no heartbeat since");
     } else if (action.mayRetry) {
         action.mayRetry = false;
         startAlternative(now, action);

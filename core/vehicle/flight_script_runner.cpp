@@ -46,7 +46,7 @@ void FlightScriptRunner::advance(TimePoint now, std::span<const VehicleState *co
             if (vehicle)
                 begin(now, *vehicle);
             else if (now >= m_deadline)
-                end(StepResult::TimedOut, "no such vehicle was heard of");
+                end(StepResult::TimedOut, "no such vehicle was heard");
         }
         if (m_phase == Phase::WaitingForState && vehicle)
             watch(now, *vehicle, std::get<WaitUntil>(m_steps[m_index].action));

@@ -258,7 +258,7 @@ void FtpClient::handleOpened(TimePoint now, const FtpMessage &answer)
     if (!m_transfer.announce(*size))
         return finish(false, "the file is larger than " + std::to_string(FileTransfer::kMostBytes) + " bytes");
     if (!m_transfer.beginPart())
-        return terminate(now, "the file has another size than the part that is kept", true);
+        return terminate(now, "the size of the file does not match the part that is kept", true);
     if (m_transfer.size() == 0)
         return close(now);
     m_window.setCount(m_transfer.chunks());
@@ -433,7 +433,7 @@ void FtpClient::check(TimePoint now)
 void FtpClient::finishUnchecked()
 {
     if (m_transfer.kept())
-        return finishUnfit("without a checksum, the part that is kept is of no use");
+        return finishUnfit("without a checksum, the part that is kept cannot be used");
     finish(true);
 }
 
@@ -465,7 +465,7 @@ void FtpClient::giveUp(TimePoint now)
     case Phase::Bursting:
         return finish(false, "the vehicle does not send byte " + std::to_string(m_window.firstMissing() * kChunk));
     case Phase::Writing:
-        return finish(false, "the vehicle does not take byte " + std::to_string(m_window.firstMissing() * kChunk));
+        return finish(false, "the vehicle does not accept byte " + std::to_string(m_window.firstMissing() * kChunk));
     default: break;
     }
     const bool isChange = m_transfer.action() == FileAction::Write || m_transfer.action() == FileAction::Remove;

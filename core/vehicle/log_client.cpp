@@ -172,7 +172,7 @@ void LogClient::handleListed(TimePoint now)
     if (entry->second.size > kMostBytes)
         return finish(false, "the log is larger than " + std::to_string(kMostBytes) + " bytes");
     if (!beginPart(entry->second))
-        return finishUnfit("the log is not the one of which a part is kept");
+        return finishUnfit("the log does not match the part that is kept");
     m_content = LogContent(entry->second.size);
     if (m_content.size() == 0 || !takeKept())
         return finish(true);

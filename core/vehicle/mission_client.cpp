@@ -85,7 +85,7 @@ void MissionClient::handleDeadline(TimePoint now)
         return kind().isArduPilot() ? giveUp() : restart(now, missingItem());
     case Phase::Uploading:
         if (now >= m_deadline)
-            return restart(now, "the vehicle stopped asking for items");
+            return restart(now, "the vehicle stopped requesting items");
         break;
     case Phase::Announcing:
     case Phase::RequestingCount:

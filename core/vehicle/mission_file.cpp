@@ -44,7 +44,7 @@ Result<std::vector<MissionItem>, InputError> parseMission(std::string_view text,
     };
     const auto header = fieldsOf(takeLine(text), " \t");
     if (header.size() != 3 || header[0] != "QGC" || header[1] != "WPL" || header[2] != "110")
-        return wrong("no mission file: the first line must be \"QGC WPL 110\"", 1);
+        return wrong("not a mission file: the first line must be \"QGC WPL 110\"", 1);
     std::vector<MissionItem> items;
     for (std::size_t line = 2; !text.empty(); ++line) {
         const auto cells = fieldsOf(takeLine(text), " \t");

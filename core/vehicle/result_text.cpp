@@ -33,7 +33,7 @@ constexpr std::string_view kMissionResults[] = {"accepted",
                                                 "x (latitude) is invalid",
                                                 "y (longitude) is invalid",
                                                 "z (altitude) is invalid",
-                                                "an item came out of sequence",
+                                                "an item arrived out of sequence",
                                                 "not accepting missions from this station",
                                                 "cancelled"};
 

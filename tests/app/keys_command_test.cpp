@@ -241,7 +241,7 @@ void KeysCommandTest::missingFilesSayWhatMakesThem()
 {
     const RunResult list = peers("list", {});
     QCOMPARE(list.status, 3);
-    QVERIFY2(list.err.contains("peers: does not exist; keys pair and keys peers add make it"), list.err.constData());
+    QVERIFY2(list.err.contains("peers: does not exist; keys pair and keys peers add create it"), list.err.constData());
     const RunResult from = peers(
         "add", {QStringLiteral("--name"), QStringLiteral("scout-1"), QStringLiteral("--from"), path("none.pub")});
     QCOMPARE(from.status, 3);

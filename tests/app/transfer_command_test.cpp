@@ -140,7 +140,7 @@ void TransferCommandTest::wrongFilesAreRefused_data()
     QTest::addColumn<QByteArray>("content");
     QTest::addColumn<QByteArray>("problem");
     QTest::newRow("parameters") << QStringLiteral("param load") << QByteArray("A,1\nB\n") << QByteArray(":2: ");
-    QTest::newRow("mission") << QStringLiteral("mission upload") << QByteArray("hello") << QByteArray(":1: no mission file");
+    QTest::newRow("mission") << QStringLiteral("mission upload") << QByteArray("hello") << QByteArray(":1: not a mission file");
     QTest::newRow("fence") << QStringLiteral("fence upload") << QByteArray("QGC WPL 110\n") << QByteArray("no items");
 }
 

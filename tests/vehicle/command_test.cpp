@@ -91,7 +91,7 @@ void CommandTest::nothingIsSentAfterASleep()
         QVERIFY(result);
         QCOMPARE(result->id, RequestId{id});
         QCOMPARE(result->outcome, CommandOutcome::TimedOut);
-        QCOMPARE(result->reason, std::string("no answer yet, and it is not sent again: this program did not run for 3599 s"));
+        QCOMPARE(result->reason, std::string("no answer yet, and not sent again: this program was suspended for 3599 s"));
         QVERIFY(!result->changeUnanswered);
     }
     for (const TimePoint end = h.now + std::chrono::seconds(20); h.now < end; h.now += std::chrono::milliseconds(100)) {
@@ -175,7 +175,7 @@ void CommandTest::acknowledgedButNotDoneTimesOut()
     const auto unseen = h.poll<CommandResult>();
     QVERIFY(unseen);
     QCOMPARE(unseen->outcome, CommandOutcome::Accepted);
-    QCOMPARE(unseen->reason, std::string("acknowledged; no heartbeat came since"));
+    QCOMPARE(unseen->reason, std::string("acknowledged; no heartbeat since"));
 }
 
 void CommandTest::reasonMayComeBeforeTheRefusal()
@@ -354,7 +354,7 @@ void CommandTest::goToFallsBackToATargetAndIsConfirmedByItsEcho()
     const GoTo place{-35.3625, 149.1655, 25};
     h.vehicle.perform(h.now, RequestId{1}, place);
     QCOMPARE(h.poll<CommandResult>()->reason,
-             std::string("nothing was sent: going to a place needs the mode GUIDED, the vehicle is in STABILIZE"));
+             std::string("nothing was sent: going to a location needs the mode GUIDED, the vehicle is in STABILIZE"));
     h.feed(heartbeat(4, true));
     h.vehicle.perform(h.now, RequestId{2}, place);
     const auto reposition = h.sentOf<mavlink::CommandInt>();

@@ -160,9 +160,9 @@ private Q_SLOTS:
         QTest::newRow("altitude") << false << 0 << QStringLiteral("changing the altitude needs a known position");
         QTest::newRow("altitude, PX4") << true << 0 << QStringLiteral("changing the altitude needs a known home altitude");
         QTest::newRow("home") << false << 1 << QStringLiteral("moving home needs a known home altitude");
-        QTest::newRow("point, PX4") << true << 2 << QStringLiteral("pointing at a place needs a known home altitude");
-        QTest::newRow("go, PX4") << true << 3 << QStringLiteral("going to a place needs a known home altitude");
-        QTest::newRow("off the globe") << false << 4 << QStringLiteral("the place is not on the globe");
+        QTest::newRow("point, PX4") << true << 2 << QStringLiteral("pointing at a location needs a known home altitude");
+        QTest::newRow("go, PX4") << true << 3 << QStringLiteral("going to a location needs a known home altitude");
+        QTest::newRow("off the globe") << false << 4 << QStringLiteral("the location is not on the globe");
     }
 
     void nothingIsSentWithoutWhatIsNeeded()

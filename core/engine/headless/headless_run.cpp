@@ -198,13 +198,13 @@ void HeadlessRun::settle(const Snapshot &last)
         return end(RunOutcome::ScriptUnfinished, "the run ended before the flight script did");
     if (m_plan.task && (!m_plan.task->isFinished() || !m_plan.task->problem().empty())) {
         if (m_plan.sessionRequired && !m_sessionSeen)
-            return end(RunOutcome::NoSession, "no sealed session came up");
+            return end(RunOutcome::NoSession, "no sealed session was established");
         if (!m_plan.task->isFinished())
             return end(RunOutcome::TaskFailed, "interrupted before the end");
         return end(m_plan.task->isFileProblem() ? RunOutcome::CannotOpen : RunOutcome::TaskFailed, m_plan.task->problem());
     }
     if (m_plan.sessionRequired && !m_sessionSeen)
-        return end(RunOutcome::NoSession, "no sealed session came up");
+        return end(RunOutcome::NoSession, "no sealed session was established");
     if (m_plan.inlineRequired && !m_inlineSeen)
         return end(RunOutcome::InlineNotReached, "the other end does not allow inline framing (skyseal-air --allow-inline)");
     if (const auto missed = m_switching.notReached(); !missed.empty())
