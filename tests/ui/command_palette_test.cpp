@@ -28,7 +28,7 @@ private Q_SLOTS:
     void keysFindAndChoose()
     {
         openPalette();
-        type(QStringLiteral("work lab")); // no entry has these words
+        type(QStringLiteral("zoom lab")); // no entry has these words
         QCOMPARE(shown(), QStringList());
         clear();
         type(QStringLiteral("view LAB"));
