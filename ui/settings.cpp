@@ -42,9 +42,15 @@ ChosenValues loadValues(const QSettings &store)
 
 } // namespace
 
+QString storedLanguage(const QSettings &store)
+{
+    return store.value(QStringLiteral("view/language")).toString();
+}
+
 Settings loadSettings(const QSettings &store)
 {
     Settings s;
+    s.language = storedLanguage(store);
     s.theme = static_cast<Theme>(inRange(store, "view/theme", 0, 3, static_cast<int>(s.theme)));
     s.units = static_cast<UnitSystem>(inRange(store, "view/units", 0, 1, static_cast<int>(s.units)));
     s.coordinates = static_cast<CoordinateFormat>(inRange(store, "view/coordinates", 0, 3, static_cast<int>(s.coordinates)));
@@ -74,6 +80,7 @@ Settings loadSettings(const QSettings &store)
 
 void storeSettings(QSettings &store, const Settings &settings)
 {
+    store.setValue(QStringLiteral("view/language"), settings.language);
     store.setValue(QStringLiteral("view/theme"), static_cast<int>(settings.theme));
     store.setValue(QStringLiteral("view/units"), static_cast<int>(settings.units));
     store.setValue(QStringLiteral("view/coordinates"), static_cast<int>(settings.coordinates));

@@ -46,6 +46,7 @@ struct MapSource
 
 struct Settings
 {
+    QString language; ///< code of one of languages(); else that of the desktop
     Theme theme = Theme::Desktop;
     UnitSystem units = UnitSystem::Metric;
     CoordinateFormat coordinates = CoordinateFormat::Decimal;
@@ -68,6 +69,8 @@ struct Settings
 
 /// Missing or invalid values get their defaults.
 Settings loadSettings(const QSettings &store);
+/// Apart, because the language is needed before anything that makes texts, as loadSettings() may.
+QString storedLanguage(const QSettings &store);
 void storeSettings(QSettings &store, const Settings &settings);
 
 } // namespace skyseal::ui

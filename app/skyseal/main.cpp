@@ -7,7 +7,11 @@
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/system_random.h"
 #include "core/experiment/heap_figures.h"
+#include "ui/language.h"
+#include "ui/settings.h"
 
+#include <QtCore/QLocale>
+#include <QtCore/QSettings>
 #include <QtWidgets/QApplication>
 
 using namespace skyseal;
@@ -36,6 +40,8 @@ int main(int argc, char **argv)
 
     const auto heap = std::make_shared<experiment::HeapFigures>(); // the window system starts threads
     QApplication application(argc, argv);
+    const ui::WindowTranslation translation(
+        ui::languageToUse(ui::storedLanguage(QSettings()), QLocale::system().uiLanguages()));
     QApplication::setApplicationDisplayName(QStringLiteral("Skyseal"));
     QApplication::setDesktopFileName(QStringLiteral("skyseal"));
     if (!crypto::initCrypto()) {

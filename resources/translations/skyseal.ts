@@ -152,13 +152,6 @@
     </message>
 </context>
 <context>
-    <name>Text</name>
-    <message>
-        <source>%1 s</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>skyseal::app::Application</name>
     <message>
         <source>No sealed links: %1</source>
@@ -1204,6 +1197,10 @@
     </message>
     <message>
         <source>Vehicle %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2371,6 +2368,14 @@ Pair with the agent beside your vehicle, or add its public key: there, skyseal-c
         <source>No peers yet.
 
 Add the public key of the agent beside your vehicle; skyseal-cli keys show prints it there. The agent also needs the key of this station.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::Language</name>
+    <message>
+        <source>en</source>
+        <comment>code of this language, as in the name of this file</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5240,6 +5245,22 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>This build of Skyseal has no speech: it lacks speech-dispatcher.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>same as the desktop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The language takes effect at the next start.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1,11 +1,12 @@
 // Draws the window in its states and sizes, and its dialogs, into a folder for people to look at: ui_gallery DIR [STATE SIZE
-// THEME WORKSPACE], where STATE and the others are lists with commas, "dialogs" among the states being all dialogs, "map" the
+// THEME WORKSPACE LANGUAGE], where STATE and the others are lists with commas, "dialogs" among the states being all dialogs, "map" the
 // menu of the map, and the name of one of its entries, such as "mapGoHere", what that opens.
 #include "fake_station.h"
 #include "gallery_dialogs.h"
 #include "scripted_snapshots.h"
 #include "ui/charts/diagnostics_panel.h"
 #include "ui/flight/vehicle_commands.h"
+#include "ui/language.h"
 #include "ui/map/map_view.h"
 #include "ui/tiles/mbtiles_writer.h"
 #include "ui/window/main_window.h"
@@ -489,6 +490,7 @@ int main(int argc, char **argv)
     const QStringList args = app.arguments();
     if (args.size() < 2)
         return 2;
+    const WindowTranslation translation(args.value(6, QStringLiteral("en")));
     const QDir out(args.at(1));
     out.mkpath(QStringLiteral("."));
     QStringList states{QStringLiteral("waiting"), QStringLiteral("sealed"),  QStringLiteral("plain"),

@@ -28,7 +28,7 @@ private Q_SLOTS:
             ++mnemonics;
             QVERIFY2(label->buddy(), qPrintable(label->text())); // without one the label shows the ampersand
         }
-        QCOMPARE(mnemonics, 8);
+        QCOMPARE(mnemonics, 9);
     }
 
     void folderIsReachedByItsKey()

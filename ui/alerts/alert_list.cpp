@@ -28,8 +28,8 @@ struct Text
 constexpr double kVeryLowBatteryPercent = 10;
 constexpr double kBatteryRise = 3;     ///< percent above the limit that end the alert, against a value that swings
 constexpr double kFailsafeTextAge = 5; ///< seconds before the failsafe
-constexpr std::uint64_t kWorseFactor = 10;
-constexpr double kSlowestAnswer = 30; ///< seconds
+constexpr unsigned kWorseFactor = 10;  // lupdate takes the "std::" of a variable here for the scope of the next function
+constexpr double kSlowestAnswer = 30;  ///< seconds
 
 QString ageText(double seconds)
 {

@@ -1,5 +1,6 @@
 // The voice of the desktop by speech-dispatcher, through its client library. On the thread of Speech.
 #include "ui/alerts/speech.h"
+#include "ui/language.h"
 
 #include <QtCore/QDeadlineTimer>
 #include <QtCore/QStandardPaths>
@@ -42,6 +43,8 @@ private:
         char *problem = nullptr;
         m_connection = spd_open2("skyseal", "alerts", nullptr, SPD_MODE_SINGLE, nullptr, installed ? 1 : 0, &problem);
         std::free(problem);
+        if (m_connection) // else a voice of the desktop's language reads the texts
+            spd_set_language(m_connection, languageInUse().toLatin1().constData());
         return m_connection != nullptr;
     }
 

@@ -1,5 +1,6 @@
 #include "ui/dialogs/help_page.h"
 
+#include "ui/language.h"
 #include "ui/theme/grid.h"
 
 #include <QtCore/QFile>
@@ -14,7 +15,7 @@ const QString kFolder = QStringLiteral(":/skyseal/help/");
 
 QString pageText(const QString &page, const QHash<QString, QString> &inserts)
 {
-    QFile file(kFolder + page + QStringLiteral(".md"));
+    QFile file(translatedFile(kFolder, page + QStringLiteral(".md")));
     if (!file.open(QIODevice::ReadOnly))
         return HelpPage::tr("There is no help page \"%1\".").arg(page);
     QString text = QString::fromUtf8(file.readAll());

@@ -3,6 +3,7 @@
 #include "core/base/research.h"
 #include "core/link/link_url.h"
 #include "ui/alerts/speech.h"
+#include "ui/language.h"
 #include "ui/theme/form_pieces.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/suite_style.h"
@@ -19,6 +20,7 @@
 #include <QtWidgets/QSpinBox>
 #include <QtWidgets/QVBoxLayout>
 
+#include <algorithm>
 #include <map>
 #include <vector>
 
@@ -67,6 +69,11 @@ QWidget *SettingsDialog::makeView()
 {
     auto *box = new QGroupBox(tr("View"), this);
     auto *form = new QFormLayout(box);
+    m_language = named(new QComboBox(box), "settingLanguage", tr("Language"));
+    m_language->addItem(tr("same as the desktop"), QString());
+    for (const Language &each : languages())
+        m_language->addItem(QLatin1String(each.name), QString::fromLatin1(each.code));
+    m_language->setCurrentIndex(std::max(0, m_language->findData(m_start.language)));
     m_theme = named(new QComboBox(box), "settingTheme", tr("Colours"));
     m_theme->addItem(tr("desktop default"), static_cast<int>(Theme::Desktop));
     m_theme->addItem(tr("light"), static_cast<int>(Theme::Light));
@@ -83,6 +90,8 @@ QWidget *SettingsDialog::makeView()
     m_coordinates->addItem(tr("UTM (metres in a zone)"), static_cast<int>(CoordinateFormat::Utm));
     m_coordinates->addItem(tr("MGRS (grid reference)"), static_cast<int>(CoordinateFormat::Mgrs));
     m_coordinates->setCurrentIndex(m_coordinates->findData(static_cast<int>(m_start.coordinates)));
+    form->addRow(tr("Lan&guage"), m_language);
+    form->addRow(QString(), smallPrint(tr("The language takes effect at the next start."), box));
     form->addRow(tr("&Colours"), m_theme);
     form->addRow(tr("&Units"), m_units);
     form->addRow(tr("Coordi&nates"), m_coordinates);
@@ -190,6 +199,7 @@ QWidget *SettingsDialog::makeSecurity()
 Settings SettingsDialog::settings() const
 {
     Settings out = m_start;
+    out.language = m_language->currentData().toString();
     out.theme = static_cast<Theme>(m_theme->currentData().toInt());
     out.units = static_cast<UnitSystem>(m_units->currentData().toInt());
     out.coordinates = static_cast<CoordinateFormat>(m_coordinates->currentData().toInt());

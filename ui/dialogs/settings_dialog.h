@@ -28,7 +28,7 @@ private:
     void offerWeakestSuites();
 
     Settings m_start;
-    QComboBox *m_theme, *m_units, *m_coordinates;
+    QComboBox *m_language, *m_theme, *m_units, *m_coordinates;
     QSpinBox *m_systemId, *m_componentId;
     QLineEdit *m_link, *m_folder;
     QCheckBox *m_speak, *m_record, *m_research, *m_required;
