@@ -25,12 +25,12 @@ QString languageToUse(const QString &chosen, const QStringList &desktop);
 /// The code of the language that tr() answers in.
 QString languageInUse();
 
-/// The path of a file of the resources in that language: `name` in the subfolder of its code, else in `folder` itself, in English.
-/// `folder` ends with a slash.
+/// The path of a file of the resources in that language: `name` in the subfolder of its code, else in `folder` itself, in
+/// English. `folder` ends with a slash.
 QString translatedFile(const QString &folder, const QString &name);
 
-/// Translates the texts of the program, and Qt's own ("Cancel") where its translations are installed, as long as it lives. To be
-/// made before the first text is, since many texts are made once.
+/// Translates the texts of the program, and Qt's own ("Cancel") where its translations are installed, as long as it lives. To
+/// be made before the first text is, since many texts are made once.
 class WindowTranslation
 {
 public:

@@ -8,15 +8,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Remember it in the desktop&apos;s keyring</source>
+        <source>&amp;Remember it in the desktop keyring</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Remember it in the desktop&apos;s keyring (%1)</source>
+        <source>Remember it in the desktop keyring (%1)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Anyone who is logged in as you, and every program that you run, can then use the key without the passphrase.</source>
+        <source>Anyone logged in as you, and any program you run, can then use the key without the passphrase.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -162,10 +162,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Start it again</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The list of peers cannot be used; the previous list stays in force: %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -181,13 +177,13 @@
         <source>the key could not be opened</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Restart the demo</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::app::Demo</name>
-    <message>
-        <source>The demo needs %1, which is neither beside this program nor on the PATH.</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>it was killed or crashed</source>
         <translation type="unfinished"></translation>
@@ -197,7 +193,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 of the demo ended: %2</source>
+        <source>The demo needs %1, which was not found beside this program or in PATH.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The demo&apos;s %1 exited: %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -208,10 +208,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>no keyring runs in this desktop session</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The keyring did not store the passphrase: %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -219,11 +215,15 @@
         <source>The keyring did not delete the passphrase: %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>no keyring is running in this desktop session</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::app::NoMemory</name>
     <message>
-        <source>this Skyseal was built without it</source>
+        <source>not included in this build</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -276,27 +276,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the last one %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A device on the vehicle side uses the system id %1 of a ground station and is ignored; an autopilot needs another id</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Handshake counters are stored again</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Handshake counters cannot be stored: %1. The links stay up. If this agent restarts now, it will answer handshakes that were recorded before; no session results from them</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Refused %1 from %2, which is an observer: %3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Refused %1 from %2, which may not send as that system: %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -312,54 +292,62 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Refused %1 on the vehicle&apos;s side without a signature. If they are the vehicle&apos;s own, set up its signing: skyseal-air --signing setup</source>
+        <source>most recently %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Refused %1 on the vehicle&apos;s side that are not signed with the key of this agent</source>
+        <source>A device on the vehicle side uses system ID %1 of a ground station and is ignored; an autopilot needs a different ID</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Refused %1 on the vehicle&apos;s side that were signed before: somebody repeats them, or the vehicle lost its time, which then heals by itself</source>
+        <source>Handshake counters can be stored again</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Did not forward %1 of stations: MAVLink 1 cannot be signed</source>
+        <source>Handshake counters cannot be stored: %1. The links stay up. If this agent restarts now, it will answer replayed handshakes, but they cannot establish a session</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Did not forward %1 of stations that change the vehicle&apos;s signing key</source>
+        <source>Refused %1 from %2, which is not permitted to use that system ID: %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Did not forward %1 of stations: the vehicle remembers only so many senders until it restarts</source>
+        <source>Refused %1 without a signature on the vehicle side. If the vehicle sent them, set up its signing: skyseal-air --signing setup</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The time of signatures cannot be stored: %1. Signing goes on</source>
+        <source>Refused %1 on the vehicle side, not signed with the key of this agent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refused %1 on the vehicle side with an old signature: a replay, or the vehicle lost its signing time, which recovers automatically</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Did not forward %1 from stations: MAVLink 1 cannot be signed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Did not forward %1 from stations: only this agent may change the vehicle&apos;s signing key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Did not forward %1 from stations: the vehicle cannot track more signing senders until it restarts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The signing timestamp cannot be stored: %1. Signing continues</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>skyseal::engine::EventText</name>
     <message>
-        <source>Found a %1, sealed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Found a %1, not sealed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Link to the vehicle lost</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Link to the vehicle recovered</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This vehicle, at %1, awaits approval: it is not sealed and may be impersonating %2, which has not been heard</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -515,10 +503,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>An agent at %1 announces itself with a key that is not known here</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Refused a handshake from %1: %2</source>
         <translation type="unfinished"></translation>
     </message>
@@ -571,18 +555,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The computer of %1 stores handshake counters again</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The computer of %1 cannot store handshake counters; its disk may be full, read-only or broken. The link stays up. If that computer restarts now, it will answer handshakes that were recorded before; no session results from them</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Refused %1 from %2 with the system id of this sealed vehicle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>one plain frame</source>
         <translation type="unfinished"></translation>
     </message>
@@ -599,14 +571,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Refused %1 from %2, which may not send as this vehicle. If %2 is its agent, bind the system to %2 in the list of peers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Refused %1 from %2, which sends as this vehicle although that belongs to %3. If %2 is a new agent of the same vehicle, remove %3 from the list of peers or bind the system to %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Dropped %1 because this program did not keep up</source>
         <translation type="unfinished"></translation>
     </message>
@@ -616,18 +580,6 @@
     </message>
     <message>
         <source>%1 events</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Handshake counters are stored again</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Handshake counters cannot be stored: %1. The links stay up. If this station restarts now, agents refuse its first handshake and return the correct counter</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The keys of %1 stay the same: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -678,6 +630,54 @@
         <source>Denied %1 from client %2 at %3, most recently %4</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Keys of %1 not changed: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An agent at %1 announces itself with an unknown key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The companion computer of %1 can store handshake counters again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The companion computer of %1 cannot store handshake counters; its disk may be full, read-only or broken. The link stays up. If that computer restarts now, it will answer replayed handshakes, but they cannot establish a session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Found: %1, sealed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Found: %1, not sealed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refused %1 from %2 with the system ID of this sealed vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This vehicle, at %1, is waiting for approval: it is not sealed and may be impersonating %2, which has not been heard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refused %1 from %2, which may not send as this vehicle. If %2 is its agent, bind the system ID to %2 in the list of peers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refused %1 from %2, which sends as this vehicle although its system ID belongs to %3. If %2 is a new agent of the same vehicle, remove %3 from the list of peers or bind the system ID to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Handshake counters can be stored again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Handshake counters cannot be stored: %1. The links stay up. If this station restarts now, agents will refuse its first handshake and return the correct counter</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::engine::PairingText</name>
@@ -722,7 +722,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The passphrases of the two ends differ, or only one end has one, or the link is very bad. Start again with the same passphrase at both ends</source>
+        <source>The passphrases of the two ends differ, or only one end has one, or the link is very poor. Start again with the same passphrase at both ends</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -865,10 +865,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the other end&apos;s choice came first</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>the session ended</source>
         <translation type="unfinished"></translation>
     </message>
@@ -878,10 +874,6 @@
     </message>
     <message>
         <source>it was made for a different key: a wrong destination, or an impersonation</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>its counter was used before: a replay, or the station lost its file of counters</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -897,19 +889,27 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>this end&apos;s file of counters was lost or restored; it continues from the number that the other end remembers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>all handshake counters of this station&apos;s key are used up; it needs a new key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>there are too many; only senders that prove their address are answered</source>
+        <source>%1 or %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 or %2</source>
+        <source>the other end&apos;s request took precedence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its counter was used before: a replay, or the station lost its counter file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this end&apos;s counter file was lost or restored; it continues from the number that the other end remembers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are too many handshakes; only senders that prove their address are answered</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -991,10 +991,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Stops and holds the present place; an aeroplane circles it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Land</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1046,6 +1042,10 @@
         <source>Not sent: %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Stops and holds the present position; a plane circles it.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::ActionPermits</name>
@@ -1058,7 +1058,28 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the mission read last is empty: read it again</source>
+        <source>the mission last read is empty: read it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::AddWaypointDialog</name>
+    <message>
+        <source>%1
+Hold the button for half a second. The waypoint is put before the last item of the mission, and the whole mission is sent to the vehicle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1
+Hold the button for half a second. The waypoint becomes the last item of the mission, and the whole mission is sent to the vehicle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add to the mission</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add and send</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1100,10 +1121,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The autopilot reports an abnormal state. Messages may name the reason.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Aircraft near: %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1117,22 +1134,6 @@
     </message>
     <message>
         <source>Battery low: %1 %</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>As the vehicle reports it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mode %1 → %2, not from here</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The mode changed without a command from this station: by the autopilot itself, by the remote control or by another station.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>All of them were refused. The secure link panel counts them.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1172,10 +1173,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1. Security → Keys and peers pairs the two</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Switched to %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1201,6 +1198,30 @@
     </message>
     <message>
         <source>%1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The autopilot reports an abnormal state. The Messages panel may show the reason.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As reported by the vehicle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mode %1 → %2, not by this station</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mode changed without a command from this station. The autopilot, the RC transmitter or another station changed it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All were refused. The Secure link panel counts them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1. To pair with it, open Security → Keys and peers</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1235,11 +1256,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Dismiss until it begins again or becomes worse (Esc)</source>
+        <source>Dismiss (Esc)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Dismiss (Esc)</source>
+        <source>Dismiss until it recurs or gets worse (Esc)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1273,7 +1294,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It currently sends from %2. If you allow it, any sender of plain MAVLink that claims to be vehicle %1, from any address, is shown and commanded as that vehicle until this program ends or the vehicle is heard sealed. Anyone on the path can read and change the traffic.
+        <source>It currently sends from %2. If you allow it, any sender of plain MAVLink that claims to be vehicle %1, from any address, is shown and commanded as that vehicle until this program ends or a sealed link to the vehicle is up. Anyone on the path can read and change the traffic.
 
 If this should be the vehicle of %3, choose Cancel: its sealed link is broken or blocked.</source>
         <translation type="unfinished"></translation>
@@ -1343,10 +1364,6 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>New passphrase, again</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Ne&amp;w passphrase</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1386,23 +1403,15 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
         <source>The two new passphrases differ.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Repeat the new passphrase</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::ChangedKeyWarning</name>
     <message>
-        <source>Fingerprint known until now</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Fingerprint of the new key</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>I compared the new fingerprint on the device itself: &amp;replace the key</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>known until now</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1411,6 +1420,18 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
     </message>
     <message>
         <source>The key of %1 has changed. Either a new key was generated there, or another device is impersonating %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Previous fingerprint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>I have checked the new fingerprint on the device itself: &amp;replace the key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>previous</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1439,11 +1460,11 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 forged, replayed or clear, refused</source>
+        <source>link recovered</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>link recovered</source>
+        <source>%1 forged, replayed or plain, refused</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1516,14 +1537,6 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Texts (*.txt);;All files (*)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 · by itself: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 · not yet: %2</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1532,15 +1545,23 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No checklist for vehicle %1. It is a text file; Help → First steps describes it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Checklist %1 cannot be read</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Checklist %1: %2 of %3 done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Text files (*.txt);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · automatic: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No checklist for vehicle %1. A checklist is a text file; see Help → First steps.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1559,10 +1580,6 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 not permitted, %2 over the rate limit, %3 with a system id that it may not use</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Station</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1576,6 +1593,10 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
     </message>
     <message>
         <source>Refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 not permitted, %2 over the rate limit, %3 with a system ID that it may not use</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1711,7 +1732,7 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Arm although the checklist is not done?</source>
+        <source>Arm with an incomplete checklist?</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1857,6 +1878,10 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
     </message>
     <message>
         <source>The solid line is “%1”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Charts of the diagnostics</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2021,10 +2046,6 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The link to the agent is sealed; nothing has been received from the vehicle beside it yet.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>It sends plain MAVLink from %1 and may be impersonating %2, which is a known peer but has not been heard yet. Its telemetry is not shown and nothing is sent to it until you allow plain MAVLink.
 
 If it is the vehicle of %2, start the agent beside it instead, so that its link is sealed.</source>
@@ -2061,6 +2082,10 @@ If the agent is yours, pair the two: choose Pair in Keys and peers here and, whi
         <source>%1
 
 No link is sealed until this is resolved. Plain MAVLink is shown, but not sealed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link to the agent is sealed; nothing has been received from its vehicle yet.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2113,15 +2138,7 @@ No link is sealed until this is resolved. Plain MAVLink is shown, but not sealed
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>QGroundControl, Mission Planner, MAVProxy or a MAVSDK program uses the sealed link through this window</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Address for other stations</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>One address, or several with spaces between. Each may have options, e.g. udpout:127.0.0.1:14540,write=mission,param: the rights that it names narrow the choice beside it; also from=ADDRESS/PREFIX, sysid=ID and name=NAME</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2146,10 +2163,6 @@ No link is sealed until this is resolved. Plain MAVLink is shown, but not sealed
     </message>
     <message>
         <source>Read and write</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>They can command vehicles like this station; while they are connected, their heartbeat keeps a vehicle from its failsafe</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2189,7 +2202,19 @@ No link is sealed until this is resolved. Plain MAVLink is shown, but not sealed
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Telemetry, parameters and missions can be read; commands and changes are refused, and so are files and logs</source>
+        <source>Lets QGroundControl, Mission Planner, MAVProxy and MAVSDK programs use the sealed link through this window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One address, or several separated by spaces. Each may have options, e.g. udpout:127.0.0.1:14540,write=mission,param: write= narrows the rights chosen here. Other options: from=ADDRESS/PREFIX, sysid=ID and name=NAME</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Telemetry, parameters and missions can be read; commands, changes, files and logs are refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They can command vehicles, like this station; while they are connected, their heartbeats keep the vehicle&apos;s GCS failsafe from triggering</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2200,11 +2225,18 @@ No link is sealed until this is resolved. Plain MAVLink is shown, but not sealed
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Help page</source>
+        <source>&amp;Back</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::HelpPage</name>
+    <message>
+        <source>There is no help page &quot;%1&quot;.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>There is no help page &quot;%1&quot;.</source>
+        <source>Help page</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2261,10 +2293,6 @@ No link is sealed until this is resolved. Plain MAVLink is shown, but not sealed
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Id</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>From</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2280,6 +2308,10 @@ No link is sealed until this is resolved. Plain MAVLink is shown, but not sealed
         <source>MAVLink</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>ID</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::InspectorPanel</name>
@@ -2288,15 +2320,15 @@ No link is sealed until this is resolved. Plain MAVLink is shown, but not sealed
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Filter for message types</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Message types</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Fields of the selected message</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Filter message types</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2343,12 +2375,6 @@ No link is sealed until this is resolved. Plain MAVLink is shown, but not sealed
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No peers yet.
-
-Pair with the agent beside your vehicle, or add its public key: there, skyseal-cli keys show prints it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Its session ends at once, and it can no longer connect.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2370,6 +2396,12 @@ Pair with the agent beside your vehicle, or add its public key: there, skyseal-c
 Add the public key of the agent beside your vehicle; skyseal-cli keys show prints it there. The agent also needs the key of this station.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>No peers yet.
+
+Pair with the agent of your vehicle, or add its public key, which skyseal-cli keys show prints there.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::Language</name>
@@ -2383,14 +2415,6 @@ Add the public key of the agent beside your vehicle; skyseal-cli keys show print
     <name>skyseal::ui::LinkConditions</name>
     <message>
         <source>Clea&amp;n</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Radio of &amp;57,600 baud</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Radio of &amp;115,200 baud</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2419,10 +2443,6 @@ Add the public key of the agent beside your vehicle; skyseal-cli keys show print
     </message>
     <message>
         <source> baud</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>any rate</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2459,6 +2479,18 @@ Add the public key of the agent beside your vehicle; skyseal-cli keys show print
     </message>
     <message>
         <source>Another link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;57,600 baud radio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;115,200 baud radio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no limit</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2541,10 +2573,6 @@ Add the public key of the agent beside your vehicle; skyseal-cli keys show print
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The nonce has %1 hex digits</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Key of the stream</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2554,10 +2582,6 @@ Add the public key of the agent beside your vehicle; skyseal-cli keys show print
     </message>
     <message>
         <source>C&amp;ounter</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The counter is a number from 0 to 4294967295</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2575,6 +2599,14 @@ Add the public key of the agent beside your vehicle; skyseal-cli keys show print
     <message>
         <source>%1
 INSECURE: anyone can read, change and forge this stream. Nothing is sent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The nonce must have %1 hex digits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The counter must be a number from 0 to 4294967295</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2609,15 +2641,26 @@ INSECURE: anyone can read, change and forge this stream. Nothing is sent.</sourc
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 is no longer a known peer: its session ended %2 ago and cannot be established again. The last received values are shown. Pair it again to continue.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 was silent for too long; the session ended %2 ago.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Waiting: the session is established automatically when it is heard again. The last received values are shown. Plain MAVLink with the vehicle&apos;s system id is still refused.</source>
+        <source>Waiting: the session is re-established automatically when the agent is heard again. The last received values are shown. Plain MAVLink with the vehicle&apos;s system ID is still refused.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no longer a known peer: its session ended %2 ago and cannot be re-established. The last received values are shown. Pair it again to continue.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::LinkEventText</name>
+    <message>
+        <source>one unreadable line about ciphers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 unreadable lines about ciphers</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2695,11 +2738,11 @@ INSECURE: anyone can read, change and forge this stream. Nothing is sent.</sourc
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The vehicles %1 on this link are armed. Remove the link?</source>
+        <source>Vehicles %1 on this link are armed. Remove the link?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Without this link, no vehicle on it can be commanded from here, and failsafes may trigger.</source>
+        <source>Without this link, its vehicles cannot be commanded from here, and failsafes may trigger.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2768,10 +2811,6 @@ Fingerprint %5</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Not sealed · in a sweep</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Recording</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2792,20 +2831,12 @@ Fingerprint %5</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The sweep measures plain MAVLink at present, with your consent: anyone on the path can read and change the traffic. The sweep seals the link again afterwards.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Anyone on the path can read and change the traffic. Start skyseal-air beside the vehicle to seal the link.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The agent %1 at %2 is reachable but does not answer. Does it know this station&apos;s key?
 Fingerprint %3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>New keys are being agreed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2818,6 +2849,18 @@ Fingerprint %3</source>
     </message>
     <message>
         <source>Under attack: %1 spoofed frames of this vehicle in the last minute. All of them were refused.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not sealed · sweep running</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sweep is measuring plain MAVLink, with your consent: anyone on the path can read and change the traffic. The sweep seals the link again afterwards.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New keys are being negotiated</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2891,15 +2934,15 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The vehicles %1 are armed. Quit?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Without this station, no vehicle can be commanded from here, and failsafes may trigger.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Quit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicles %1 are armed. Quit?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>While Skyseal is closed, no vehicle can be commanded from here, and failsafes may trigger.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2929,27 +2972,6 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Point at here…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Point the camera at this place?
-%1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>At the altitude of home. A copter whose camera cannot pan turns its nose.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Stop pointing…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stop pointing the camera at a place?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Measure from here</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2958,30 +2980,11 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Go to this place?
-%1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Go to this place at %1 above home?
-%2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The mode changes from %1 to %2.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>&amp;Go here…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Set home to this place?
-%1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>RTL flies there. Home keeps its altitude; the height of the ground there is not known.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2994,6 +2997,54 @@ Fingerprint %3</source>
     </message>
     <message>
         <source>%1, %2 from the vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add &amp;to the mission…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mission has not been read: Plan, Read from the vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Point camera here…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Point the camera at this location?
+%1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The target is at the altitude of home. A copter whose camera cannot pan yaws instead.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Stop pointing camera…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop pointing the camera at a location?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to this location?
+%1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to this location at %1 above home?
+%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set home to this location?
+%1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RTL will fly there. The altitude of home stays the same; the ground elevation there is not known.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3012,14 +3063,6 @@ Fingerprint %3</source>
     <name>skyseal::ui::MapSourceDialog</name>
     <message>
         <source>Map source</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;No pictures: lines of latitude and longitude</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No pictures</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3047,27 +3090,11 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>© who made the map; most servers require it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Deepest level</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Address</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A&amp;ttribution</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Deepest level</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The server learns which places you look at and when, and so where you fly, together with the address of this computer. With http:// everyone on the way learns it too. Nothing is requested before you press OK; what was received is kept on this computer.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3091,7 +3118,31 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Tiles will be requested of %1</source>
+        <source>&amp;No imagery: lines of latitude and longitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No imagery</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>© map data; required by most servers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Maximum zoom level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ma&amp;ximum zoom level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The server learns which areas you view and when, and thus where you fly, and the address of this computer. With http://, anyone on the path learns it too. Nothing is requested until you press OK; received tiles are kept on this computer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tiles will be requested from %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3102,11 +3153,11 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1. Return sets a point in the middle of the map, Backspace removes the last, Escape ends</source>
+        <source>%1. Enter sets a point at the centre of the map, Backspace removes the last, Escape ends</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Arrow keys move it, plus and minus zoom, Home follows the vehicle, Menu opens the commands for its middle</source>
+        <source>Arrow keys move the map, plus and minus zoom, Home follows the vehicle, Menu opens the commands for the centre</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3129,15 +3180,15 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>it has vector tiles, and only pictures (PNG, JPEG, WebP) can be shown</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>a tile is larger than %1 kB</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the file takes too long to search</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has vector tiles; only images (PNG, JPEG, WebP) can be shown</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3148,18 +3199,18 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 is in the way</source>
+        <source>%1 cannot be written</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 cannot be written</source>
+        <source>%1 cannot be replaced</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>skyseal::ui::MeasurePainter</name>
     <message>
-        <source>Click or Return sets a point, Backspace removes the last, Esc ends</source>
+        <source>Click or Enter sets a point, Backspace removes the last, Esc ends</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3228,14 +3279,6 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Filter of the messages</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Least severity shown</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>all</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3264,15 +3307,23 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1. Security → Allow plain MAVLink accepts it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1. Security → Keys and peers pairs the two</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Replay: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Filter messages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Minimum severity shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1. To accept it, choose Security → Allow plain MAVLink</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1. To pair with it, open Security → Keys and peers</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3378,11 +3429,11 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The mission, and the fence and the rally points where the vehicle has them</source>
+        <source>Send a mission to vehicle %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Send a mission to vehicle %1</source>
+        <source>The mission, and the fence and rally points if the vehicle has them</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3416,15 +3467,15 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Not sealed, listening only</source>
+        <source>Not sealed, receive only</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This stream is protected like MAVSec&apos;s published code, which is insecure: anyone on the path can change it. Nothing is sent to it.</source>
+        <source>This stream is protected as in the published MAVSec code, which is insecure: anyone on the path can change it. Nothing is sent.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>its link is listen-only</source>
+        <source>its link is receive-only</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3518,7 +3569,7 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No overlays. Add… draws the fields, areas and places of KML and GeoJSON files over the map. They are pictures only: the vehicle does not know them.</source>
+        <source>No overlays. Add… draws the points, lines and areas of KML and GeoJSON files over the map. They are for display only: the vehicle does not know about them.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3529,19 +3580,11 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Shown as it was read before: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Not shown: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Changed since it was added</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 not drawn: without a place, or of another kind</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3558,6 +3601,14 @@ Fingerprint %3</source>
     </message>
     <message>
         <source>State</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shown as last read: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 not drawn: no position, or an unsupported kind</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3779,16 +3830,12 @@ Then there is no code to compare. It is valid for this pairing only.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>system id %1</source>
+        <source>system ID %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>skyseal::ui::ParameterModel</name>
-    <message>
-        <source>written, read back %1</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>not written: %1</source>
         <translation type="unfinished"></translation>
@@ -3829,6 +3876,10 @@ Then there is no code to compare. It is valid for this pairing only.</source>
         <source>Value · vehicle %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>written, read back as %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::ParametersPanel</name>
@@ -3842,10 +3893,6 @@ Then there is no code to compare. It is valid for this pairing only.</source>
     </message>
     <message>
         <source>Filter by name</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Filter of the parameters</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3884,6 +3931,10 @@ Then there is no code to compare. It is valid for this pairing only.</source>
         <source>Requested…</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Filter parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::PassphraseDialog</name>
@@ -3896,15 +3947,15 @@ Then there is no code to compare. It is valid for this pairing only.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Without sealed links</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Passphrase of this station&apos;s key:</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Wrong passphrase.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Continue without sealed links</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3932,10 +3983,6 @@ Then there is no code to compare. It is valid for this pairing only.</source>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>MAVLink system ids</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3984,6 +4031,10 @@ Then there is no code to compare. It is valid for this pairing only.</source>
     </message>
     <message>
         <source>Confirm that the key is replaced, or choose another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MAVLink system IDs</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4053,20 +4104,16 @@ with a pre-shared key</source>
 <context>
     <name>skyseal::ui::PreArmButton</name>
     <message>
-        <source>Opens the list of the reasons and the checklist.</source>
+        <source>Opens the list of failures and the checklist.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 open on the checklist. Opens it with the list of the reasons.</source>
+        <source>%1 open on the checklist. Opens the checklist and the list of failures.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>skyseal::ui::PreArmDialog</name>
-    <message>
-        <source>Reasons against arming, with what to do</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>Check now</source>
         <translation type="unfinished"></translation>
@@ -4088,28 +4135,24 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This autopilot runs its checks by itself</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The vehicle is armed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Lets the vehicle run its checks now and say what fails</source>
+        <source>Pre-arm failures, with what to do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This autopilot runs its checks automatically</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Makes the vehicle run its checks now and report failures</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>skyseal::ui::PreArmText</name>
-    <message>
-        <source>Set a mode that can be armed, such as LOITER or GUIDED.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Set a mode that can be armed, such as Hold or Position.</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>Press the vehicle&apos;s safety switch until its light stays on.</source>
         <translation type="unfinished"></translation>
@@ -4123,15 +4166,7 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Pull the throttle stick down to its end.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Calibrate the compass away from metal.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Move the vehicle away from metal, cables and magnets; calibrate the compass if it stays.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4159,14 +4194,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keep the vehicle still; restart it if the text stays.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Keep the vehicle still; calibrate the accelerometers if it stays.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Shield the barometer from wind and light; restart the vehicle.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4176,10 +4203,6 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>Charge or change the battery; check BATT_ARM_VOLT.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Check that the SD card is inserted and has room.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4195,23 +4218,11 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Restart the autopilot, and do not fly before the cause is known.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Wait until the vehicle has noticed that it has landed.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Check the motor and frame parameters, and the ESCs.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Check the power and the cables of the ESCs.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Correct the parameter that the text names.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4231,14 +4242,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Pre-arm: 1 reason</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pre-arm: %1 reasons</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>No vehicle is connected.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4247,31 +4250,79 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The vehicle does not say whether its checks pass, and has given no reason against arming.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The vehicle says that all its checks pass.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The vehicle is armed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The vehicle says that a check fails, but has not said which. It repeats its reasons every 30 s.</source>
+        <source>Set a mode that allows arming, such as LOITER or GUIDED.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The vehicle would not arm. A reason goes when it has not been repeated for 40 s.</source>
+        <source>Set a mode that allows arming, such as Hold or Position.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Look the text up in the manual of the autopilot.</source>
+        <source>Lower the throttle stick fully.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Wait for the GPS and the EKF, or switch the fence off.</source>
+        <source>Move the vehicle away from metal, cables and magnets; calibrate the compass if the failure persists.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wait for the GPS and the EKF, or disable the fence.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the vehicle still; restart it if the failure persists.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the vehicle still; calibrate the accelerometers if the failure persists.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check that the SD card is inserted and has free space.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restart the autopilot, and do not fly until the cause is known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wait until the vehicle has detected the landing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correct the parameter named in the message.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pre-arm: 1 failure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pre-arm: %1 failures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The vehicle does not report whether its checks pass, and has not reported a failure.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The vehicle reports that all checks pass.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The vehicle reports that a check fails, but not which one. It repeats its failures every 30 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The vehicle will not arm. A failure is removed when it has not been repeated for 40 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look up the message in the autopilot&apos;s documentation.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4408,10 +4459,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>CPU time of the process with its window, of the thread that carries the link, and of the suite in seal and open (elapsed time of each call, added up), over the last second.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>process</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4437,10 +4484,6 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>next p50</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>From the frames to the record that is sent, with the cold caches of a thread that slept.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4536,10 +4579,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>From the datagram to the decrypted frames: look-up, replay window, tag, decryption. The first record after the thread slept finds cold caches and takes several microseconds with any suite; at the pace of telemetry that is nearly every record. “next” are records that follow in the same wake-up, which show more of the cipher itself.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Resident memory of the whole process. It does not depend on the suite.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4552,7 +4591,19 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>From the kernel&apos;s energy counters or the sensor of the supply, over the last second: everything that runs on the machine, not this program alone (%1).</source>
+        <source>From the datagram to the decrypted frames: look-up, replay window, tag, decryption. The first record after the thread slept finds cold caches and takes several microseconds with any suite; at telemetry rates that is nearly every record. “next” is for the records that follow in the same wake-up, which show more of the cipher itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the frames to the record that is sent, with the cold caches of a thread that was asleep.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU time over the last second: of the process with its window, of the link thread, and of the suite in seal and open (sum of the elapsed times of the calls).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the kernel&apos;s energy counters or the power supply&apos;s sensor, over the last second: the whole machine, not this program alone (%1).</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4594,6 +4645,18 @@ with a pre-shared key</source>
         <source>File</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>and others</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No cipher suite is noted beside this recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ciphers</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::RecordingsDialog</name>
@@ -4626,14 +4689,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Looking into %1…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No recordings in %1. File → Settings switches recording on; &quot;Other file&quot; replays a log from elsewhere.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 of %2 read in %3</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4645,6 +4700,14 @@ with a pre-shared key</source>
         <source>Telemetry logs (*.tlog);;All files (*)</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Searching %1…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No recordings in %1. Enable recording in File → Settings, or choose &quot;Other file&quot; to replay another log.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::RegionDialog</name>
@@ -4654,14 +4717,6 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>Fetch the area in view</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>From level</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>To level</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4693,14 +4748,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Use as the map</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Use the file as the map</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4709,23 +4756,7 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Levels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>F&amp;ile</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>One tile after the other, two at a time. Whether the server permits it is for you to know.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The first level is deeper than the last</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%L1 tiles: at most %L2 can be fetched at a time. Zoom in, or choose fewer levels</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4776,6 +4807,38 @@ with a pre-shared key</source>
         <source>%1: %2</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>From zoom level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To zoom level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Use as map source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use the file as the map source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zoom &amp;levels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tiles are fetched two at a time. Check that the server permits it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first zoom level is greater than the last</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%L1 tiles: at most %L2 can be fetched at a time. Zoom in, or choose fewer zoom levels</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::RegionFetch</name>
@@ -4818,6 +4881,10 @@ with a pre-shared key</source>
         <source>Recorded %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Beside the recording: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::ReplayTimeline</name>
@@ -4853,13 +4920,21 @@ with a pre-shared key</source>
         <source>%1 of %2</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 switched to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 sealed with %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> (link to %1)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::RescueBar</name>
-    <message>
-        <source>The last run did not end properly, about %1. What it recorded is kept.</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>Replay its recording</source>
         <translation type="unfinished"></translation>
@@ -4878,6 +4953,10 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>Dismiss</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The last run ended unexpectedly at about %1. Its recording was kept.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4909,10 +4988,6 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>No sealed link</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The session starts by itself once a known agent announces itself.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4961,10 +5036,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Not sealed, in a sweep</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Under attack, all refused</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4997,15 +5068,7 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Plain MAVLink is measured at present, with your consent: anyone on the path can read the telemetry and command the vehicle. The sweep seals the link again afterwards.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Sealed, no data received</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>It continues automatically when the agent is received again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5033,23 +5096,39 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Sealed, the disk of the agent fails</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The vehicle&apos;s computer cannot store handshake counters: its disk may be full, read-only or broken. The link stays up. If that computer restarts now, it will answer handshakes that were recorded before; no session results from them.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sealed, the disk of this computer fails</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Handshake counters cannot be stored: %1. The link stays up. If this program restarts now, agents refuse its first handshake and return the correct counter.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 spoofed frames in a minute</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The session starts automatically when a known agent announces itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not sealed, sweep running</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sweep is measuring plain MAVLink, with your consent: anyone on the path can read the telemetry and command the vehicle. The sweep seals the link again afterwards.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It continues automatically when the agent is heard again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sealed, disk error at the agent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The companion computer cannot store handshake counters: its disk may be full, read-only or broken. The link stays up. If that computer restarts now, it will answer replayed handshakes, but they cannot establish a session.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sealed, disk error on this computer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Handshake counters cannot be stored: %1. The link stays up. If this program restarts now, agents will refuse its first handshake and return the correct counter.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5104,14 +5183,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>MAVLink system id</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>MAVLink component id</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Link to open at start</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5153,10 +5224,6 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>&amp;Folder</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ids, link and folder take effect at the next start.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5261,6 +5328,187 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>The language takes effect at the next start.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MAVLink system ID</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MAVLink component ID</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>IDs, link and folder take effect at the next start.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::ShortcutDialog</name>
+    <message>
+        <source>Find an action</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Actions and their shortcuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shortcut of the selected action</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Re&amp;place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the shortcut from the other action</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;None</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the shortcut of the selected action</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Default</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Default shortcut for the selected action</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parts of a name, a menu or keys, such as &quot;zoom&quot; or &quot;ctrl+k&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Security</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reset &amp;all…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reset all shortcuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shortcut of &quot;%1&quot;: press the keys, or Backspace for none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No action has these words.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is that of &quot;%2&quot;; it would lose it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no shortcut now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is now that of &quot;%2&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give every action its default shortcut?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every action has its default shortcut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::ShortcutModel</name>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::ShortcutRules</name>
+    <message>
+        <source>it must be pressed at once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this key is not known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Space and Enter press buttons.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tab moves between controls.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Esc closes and cancels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the arrows move in the map, in lists and in texts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alt with a letter opens menus and presses buttons.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it opens the menu at the pointer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it edits texts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>without Ctrl or Alt, texts, lists and the map need it. F1 to F35 are free.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be a shortcut: %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5413,10 +5661,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Return to launch</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Mode %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5426,10 +5670,6 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>Mission item %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Start the mission</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5457,19 +5697,27 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Point at here</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stop pointing</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Set home here</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Pre-arm checks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RTL</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Point camera here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop pointing camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start mission</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5679,14 +5927,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A simulated &amp;vehicle of its own, on this machine</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A simulated vehicle of its own</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The &amp;connected link, to %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5803,18 +6043,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The noise shows only in repeats: 2 or more.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>An &amp;autopilot that runs already, beside an agent of its own</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>An autopilot that runs already</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Link to the autopilot</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5823,7 +6051,27 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The autopilot&apos;s link is not a link URL, such as tcp:127.0.0.1:5760.</source>
+        <source>A separate simulated &amp;vehicle, on this machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A separate simulated vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A running &amp;autopilot, with a separate agent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A running autopilot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The noise can be measured only with 2 or more repeats.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link to the autopilot must be a URL, such as tcp:127.0.0.1:5760.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5937,6 +6185,10 @@ with a pre-shared key</source>
         <source>Stopping: restoring the suite of the link…</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Bars of the sweep</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::SweepPresenter</name>
@@ -5997,23 +6249,23 @@ with a pre-shared key</source>
 <context>
     <name>skyseal::ui::TileTemplate</name>
     <message>
-        <source>The address needs {z}, {x} and {y}, where the server expects level, column and row</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Only {z}, {x} and {y} (or {-y}) can be filled in</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The address must begin with https:// or http:// and name a server</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The name of the server must not depend on the tile</source>
+        <source>The address must contain {z}, {x} and {y}, where the server expects zoom level, column and row</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The rules of openstreetmap.org forbid to fetch areas for later use; choose a server that permits it</source>
+        <source>Only the placeholders {z}, {x} and {y} (or {-y}) are supported</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The server name must not contain placeholders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>openstreetmap.org does not permit fetching areas for later use; choose a server that does</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6101,10 +6353,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&quot;caption&quot; is not a text of at most %1 characters</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&quot;decimals&quot; is not a number from 0 to %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6130,6 +6378,10 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>value %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;caption&quot; is not text of at most %1 characters</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6160,10 +6412,6 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>%1 elements</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>MAVLink system id</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6367,10 +6615,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Number of the flight mode</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>mode no.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6388,10 +6632,6 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>CPU</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Vibration, the worst axis</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6430,15 +6670,23 @@ with a pre-shared key</source>
         <source>firmware</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>MAVLink system ID</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flight mode number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vibration, worst axis</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::ValuesEditor</name>
     <message>
         <source>Edit values</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What is wrong</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6542,23 +6790,11 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Values that contain what was typed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Add</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Use for the &amp;selected value</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Usual se&amp;t</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The values that Skyseal shows without a choice; takes effect with Apply or OK</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6597,6 +6833,22 @@ with a pre-shared key</source>
         <source>Adds the value that is selected below</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Problem</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Matching values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Defaul&amp;ts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restores the default values; takes effect with Apply or OK</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::ValuesGrid</name>
@@ -6625,15 +6877,15 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Choose the values that stand here, their limits and their lines</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The stored values cannot be read (%1). These are the usual ones.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Last heard %1 ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the values shown here, their limits and their lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The stored values cannot be read (%1). These are the defaults.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6653,6 +6905,14 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>%1: requested…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add to the mission</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mission is not known</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6726,10 +6986,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No frames arrive</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 · poor</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6781,6 +7037,10 @@ with a pre-shared key</source>
         <source>Disarmed</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>No frames received</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::VehicleMarker</name>
@@ -6827,10 +7087,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Filter of the vehicles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Number or words, such as &quot;rover armed&quot;</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6860,6 +7116,10 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>No vehicle matches &quot;%1&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Filter vehicles</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6999,10 +7259,6 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Start the mission…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Fly the mission?</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7107,15 +7363,7 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The demo runs</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;End the demo</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No demo runs</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7156,6 +7404,38 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
     </message>
     <message>
         <source>O&amp;verlays…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard shortcuts…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Start mission…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The demo is running</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No demo is running</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Fly workspace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Plan workspace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ve&amp;hicle workspace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Lab workspace</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -8,15 +8,15 @@
         <translation>Bekannte Gegenstellen</translation>
     </message>
     <message>
-        <source>&amp;Remember it in the desktop&apos;s keyring</source>
+        <source>&amp;Remember it in the desktop keyring</source>
         <translation>&amp;Im Schlüsselbund des Desktops merken</translation>
     </message>
     <message>
-        <source>Remember it in the desktop&apos;s keyring (%1)</source>
+        <source>Remember it in the desktop keyring (%1)</source>
         <translation>Im Schlüsselbund des Desktops merken (%1)</translation>
     </message>
     <message>
-        <source>Anyone who is logged in as you, and every program that you run, can then use the key without the passphrase.</source>
+        <source>Anyone logged in as you, and any program you run, can then use the key without the passphrase.</source>
         <translation>Jeder, der unter diesem Benutzer angemeldet ist, und jedes seiner Programme kann den Schlüssel dann ohne die Passphrase verwenden.</translation>
     </message>
 </context>
@@ -162,10 +162,6 @@
         <translation>Passphrase eingeben</translation>
     </message>
     <message>
-        <source>Start it again</source>
-        <translation>Neu starten</translation>
-    </message>
-    <message>
         <source>The list of peers cannot be used; the previous list stays in force: %1</source>
         <translation>Die Liste der Gegenstellen ist nicht verwendbar; die bisherige Liste gilt weiter: %1</translation>
     </message>
@@ -181,13 +177,13 @@
         <source>the key could not be opened</source>
         <translation>der Schlüssel ließ sich nicht öffnen</translation>
     </message>
+    <message>
+        <source>Restart the demo</source>
+        <translation>Demo neu starten</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::app::Demo</name>
-    <message>
-        <source>The demo needs %1, which is neither beside this program nor on the PATH.</source>
-        <translation>Die Demo braucht %1; es liegt weder neben diesem Programm noch im PATH.</translation>
-    </message>
     <message>
         <source>it was killed or crashed</source>
         <translation>abgestürzt oder gewaltsam beendet</translation>
@@ -197,7 +193,11 @@
         <translation>Exit-Status %1</translation>
     </message>
     <message>
-        <source>%1 of the demo ended: %2</source>
+        <source>The demo needs %1, which was not found beside this program or in PATH.</source>
+        <translation>Die Demo braucht %1; es wurde weder neben diesem Programm noch im PATH gefunden.</translation>
+    </message>
+    <message>
+        <source>The demo&apos;s %1 exited: %2</source>
         <translation>%1 der Demo wurde beendet: %2</translation>
     </message>
 </context>
@@ -208,10 +208,6 @@
         <translation>es gibt keine Desktop-Sitzung</translation>
     </message>
     <message>
-        <source>no keyring runs in this desktop session</source>
-        <translation>in dieser Desktop-Sitzung läuft kein Schlüsselbund</translation>
-    </message>
-    <message>
         <source>The keyring did not store the passphrase: %1</source>
         <translation>Der Schlüsselbund hat die Passphrase nicht gespeichert: %1</translation>
     </message>
@@ -219,12 +215,16 @@
         <source>The keyring did not delete the passphrase: %1</source>
         <translation>Der Schlüsselbund hat die Passphrase nicht gelöscht: %1</translation>
     </message>
+    <message>
+        <source>no keyring is running in this desktop session</source>
+        <translation>in dieser Desktop-Sitzung läuft kein Schlüsselbund</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::app::NoMemory</name>
     <message>
-        <source>this Skyseal was built without it</source>
-        <translation>dieses Skyseal wurde ohne ihn gebaut</translation>
+        <source>not included in this build</source>
+        <translation>in diesem Build nicht enthalten</translation>
     </message>
 </context>
 <context>
@@ -276,28 +276,8 @@
         <translation>%1 Frames</translation>
     </message>
     <message>
-        <source>the last one %1</source>
-        <translation>zuletzt %1</translation>
-    </message>
-    <message>
-        <source>A device on the vehicle side uses the system id %1 of a ground station and is ignored; an autopilot needs another id</source>
-        <translation>Ein Gerät auf der Fahrzeugseite verwendet die System-ID %1 einer Bodenstation und wird ignoriert; ein Autopilot braucht eine andere ID</translation>
-    </message>
-    <message>
-        <source>Handshake counters are stored again</source>
-        <translation>Handshake-Zähler werden wieder gespeichert</translation>
-    </message>
-    <message>
-        <source>Handshake counters cannot be stored: %1. The links stay up. If this agent restarts now, it will answer handshakes that were recorded before; no session results from them</source>
-        <translation>Handshake-Zähler lassen sich nicht speichern: %1. Die Verbindungen bleiben bestehen. Startet dieser Agent jetzt neu, beantwortet er früher aufgezeichnete Handshakes; eine Sitzung entsteht daraus nicht</translation>
-    </message>
-    <message>
         <source>Refused %1 from %2, which is an observer: %3</source>
         <translation>Abgelehnt: %1 von %2 (Beobachter): %3</translation>
-    </message>
-    <message>
-        <source>Refused %1 from %2, which may not send as that system: %3</source>
-        <translation>Abgelehnt: %1 von %2 (darf nicht als dieses System senden): %3</translation>
     </message>
     <message>
         <source>Refused %1 from %2, which sends requests too often: %3</source>
@@ -312,44 +292,56 @@
         <translation>Das Fahrzeug signiert seine Nachrichten mit dem Schlüssel dieses Agenten</translation>
     </message>
     <message>
-        <source>Refused %1 on the vehicle&apos;s side without a signature. If they are the vehicle&apos;s own, set up its signing: skyseal-air --signing setup</source>
-        <translation>Abgelehnt: %1 auf der Fahrzeugseite ohne Signatur. Falls sie vom Fahrzeug selbst stammen, dessen Signieren einrichten: skyseal-air --signing setup</translation>
+        <source>most recently %1</source>
+        <translation>zuletzt %1</translation>
     </message>
     <message>
-        <source>Refused %1 on the vehicle&apos;s side that are not signed with the key of this agent</source>
+        <source>A device on the vehicle side uses system ID %1 of a ground station and is ignored; an autopilot needs a different ID</source>
+        <translation>Ein Gerät auf der Fahrzeugseite verwendet die System-ID %1 einer Bodenstation und wird ignoriert; ein Autopilot braucht eine andere ID</translation>
+    </message>
+    <message>
+        <source>Handshake counters can be stored again</source>
+        <translation>Handshake-Zähler lassen sich wieder speichern</translation>
+    </message>
+    <message>
+        <source>Handshake counters cannot be stored: %1. The links stay up. If this agent restarts now, it will answer replayed handshakes, but they cannot establish a session</source>
+        <translation>Handshake-Zähler lassen sich nicht speichern: %1. Die Verbindungen bleiben bestehen. Startet dieser Agent jetzt neu, beantwortet er wiedereingespielte Handshakes; eine Sitzung entsteht daraus nicht</translation>
+    </message>
+    <message>
+        <source>Refused %1 from %2, which is not permitted to use that system ID: %3</source>
+        <translation>Abgelehnt: %1 von %2 (darf diese System-ID nicht verwenden): %3</translation>
+    </message>
+    <message>
+        <source>Refused %1 without a signature on the vehicle side. If the vehicle sent them, set up its signing: skyseal-air --signing setup</source>
+        <translation>Abgelehnt: %1 ohne Signatur auf der Fahrzeugseite. Falls vom Fahrzeug gesendet, dessen Signieren einrichten: skyseal-air --signing setup</translation>
+    </message>
+    <message>
+        <source>Refused %1 on the vehicle side, not signed with the key of this agent</source>
         <translation>Abgelehnt: %1 auf der Fahrzeugseite, nicht mit dem Schlüssel dieses Agenten signiert</translation>
     </message>
     <message>
-        <source>Refused %1 on the vehicle&apos;s side that were signed before: somebody repeats them, or the vehicle lost its time, which then heals by itself</source>
-        <translation>Abgelehnt: %1 auf der Fahrzeugseite, schon früher signiert: Jemand wiederholt sie, oder das Fahrzeug hat seine Uhrzeit verloren, was sich dann von selbst behebt</translation>
+        <source>Refused %1 on the vehicle side with an old signature: a replay, or the vehicle lost its signing time, which recovers automatically</source>
+        <translation>Abgelehnt: %1 auf der Fahrzeugseite mit alter Signatur: eine Wiedereinspielung, oder das Fahrzeug hat seine Signierzeit verloren, was sich von selbst behebt</translation>
     </message>
     <message>
-        <source>Did not forward %1 of stations: MAVLink 1 cannot be signed</source>
+        <source>Did not forward %1 from stations: MAVLink 1 cannot be signed</source>
         <translation>Nicht weitergeleitet: %1 von Stationen; MAVLink 1 lässt sich nicht signieren</translation>
     </message>
     <message>
-        <source>Did not forward %1 of stations that change the vehicle&apos;s signing key</source>
-        <translation>Nicht weitergeleitet: %1 von Stationen, die den Signierschlüssel des Fahrzeugs ändern</translation>
+        <source>Did not forward %1 from stations: only this agent may change the vehicle&apos;s signing key</source>
+        <translation>Nicht weitergeleitet: %1 von Stationen; nur dieser Agent darf den Signierschlüssel des Fahrzeugs ändern</translation>
     </message>
     <message>
-        <source>Did not forward %1 of stations: the vehicle remembers only so many senders until it restarts</source>
-        <translation>Nicht weitergeleitet: %1 von Stationen; das Fahrzeug merkt sich bis zum Neustart nur eine begrenzte Zahl von Absendern</translation>
+        <source>Did not forward %1 from stations: the vehicle cannot track more signing senders until it restarts</source>
+        <translation>Nicht weitergeleitet: %1 von Stationen; das Fahrzeug kann sich bis zum Neustart keine weiteren signierenden Absender merken</translation>
     </message>
     <message>
-        <source>The time of signatures cannot be stored: %1. Signing goes on</source>
-        <translation>Die Zeit der Signaturen lässt sich nicht speichern: %1. Das Signieren geht weiter</translation>
+        <source>The signing timestamp cannot be stored: %1. Signing continues</source>
+        <translation>Der Zeitstempel der Signaturen lässt sich nicht speichern: %1. Das Signieren geht weiter</translation>
     </message>
 </context>
 <context>
     <name>skyseal::engine::EventText</name>
-    <message>
-        <source>Found a %1, sealed</source>
-        <translation>Gefunden: %1, versiegelt</translation>
-    </message>
-    <message>
-        <source>Found a %1, not sealed</source>
-        <translation>Gefunden: %1, nicht versiegelt</translation>
-    </message>
     <message>
         <source>Link to the vehicle lost</source>
         <translation>Verbindung zum Fahrzeug verloren</translation>
@@ -357,10 +349,6 @@
     <message>
         <source>Link to the vehicle recovered</source>
         <translation>Verbindung zum Fahrzeug wiederhergestellt</translation>
-    </message>
-    <message>
-        <source>This vehicle, at %1, awaits approval: it is not sealed and may be impersonating %2, which has not been heard</source>
-        <translation>Dieses Fahrzeug, unter %1, wartet auf Freigabe: Es ist nicht versiegelt und gibt sich möglicherweise als %2 aus (noch nicht empfangen)</translation>
     </message>
     <message>
         <source>The agent %1 at %2 has answered or is no longer heard</source>
@@ -515,10 +503,6 @@
         <translation>Gewechselt von %1 zu %2, Epoche %3, in %4</translation>
     </message>
     <message>
-        <source>An agent at %1 announces itself with a key that is not known here</source>
-        <translation>Ein Agent unter %1 meldet sich mit einem Schlüssel, der hier nicht bekannt ist</translation>
-    </message>
-    <message>
         <source>Refused a handshake from %1: %2</source>
         <translation>Handshake von %1 abgelehnt: %2</translation>
     </message>
@@ -571,18 +555,6 @@
         <translation>%1 Nachrichten</translation>
     </message>
     <message>
-        <source>The computer of %1 stores handshake counters again</source>
-        <translation>Der Rechner von %1 speichert Handshake-Zähler wieder</translation>
-    </message>
-    <message>
-        <source>The computer of %1 cannot store handshake counters; its disk may be full, read-only or broken. The link stays up. If that computer restarts now, it will answer handshakes that were recorded before; no session results from them</source>
-        <translation>Der Rechner von %1 kann keine Handshake-Zähler speichern; sein Datenträger ist vielleicht voll, schreibgeschützt oder defekt. Die Verbindung bleibt bestehen. Startet dieser Rechner jetzt neu, beantwortet er früher aufgezeichnete Handshakes; eine Sitzung entsteht daraus nicht</translation>
-    </message>
-    <message>
-        <source>Refused %1 from %2 with the system id of this sealed vehicle</source>
-        <translation>Abgelehnt: %1 von %2 mit der System-ID dieses versiegelten Fahrzeugs</translation>
-    </message>
-    <message>
         <source>one plain frame</source>
         <translation>ein ungeschützter Frame</translation>
     </message>
@@ -599,14 +571,6 @@
         <translation>%1 Frames</translation>
     </message>
     <message>
-        <source>Refused %1 from %2, which may not send as this vehicle. If %2 is its agent, bind the system to %2 in the list of peers</source>
-        <translation>Abgelehnt: %1 von %2 (darf nicht als dieses Fahrzeug senden). Ist %2 sein Agent, das System in der Liste der Gegenstellen an %2 binden</translation>
-    </message>
-    <message>
-        <source>Refused %1 from %2, which sends as this vehicle although that belongs to %3. If %2 is a new agent of the same vehicle, remove %3 from the list of peers or bind the system to %2</source>
-        <translation>Abgelehnt: %1 von %2, gesendet als dieses Fahrzeug, das aber zu %3 gehört. Ist %2 ein neuer Agent desselben Fahrzeugs, %3 aus der Liste der Gegenstellen entfernen oder das System an %2 binden</translation>
-    </message>
-    <message>
         <source>Dropped %1 because this program did not keep up</source>
         <translation>Verworfen: %1, weil dieses Programm nicht nachkam</translation>
     </message>
@@ -617,18 +581,6 @@
     <message>
         <source>%1 events</source>
         <translation>%1 Ereignisse</translation>
-    </message>
-    <message>
-        <source>Handshake counters are stored again</source>
-        <translation>Handshake-Zähler werden wieder gespeichert</translation>
-    </message>
-    <message>
-        <source>Handshake counters cannot be stored: %1. The links stay up. If this station restarts now, agents refuse its first handshake and return the correct counter</source>
-        <translation>Handshake-Zähler lassen sich nicht speichern: %1. Die Verbindungen bleiben bestehen. Startet diese Station jetzt neu, lehnen Agenten ihren ersten Handshake ab und senden den richtigen Zähler zurück</translation>
-    </message>
-    <message>
-        <source>The keys of %1 stay the same: %2</source>
-        <translation>Die Schlüssel für %1 bleiben dieselben: %2</translation>
     </message>
     <message>
         <source>New keys for %1, epoch %2, in %3</source>
@@ -678,6 +630,54 @@
         <source>Denied %1 from client %2 at %3, most recently %4</source>
         <translation>Verweigert: %1 von Client %2 unter %3, zuletzt %4</translation>
     </message>
+    <message>
+        <source>Keys of %1 not changed: %2</source>
+        <translation>Schlüssel für %1 nicht gewechselt: %2</translation>
+    </message>
+    <message>
+        <source>An agent at %1 announces itself with an unknown key</source>
+        <translation>Ein Agent unter %1 meldet sich mit einem unbekannten Schlüssel</translation>
+    </message>
+    <message>
+        <source>The companion computer of %1 can store handshake counters again</source>
+        <translation>Der Begleitrechner von %1 kann Handshake-Zähler wieder speichern</translation>
+    </message>
+    <message>
+        <source>The companion computer of %1 cannot store handshake counters; its disk may be full, read-only or broken. The link stays up. If that computer restarts now, it will answer replayed handshakes, but they cannot establish a session</source>
+        <translation>Der Begleitrechner von %1 kann keine Handshake-Zähler speichern; sein Datenträger ist vielleicht voll, schreibgeschützt oder defekt. Die Verbindung bleibt bestehen. Startet dieser Rechner jetzt neu, beantwortet er wiedereingespielte Handshakes; eine Sitzung entsteht daraus nicht</translation>
+    </message>
+    <message>
+        <source>Found: %1, sealed</source>
+        <translation>Gefunden: %1, versiegelt</translation>
+    </message>
+    <message>
+        <source>Found: %1, not sealed</source>
+        <translation>Gefunden: %1, nicht versiegelt</translation>
+    </message>
+    <message>
+        <source>Refused %1 from %2 with the system ID of this sealed vehicle</source>
+        <translation>Abgelehnt: %1 von %2 mit der System-ID dieses versiegelten Fahrzeugs</translation>
+    </message>
+    <message>
+        <source>This vehicle, at %1, is waiting for approval: it is not sealed and may be impersonating %2, which has not been heard</source>
+        <translation>Dieses Fahrzeug, unter %1, wartet auf Freigabe: Es ist nicht versiegelt und gibt sich möglicherweise als %2 aus (noch nicht empfangen)</translation>
+    </message>
+    <message>
+        <source>Refused %1 from %2, which may not send as this vehicle. If %2 is its agent, bind the system ID to %2 in the list of peers</source>
+        <translation>Abgelehnt: %1 von %2 (darf nicht als dieses Fahrzeug senden). Ist %2 sein Agent, die System-ID in der Liste der Gegenstellen an %2 binden</translation>
+    </message>
+    <message>
+        <source>Refused %1 from %2, which sends as this vehicle although its system ID belongs to %3. If %2 is a new agent of the same vehicle, remove %3 from the list of peers or bind the system ID to %2</source>
+        <translation>Abgelehnt: %1 von %2, gesendet als dieses Fahrzeug, dessen System-ID aber zu %3 gehört. Ist %2 ein neuer Agent desselben Fahrzeugs, %3 aus der Liste der Gegenstellen entfernen oder die System-ID an %2 binden</translation>
+    </message>
+    <message>
+        <source>Handshake counters can be stored again</source>
+        <translation>Handshake-Zähler lassen sich wieder speichern</translation>
+    </message>
+    <message>
+        <source>Handshake counters cannot be stored: %1. The links stay up. If this station restarts now, agents will refuse its first handshake and return the correct counter</source>
+        <translation>Handshake-Zähler lassen sich nicht speichern: %1. Die Verbindungen bleiben bestehen. Startet diese Station jetzt neu, lehnen Agenten ihren ersten Handshake ab und senden den richtigen Zähler zurück</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::engine::PairingText</name>
@@ -722,7 +722,7 @@
         <translation>Ein anderes Gerät hat zur gleichen Zeit eine Kopplung versucht</translation>
     </message>
     <message>
-        <source>The passphrases of the two ends differ, or only one end has one, or the link is very bad. Start again with the same passphrase at both ends</source>
+        <source>The passphrases of the two ends differ, or only one end has one, or the link is very poor. Start again with the same passphrase at both ends</source>
         <translation>Die Passphrasen der beiden Seiten unterscheiden sich, oder nur eine Seite hat eine, oder die Verbindung ist sehr schlecht. Mit derselben Passphrase auf beiden Seiten neu beginnen</translation>
     </message>
 </context>
@@ -865,10 +865,6 @@
         <translation>die andere Seite hat nicht rechtzeitig bestätigt</translation>
     </message>
     <message>
-        <source>the other end&apos;s choice came first</source>
-        <translation>die Wahl der anderen Seite kam zuerst</translation>
-    </message>
-    <message>
         <source>the session ended</source>
         <translation>die Sitzung wurde beendet</translation>
     </message>
@@ -879,10 +875,6 @@
     <message>
         <source>it was made for a different key: a wrong destination, or an impersonation</source>
         <translation>er galt einem anderen Schlüssel: falsches Ziel oder vorgetäuschte Identität</translation>
-    </message>
-    <message>
-        <source>its counter was used before: a replay, or the station lost its file of counters</source>
-        <translation>sein Zähler wurde schon verwendet: eine Wiedereinspielung, oder die Station hat ihre Zählerdatei verloren</translation>
     </message>
     <message>
         <source>there is no cipher suite that both ends allow</source>
@@ -897,20 +889,28 @@
         <translation>er verwendet eine andere Protokollversion</translation>
     </message>
     <message>
-        <source>this end&apos;s file of counters was lost or restored; it continues from the number that the other end remembers</source>
-        <translation>die Zählerdatei dieser Seite ging verloren oder wurde zurückgespielt; weiter geht es mit der Zahl, die sich die andere Seite gemerkt hat</translation>
-    </message>
-    <message>
         <source>all handshake counters of this station&apos;s key are used up; it needs a new key</source>
         <translation>alle Handshake-Zähler für den Schlüssel dieser Station sind aufgebraucht; sie braucht einen neuen Schlüssel</translation>
     </message>
     <message>
-        <source>there are too many; only senders that prove their address are answered</source>
-        <translation>es sind zu viele; nur Absender, die ihre Adresse nachweisen, erhalten eine Antwort</translation>
-    </message>
-    <message>
         <source>%1 or %2</source>
         <translation>%1 oder %2</translation>
+    </message>
+    <message>
+        <source>the other end&apos;s request took precedence</source>
+        <translation>die Anforderung der anderen Seite hatte Vorrang</translation>
+    </message>
+    <message>
+        <source>its counter was used before: a replay, or the station lost its counter file</source>
+        <translation>sein Zähler wurde schon verwendet: eine Wiedereinspielung, oder die Station hat ihre Zählerdatei verloren</translation>
+    </message>
+    <message>
+        <source>this end&apos;s counter file was lost or restored; it continues from the number that the other end remembers</source>
+        <translation>die Zählerdatei dieser Seite ging verloren oder wurde zurückgespielt; weiter geht es mit der Zahl, die sich die andere Seite gemerkt hat</translation>
+    </message>
+    <message>
+        <source>there are too many handshakes; only senders that prove their address are answered</source>
+        <translation>es sind zu viele Handshakes; nur Absender, die ihre Adresse nachweisen, erhalten eine Antwort</translation>
     </message>
 </context>
 <context>
@@ -991,10 +991,6 @@
         <translation>Pause</translation>
     </message>
     <message>
-        <source>Stops and holds the present place; an aeroplane circles it.</source>
-        <translation>Hält an und bleibt am aktuellen Ort; ein Flächenflugzeug kreist dort.</translation>
-    </message>
-    <message>
         <source>Land</source>
         <translation>Landen</translation>
     </message>
@@ -1046,6 +1042,10 @@
         <source>Not sent: %1</source>
         <translation>Nicht gesendet: %1</translation>
     </message>
+    <message>
+        <source>Stops and holds the present position; a plane circles it.</source>
+        <translation>Hält an und bleibt an der aktuellen Position; ein Flächenflugzeug kreist dort.</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::ActionPermits</name>
@@ -1058,8 +1058,31 @@
         <translation>Jetzt nicht: %1</translation>
     </message>
     <message>
-        <source>the mission read last is empty: read it again</source>
+        <source>the mission last read is empty: read it again</source>
         <translation>die zuletzt gelesene Mission ist leer: erneut lesen</translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::AddWaypointDialog</name>
+    <message>
+        <source>%1
+Hold the button for half a second. The waypoint is put before the last item of the mission, and the whole mission is sent to the vehicle.</source>
+        <translation>%1
+Den Knopf eine halbe Sekunde halten. Der Wegpunkt kommt vor den letzten Punkt der Mission, und die ganze Mission wird an das Fahrzeug gesendet.</translation>
+    </message>
+    <message>
+        <source>%1
+Hold the button for half a second. The waypoint becomes the last item of the mission, and the whole mission is sent to the vehicle.</source>
+        <translation>%1
+Den Knopf eine halbe Sekunde halten. Der Wegpunkt wird der letzte Punkt der Mission, und die ganze Mission wird an das Fahrzeug gesendet.</translation>
+    </message>
+    <message>
+        <source>Add to the mission</source>
+        <translation>Zur Mission hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add and send</source>
+        <translation>Hinzufügen und senden</translation>
     </message>
 </context>
 <context>
@@ -1100,10 +1123,6 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>The autopilot reports an abnormal state. Messages may name the reason.</source>
-        <translation>Der Autopilot meldet einen anormalen Zustand. Den Grund nennen eventuell die Nachrichten.</translation>
-    </message>
-    <message>
         <source>Aircraft near: %1</source>
         <translation>Luftfahrzeug nahe: %1</translation>
     </message>
@@ -1118,22 +1137,6 @@
     <message>
         <source>Battery low: %1 %</source>
         <translation>Akku schwach: %1 %</translation>
-    </message>
-    <message>
-        <source>As the vehicle reports it.</source>
-        <translation>Laut Meldung des Fahrzeugs.</translation>
-    </message>
-    <message>
-        <source>Mode %1 → %2, not from here</source>
-        <translation>Modus %1 → %2, nicht von hier</translation>
-    </message>
-    <message>
-        <source>The mode changed without a command from this station: by the autopilot itself, by the remote control or by another station.</source>
-        <translation>Der Modus wechselte ohne Befehl dieser Station: durch den Autopiloten selbst, die Fernsteuerung oder eine andere Station.</translation>
-    </message>
-    <message>
-        <source>All of them were refused. The secure link panel counts them.</source>
-        <translation>Alle wurden abgelehnt. Das Panel „Sichere Verbindung“ zählt sie.</translation>
     </message>
     <message>
         <source>One forged frame</source>
@@ -1172,10 +1175,6 @@
         <translation>Unbekannter Agent unter %1</translation>
     </message>
     <message>
-        <source>%1. Security → Keys and peers pairs the two</source>
-        <translation>%1. Sicherheit → Schlüssel und Gegenstellen koppelt die beiden</translation>
-    </message>
-    <message>
         <source>Switched to %1</source>
         <translation>Gewechselt zu %1</translation>
     </message>
@@ -1202,6 +1201,30 @@
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>The autopilot reports an abnormal state. The Messages panel may show the reason.</source>
+        <translation>Der Autopilot meldet einen anormalen Zustand. Den Grund zeigt eventuell das Panel „Nachrichten“.</translation>
+    </message>
+    <message>
+        <source>As reported by the vehicle.</source>
+        <translation>Laut Meldung des Fahrzeugs.</translation>
+    </message>
+    <message>
+        <source>Mode %1 → %2, not by this station</source>
+        <translation>Modus %1 → %2, nicht von hier</translation>
+    </message>
+    <message>
+        <source>The mode changed without a command from this station. The autopilot, the RC transmitter or another station changed it.</source>
+        <translation>Der Modus wechselte ohne Befehl dieser Station: durch den Autopiloten, die Fernsteuerung oder eine andere Station.</translation>
+    </message>
+    <message>
+        <source>All were refused. The Secure link panel counts them.</source>
+        <translation>Alle wurden abgelehnt. Das Panel „Sichere Verbindung“ zählt sie.</translation>
+    </message>
+    <message>
+        <source>%1. To pair with it, open Security → Keys and peers</source>
+        <translation>%1. Zum Koppeln Sicherheit → Schlüssel und Gegenstellen öffnen</translation>
     </message>
 </context>
 <context>
@@ -1235,12 +1258,12 @@
         <translation>Ausblenden: %1</translation>
     </message>
     <message>
-        <source>Dismiss until it begins again or becomes worse (Esc)</source>
-        <translation>Ausblenden, bis sie erneut auftritt oder schlimmer wird (Esc)</translation>
-    </message>
-    <message>
         <source>Dismiss (Esc)</source>
         <translation>Ausblenden (Esc)</translation>
+    </message>
+    <message>
+        <source>Dismiss until it recurs or gets worse (Esc)</source>
+        <translation>Ausblenden, bis sie erneut auftritt oder schlimmer wird (Esc)</translation>
     </message>
 </context>
 <context>
@@ -1273,10 +1296,10 @@
         <translation>Ungeschütztes MAVLink von Fahrzeug %1 annehmen?</translation>
     </message>
     <message>
-        <source>It currently sends from %2. If you allow it, any sender of plain MAVLink that claims to be vehicle %1, from any address, is shown and commanded as that vehicle until this program ends or the vehicle is heard sealed. Anyone on the path can read and change the traffic.
+        <source>It currently sends from %2. If you allow it, any sender of plain MAVLink that claims to be vehicle %1, from any address, is shown and commanded as that vehicle until this program ends or a sealed link to the vehicle is up. Anyone on the path can read and change the traffic.
 
 If this should be the vehicle of %3, choose Cancel: its sealed link is broken or blocked.</source>
-        <translation>Es sendet derzeit von %2. Nach dem Zulassen wird jeder Absender von ungeschütztem MAVLink, der sich als Fahrzeug %1 ausgibt, von jeder Adresse, als dieses Fahrzeug angezeigt und erhält dessen Befehle, bis dieses Programm endet oder das Fahrzeug versiegelt empfangen wird. Jeder auf der Übertragungsstrecke kann den Verkehr mitlesen und verändern.
+        <translation>Es sendet derzeit von %2. Nach dem Zulassen wird jeder Absender von ungeschütztem MAVLink, der sich als Fahrzeug %1 ausgibt, von jeder Adresse, als dieses Fahrzeug angezeigt und erhält dessen Befehle, bis dieses Programm endet oder eine versiegelte Verbindung zum Fahrzeug steht. Jeder auf der Übertragungsstrecke kann den Verkehr mitlesen und verändern.
 
 Sollte dies das Fahrzeug von %3 sein, Abbrechen wählen: Dessen versiegelte Verbindung ist gestört oder blockiert.</translation>
     </message>
@@ -1345,10 +1368,6 @@ Sollte dies das Fahrzeug von %3 sein, Abbrechen wählen: Dessen versiegelte Verb
         <translation>Neue Passphrase</translation>
     </message>
     <message>
-        <source>New passphrase, again</source>
-        <translation>Neue Passphrase, noch einmal</translation>
-    </message>
-    <message>
         <source>Ne&amp;w passphrase</source>
         <translation>Neue &amp;Passphrase</translation>
     </message>
@@ -1388,24 +1407,16 @@ Sollte dies das Fahrzeug von %3 sein, Abbrechen wählen: Dessen versiegelte Verb
         <source>The two new passphrases differ.</source>
         <translation>Die beiden neuen Passphrasen unterscheiden sich.</translation>
     </message>
+    <message>
+        <source>Repeat the new passphrase</source>
+        <translation>Neue Passphrase wiederholen</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::ChangedKeyWarning</name>
     <message>
-        <source>Fingerprint known until now</source>
-        <translation>Bisher bekannter Fingerabdruck</translation>
-    </message>
-    <message>
         <source>Fingerprint of the new key</source>
         <translation>Fingerabdruck des neuen Schlüssels</translation>
-    </message>
-    <message>
-        <source>I compared the new fingerprint on the device itself: &amp;replace the key</source>
-        <translation>Neuer Fingerabdruck am Gerät selbst verglichen: Schlüssel &amp;ersetzen</translation>
-    </message>
-    <message>
-        <source>known until now</source>
-        <translation>bisher bekannt</translation>
     </message>
     <message>
         <source>new</source>
@@ -1414,6 +1425,18 @@ Sollte dies das Fahrzeug von %3 sein, Abbrechen wählen: Dessen versiegelte Verb
     <message>
         <source>The key of %1 has changed. Either a new key was generated there, or another device is impersonating %1.</source>
         <translation>Der Schlüssel von %1 hat sich geändert. Entweder wurde dort ein neuer Schlüssel erzeugt, oder ein anderes Gerät gibt sich als %1 aus.</translation>
+    </message>
+    <message>
+        <source>Previous fingerprint</source>
+        <translation>Bisheriger Fingerabdruck</translation>
+    </message>
+    <message>
+        <source>I have checked the new fingerprint on the device itself: &amp;replace the key</source>
+        <translation>Neuer Fingerabdruck am Gerät selbst verglichen: Schlüssel &amp;ersetzen</translation>
+    </message>
+    <message>
+        <source>previous</source>
+        <translation>bisher</translation>
     </message>
 </context>
 <context>
@@ -1441,12 +1464,12 @@ Sollte dies das Fahrzeug von %3 sein, Abbrechen wählen: Dessen versiegelte Verb
         <translation>neue Schlüssel, Epoche %1</translation>
     </message>
     <message>
-        <source>%1 forged, replayed or clear, refused</source>
-        <translation>%1 gefälscht, wiedereingespielt oder ungeschützt, abgelehnt</translation>
-    </message>
-    <message>
         <source>link recovered</source>
         <translation>Verbindung wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>%1 forged, replayed or plain, refused</source>
+        <translation>%1 gefälscht, wiedereingespielt oder ungeschützt, abgelehnt</translation>
     </message>
 </context>
 <context>
@@ -1518,14 +1541,6 @@ Sollte dies das Fahrzeug von %3 sein, Abbrechen wählen: Dessen versiegelte Verb
         <translation>Checkliste für Fahrzeug %1</translation>
     </message>
     <message>
-        <source>Texts (*.txt);;All files (*)</source>
-        <translation>Texte (*.txt);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>%1 · by itself: %2</source>
-        <translation>%1 · von selbst: %2</translation>
-    </message>
-    <message>
         <source>%1 · not yet: %2</source>
         <translation>%1 · noch nicht: %2</translation>
     </message>
@@ -1534,16 +1549,24 @@ Sollte dies das Fahrzeug von %3 sein, Abbrechen wählen: Dessen versiegelte Verb
         <translation>Keine Checkliste ohne Fahrzeug.</translation>
     </message>
     <message>
-        <source>No checklist for vehicle %1. It is a text file; Help → First steps describes it.</source>
-        <translation>Keine Checkliste für Fahrzeug %1. Sie ist eine Textdatei; Hilfe → Erste Schritte beschreibt sie.</translation>
-    </message>
-    <message>
         <source>Checklist %1 cannot be read</source>
         <translation>Checkliste %1 ist nicht lesbar</translation>
     </message>
     <message>
         <source>Checklist %1: %2 of %3 done</source>
         <translation>Checkliste %1: %2 von %3 erledigt</translation>
+    </message>
+    <message>
+        <source>Text files (*.txt);;All files (*)</source>
+        <translation>Textdateien (*.txt);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>%1 · automatic: %2</source>
+        <translation>%1 · automatisch: %2</translation>
+    </message>
+    <message>
+        <source>No checklist for vehicle %1. A checklist is a text file; see Help → First steps.</source>
+        <translation>Keine Checkliste für Fahrzeug %1. Eine Checkliste ist eine Textdatei; siehe Hilfe → Erste Schritte.</translation>
     </message>
 </context>
 <context>
@@ -1561,10 +1584,6 @@ Sollte dies das Fahrzeug von %3 sein, Abbrechen wählen: Dessen versiegelte Verb
         <translation>liest, schreibt %1</translation>
     </message>
     <message>
-        <source>%1 not permitted, %2 over the rate limit, %3 with a system id that it may not use</source>
-        <translation>%1 nicht erlaubt, %2 über der Ratenbegrenzung, %3 mit nicht erlaubter System-ID</translation>
-    </message>
-    <message>
         <source>Station</source>
         <translation>Station</translation>
     </message>
@@ -1579,6 +1598,10 @@ Sollte dies das Fahrzeug von %3 sein, Abbrechen wählen: Dessen versiegelte Verb
     <message>
         <source>Refused</source>
         <translation>Abgelehnt</translation>
+    </message>
+    <message>
+        <source>%1 not permitted, %2 over the rate limit, %3 with a system ID that it may not use</source>
+        <translation>%1 nicht erlaubt, %2 über der Ratenbegrenzung, %3 mit nicht erlaubter System-ID</translation>
     </message>
 </context>
 <context>
@@ -1713,7 +1736,7 @@ Sollte dies das Fahrzeug von %3 sein, Abbrechen wählen: Dessen versiegelte Verb
         <translation>Auf der Checkliste nicht erledigt:</translation>
     </message>
     <message>
-        <source>Arm although the checklist is not done?</source>
+        <source>Arm with an incomplete checklist?</source>
         <translation>Trotz offener Checkliste scharfschalten?</translation>
     </message>
 </context>
@@ -1860,6 +1883,10 @@ Sollte dies das Fahrzeug von %3 sein, Abbrechen wählen: Dessen versiegelte Verb
     <message>
         <source>The solid line is “%1”.</source>
         <translation>Die durchgezogene Linie ist „%1“.</translation>
+    </message>
+    <message>
+        <source>Charts of the diagnostics</source>
+        <translation>Diagramme der Diagnose</translation>
     </message>
 </context>
 <context>
@@ -2023,10 +2050,6 @@ Sollte dies das Fahrzeug von %3 sein, Abbrechen wählen: Dessen versiegelte Verb
         <translation>Schlüssel und Gegenstellen öffnen</translation>
     </message>
     <message>
-        <source>The link to the agent is sealed; nothing has been received from the vehicle beside it yet.</source>
-        <translation>Die Verbindung zum Agenten ist versiegelt; vom Fahrzeug daneben wurde noch nichts empfangen.</translation>
-    </message>
-    <message>
         <source>It sends plain MAVLink from %1 and may be impersonating %2, which is a known peer but has not been heard yet. Its telemetry is not shown and nothing is sent to it until you allow plain MAVLink.
 
 If it is the vehicle of %2, start the agent beside it instead, so that its link is sealed.</source>
@@ -2075,6 +2098,10 @@ No link is sealed until this is resolved. Plain MAVLink is shown, but not sealed
         <translation>%1
 
 Bis das behoben ist, wird keine Verbindung versiegelt. Ungeschütztes MAVLink wird angezeigt, ist aber nicht versiegelt.</translation>
+    </message>
+    <message>
+        <source>The link to the agent is sealed; nothing has been received from its vehicle yet.</source>
+        <translation>Die Verbindung zum Agenten ist versiegelt; von seinem Fahrzeug wurde noch nichts empfangen.</translation>
     </message>
 </context>
 <context>
@@ -2126,16 +2153,8 @@ Bis das behoben ist, wird keine Verbindung versiegelt. Ungeschütztes MAVLink wi
         <translation>Andere Stationen bedienen</translation>
     </message>
     <message>
-        <source>QGroundControl, Mission Planner, MAVProxy or a MAVSDK program uses the sealed link through this window</source>
-        <translation>QGroundControl, Mission Planner, MAVProxy oder ein MAVSDK-Programm nutzt die versiegelte Verbindung über dieses Fenster</translation>
-    </message>
-    <message>
         <source>Address for other stations</source>
         <translation>Adresse für andere Stationen</translation>
-    </message>
-    <message>
-        <source>One address, or several with spaces between. Each may have options, e.g. udpout:127.0.0.1:14540,write=mission,param: the rights that it names narrow the choice beside it; also from=ADDRESS/PREFIX, sysid=ID and name=NAME</source>
-        <translation>Eine Adresse oder mehrere, durch Leerzeichen getrennt. Jede kann Optionen haben, z. B. udpout:127.0.0.1:14540,write=mission,param: Die genannten Rechte schränken die Auswahl daneben ein; außerdem from=ADRESSE/PRÄFIX, sysid=ID und name=NAME</translation>
     </message>
     <message>
         <source>Stations connect to this TCP port</source>
@@ -2160,10 +2179,6 @@ Bis das behoben ist, wird keine Verbindung versiegelt. Ungeschütztes MAVLink wi
     <message>
         <source>Read and write</source>
         <translation>Lesen und schreiben</translation>
-    </message>
-    <message>
-        <source>They can command vehicles like this station; while they are connected, their heartbeat keeps a vehicle from its failsafe</source>
-        <translation>Können Fahrzeuge steuern wie diese Station; solange sie verbunden sind, hält ihr Heartbeat ein Fahrzeug vom Failsafe ab</translation>
     </message>
     <message>
         <source>State of the gateway</source>
@@ -2202,8 +2217,20 @@ Bis das behoben ist, wird keine Verbindung versiegelt. Ungeschütztes MAVLink wi
         <translation>%1; %2</translation>
     </message>
     <message>
-        <source>Telemetry, parameters and missions can be read; commands and changes are refused, and so are files and logs</source>
-        <translation>Telemetrie, Parameter und Missionen sind lesbar; Befehle und Änderungen werden abgelehnt, ebenso Dateien und Logs</translation>
+        <source>Lets QGroundControl, Mission Planner, MAVProxy and MAVSDK programs use the sealed link through this window</source>
+        <translation>Lässt QGroundControl, Mission Planner, MAVProxy und MAVSDK-Programme die versiegelte Verbindung über dieses Fenster nutzen</translation>
+    </message>
+    <message>
+        <source>One address, or several separated by spaces. Each may have options, e.g. udpout:127.0.0.1:14540,write=mission,param: write= narrows the rights chosen here. Other options: from=ADDRESS/PREFIX, sysid=ID and name=NAME</source>
+        <translation>Eine Adresse oder mehrere, durch Leerzeichen getrennt. Jede kann Optionen haben, z. B. udpout:127.0.0.1:14540,write=mission,param: write= schränkt die hier gewählten Rechte ein. Weitere Optionen: from=ADRESSE/PRÄFIX, sysid=ID und name=NAME</translation>
+    </message>
+    <message>
+        <source>Telemetry, parameters and missions can be read; commands, changes, files and logs are refused</source>
+        <translation>Telemetrie, Parameter und Missionen sind lesbar; Befehle, Änderungen, Dateien und Logs werden abgelehnt</translation>
+    </message>
+    <message>
+        <source>They can command vehicles, like this station; while they are connected, their heartbeats keep the vehicle&apos;s GCS failsafe from triggering</source>
+        <translation>Können Fahrzeuge steuern wie diese Station; solange sie verbunden sind, verhindern ihre Heartbeats den GCS-Failsafe des Fahrzeugs</translation>
     </message>
 </context>
 <context>
@@ -2213,12 +2240,19 @@ Bis das behoben ist, wird keine Verbindung versiegelt. Ungeschütztes MAVLink wi
         <translation>Hilfe</translation>
     </message>
     <message>
-        <source>Help page</source>
-        <translation>Hilfeseite</translation>
+        <source>&amp;Back</source>
+        <translation>&amp;Zurück</translation>
     </message>
+</context>
+<context>
+    <name>skyseal::ui::HelpPage</name>
     <message>
         <source>There is no help page &quot;%1&quot;.</source>
         <translation>Es gibt keine Hilfeseite „%1“.</translation>
+    </message>
+    <message>
+        <source>Help page</source>
+        <translation>Hilfeseite</translation>
     </message>
 </context>
 <context>
@@ -2274,10 +2308,6 @@ Bis das behoben ist, wird keine Verbindung versiegelt. Ungeschütztes MAVLink wi
         <translation>Nachricht</translation>
     </message>
     <message>
-        <source>Id</source>
-        <translation>ID</translation>
-    </message>
-    <message>
         <source>From</source>
         <translation>Von</translation>
     </message>
@@ -2293,6 +2323,10 @@ Bis das behoben ist, wird keine Verbindung versiegelt. Ungeschütztes MAVLink wi
         <source>MAVLink</source>
         <translation>MAVLink</translation>
     </message>
+    <message>
+        <source>ID</source>
+        <translation>ID</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::InspectorPanel</name>
@@ -2301,16 +2335,16 @@ Bis das behoben ist, wird keine Verbindung versiegelt. Ungeschütztes MAVLink wi
         <translation>Nach Namen filtern</translation>
     </message>
     <message>
-        <source>Filter for message types</source>
-        <translation>Filter für Nachrichtentypen</translation>
-    </message>
-    <message>
         <source>Message types</source>
         <translation>Nachrichtentypen</translation>
     </message>
     <message>
         <source>Fields of the selected message</source>
         <translation>Felder der ausgewählten Nachricht</translation>
+    </message>
+    <message>
+        <source>Filter message types</source>
+        <translation>Nachrichtentypen filtern</translation>
     </message>
 </context>
 <context>
@@ -2356,14 +2390,6 @@ Bis das behoben ist, wird keine Verbindung versiegelt. Ungeschütztes MAVLink wi
         <translation>Bekannte Gegenstellen</translation>
     </message>
     <message>
-        <source>No peers yet.
-
-Pair with the agent beside your vehicle, or add its public key: there, skyseal-cli keys show prints it.</source>
-        <translation>Noch keine Gegenstellen.
-
-Mit dem Agenten neben dem eigenen Fahrzeug koppeln oder seinen öffentlichen Schlüssel hinzufügen: skyseal-cli keys show gibt ihn dort aus.</translation>
-    </message>
-    <message>
         <source>Its session ends at once, and it can no longer connect.</source>
         <translation>Ihre Sitzung endet sofort, und sie kann sich nicht mehr verbinden.</translation>
     </message>
@@ -2387,6 +2413,14 @@ Add the public key of the agent beside your vehicle; skyseal-cli keys show print
 
 Den öffentlichen Schlüssel des Agenten neben dem eigenen Fahrzeug hinzufügen; skyseal-cli keys show gibt ihn dort aus. Der Agent braucht auch den Schlüssel dieser Station.</translation>
     </message>
+    <message>
+        <source>No peers yet.
+
+Pair with the agent of your vehicle, or add its public key, which skyseal-cli keys show prints there.</source>
+        <translation>Noch keine Gegenstellen.
+
+Mit dem Agenten des eigenen Fahrzeugs koppeln oder seinen öffentlichen Schlüssel hinzufügen, den skyseal-cli keys show dort ausgibt.</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::Language</name>
@@ -2401,14 +2435,6 @@ Den öffentlichen Schlüssel des Agenten neben dem eigenen Fahrzeug hinzufügen;
     <message>
         <source>Clea&amp;n</source>
         <translation>&amp;Ungestört</translation>
-    </message>
-    <message>
-        <source>Radio of &amp;57,600 baud</source>
-        <translation>Funkmodem mit &amp;57600 Baud</translation>
-    </message>
-    <message>
-        <source>Radio of &amp;115,200 baud</source>
-        <translation>Funkmodem mit &amp;115200 Baud</translation>
     </message>
     <message>
         <source>Packets lost</source>
@@ -2437,10 +2463,6 @@ Den öffentlichen Schlüssel des Agenten neben dem eigenen Fahrzeug hinzufügen;
     <message>
         <source> baud</source>
         <translation> Baud</translation>
-    </message>
-    <message>
-        <source>any rate</source>
-        <translation>beliebig</translation>
     </message>
     <message>
         <source>In both directions</source>
@@ -2477,6 +2499,18 @@ Den öffentlichen Schlüssel des Agenten neben dem eigenen Fahrzeug hinzufügen;
     <message>
         <source>Another link</source>
         <translation>Andere Verbindung</translation>
+    </message>
+    <message>
+        <source>&amp;57,600 baud radio</source>
+        <translation>Funkmodem mit &amp;57600 Baud</translation>
+    </message>
+    <message>
+        <source>&amp;115,200 baud radio</source>
+        <translation>Funkmodem mit &amp;115200 Baud</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>unbegrenzt</translation>
     </message>
 </context>
 <context>
@@ -2558,10 +2592,6 @@ Den öffentlichen Schlüssel des Agenten neben dem eigenen Fahrzeug hinzufügen;
         <translation>&amp;Nonce</translation>
     </message>
     <message>
-        <source>The nonce has %1 hex digits</source>
-        <translation>Die Nonce hat %1 Hex-Ziffern</translation>
-    </message>
-    <message>
         <source>Key of the stream</source>
         <translation>Schlüssel des Datenstroms</translation>
     </message>
@@ -2572,10 +2602,6 @@ Den öffentlichen Schlüssel des Agenten neben dem eigenen Fahrzeug hinzufügen;
     <message>
         <source>C&amp;ounter</source>
         <translation>&amp;Zähler</translation>
-    </message>
-    <message>
-        <source>The counter is a number from 0 to 4294967295</source>
-        <translation>Der Zähler ist eine Zahl von 0 bis 4294967295</translation>
     </message>
     <message>
         <source>INSECURE: MAVSec 2019, ChaCha20, receive only</source>
@@ -2594,6 +2620,14 @@ Den öffentlichen Schlüssel des Agenten neben dem eigenen Fahrzeug hinzufügen;
 INSECURE: anyone can read, change and forge this stream. Nothing is sent.</source>
         <translation>%1
 UNSICHER: Jeder kann diesen Datenstrom mitlesen, verändern und fälschen. Nichts wird gesendet.</translation>
+    </message>
+    <message>
+        <source>The nonce must have %1 hex digits</source>
+        <translation>Die Nonce muss %1 Hex-Ziffern haben</translation>
+    </message>
+    <message>
+        <source>The counter must be a number from 0 to 4294967295</source>
+        <translation>Der Zähler muss eine Zahl von 0 bis 4294967295 sein</translation>
     </message>
 </context>
 <context>
@@ -2627,16 +2661,27 @@ UNSICHER: Jeder kann diesen Datenstrom mitlesen, verändern und fälschen. Nicht
         <translation>Die Messreihe ändert den Schutz der Verbindung, was einen neuen Handshake erfordert.</translation>
     </message>
     <message>
-        <source>%1 is no longer a known peer: its session ended %2 ago and cannot be established again. The last received values are shown. Pair it again to continue.</source>
-        <translation>%1 ist keine bekannte Gegenstelle mehr: Die Sitzung endete vor %2 und kann nicht wieder aufgebaut werden. Gezeigt werden die zuletzt empfangenen Werte. Zum Fortfahren erneut koppeln.</translation>
-    </message>
-    <message>
         <source>%1 was silent for too long; the session ended %2 ago.</source>
         <translation>%1 war zu lange stumm; die Sitzung endete vor %2.</translation>
     </message>
     <message>
-        <source>Waiting: the session is established automatically when it is heard again. The last received values are shown. Plain MAVLink with the vehicle&apos;s system id is still refused.</source>
-        <translation>Warten: Die Sitzung wird automatisch aufgebaut, sobald die Gegenstelle wieder empfangen wird. Gezeigt werden die zuletzt empfangenen Werte. Ungeschütztes MAVLink mit der System-ID des Fahrzeugs wird weiterhin abgelehnt.</translation>
+        <source>Waiting: the session is re-established automatically when the agent is heard again. The last received values are shown. Plain MAVLink with the vehicle&apos;s system ID is still refused.</source>
+        <translation>Warten: Die Sitzung wird automatisch wieder aufgebaut, sobald der Agent wieder empfangen wird. Gezeigt werden die zuletzt empfangenen Werte. Ungeschütztes MAVLink mit der System-ID des Fahrzeugs wird weiterhin abgelehnt.</translation>
+    </message>
+    <message>
+        <source>%1 is no longer a known peer: its session ended %2 ago and cannot be re-established. The last received values are shown. Pair it again to continue.</source>
+        <translation>%1 ist keine bekannte Gegenstelle mehr: Die Sitzung endete vor %2 und kann nicht wieder aufgebaut werden. Gezeigt werden die zuletzt empfangenen Werte. Zum Fortfahren erneut koppeln.</translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::LinkEventText</name>
+    <message>
+        <source>one unreadable line about ciphers</source>
+        <translation>eine unlesbare Zeile über Chiffren</translation>
+    </message>
+    <message>
+        <source>%1 unreadable lines about ciphers</source>
+        <translation>%1 unlesbare Zeilen über Chiffren</translation>
     </message>
 </context>
 <context>
@@ -2713,12 +2758,12 @@ UNSICHER: Jeder kann diesen Datenstrom mitlesen, verändern und fälschen. Nicht
         <translation>Fahrzeug %1 auf dieser Verbindung ist scharf. Verbindung entfernen?</translation>
     </message>
     <message>
-        <source>The vehicles %1 on this link are armed. Remove the link?</source>
+        <source>Vehicles %1 on this link are armed. Remove the link?</source>
         <translation>Die Fahrzeuge %1 auf dieser Verbindung sind scharf. Verbindung entfernen?</translation>
     </message>
     <message>
-        <source>Without this link, no vehicle on it can be commanded from here, and failsafes may trigger.</source>
-        <translation>Ohne diese Verbindung lässt sich keines ihrer Fahrzeuge von hier steuern, und Failsafes können auslösen.</translation>
+        <source>Without this link, its vehicles cannot be commanded from here, and failsafes may trigger.</source>
+        <translation>Ohne diese Verbindung lassen sich ihre Fahrzeuge nicht von hier steuern, und Failsafes können auslösen.</translation>
     </message>
 </context>
 <context>
@@ -2788,10 +2833,6 @@ Fingerabdruck %5</translation>
         <translation>Keine Sitzung</translation>
     </message>
     <message>
-        <source>Not sealed · in a sweep</source>
-        <translation>Nicht versiegelt · in einer Messreihe</translation>
-    </message>
-    <message>
         <source>Recording</source>
         <translation>Aufzeichnung</translation>
     </message>
@@ -2812,10 +2853,6 @@ Fingerabdruck %5</translation>
         <translation>Fahrzeug %1 unter %2 gibt sich möglicherweise als %3 aus (noch nicht empfangen). Seine Telemetrie wird nicht angezeigt und nichts an das Fahrzeug gesendet, bis ungeschütztes MAVLink dafür zugelassen wird.</translation>
     </message>
     <message>
-        <source>The sweep measures plain MAVLink at present, with your consent: anyone on the path can read and change the traffic. The sweep seals the link again afterwards.</source>
-        <translation>Die Messreihe misst gerade ungeschütztes MAVLink, mit hier gegebener Zustimmung: Jeder auf der Übertragungsstrecke kann den Verkehr mitlesen und verändern. Danach versiegelt die Messreihe die Verbindung wieder.</translation>
-    </message>
-    <message>
         <source>Anyone on the path can read and change the traffic. Start skyseal-air beside the vehicle to seal the link.</source>
         <translation>Jeder auf der Übertragungsstrecke kann den Verkehr mitlesen und verändern. Um die Verbindung zu versiegeln, skyseal-air neben dem Fahrzeug starten.</translation>
     </message>
@@ -2824,10 +2861,6 @@ Fingerabdruck %5</translation>
 Fingerprint %3</source>
         <translation>Der Agent %1 unter %2 ist erreichbar, antwortet aber nicht. Kennt er den Schlüssel dieser Station?
 Fingerabdruck %3</translation>
-    </message>
-    <message>
-        <source>New keys are being agreed</source>
-        <translation>Neue Schlüssel werden vereinbart</translation>
     </message>
     <message>
         <source>No sealed links: this station cannot use its key</source>
@@ -2840,6 +2873,18 @@ Fingerabdruck %3</translation>
     <message>
         <source>Under attack: %1 spoofed frames of this vehicle in the last minute. All of them were refused.</source>
         <translation>Unter Angriff: %1 vorgetäuschte Frames dieses Fahrzeugs in der letzten Minute. Alle wurden abgelehnt.</translation>
+    </message>
+    <message>
+        <source>Not sealed · sweep running</source>
+        <translation>Nicht versiegelt · Messreihe läuft</translation>
+    </message>
+    <message>
+        <source>The sweep is measuring plain MAVLink, with your consent: anyone on the path can read and change the traffic. The sweep seals the link again afterwards.</source>
+        <translation>Die Messreihe misst gerade ungeschütztes MAVLink, mit hier gegebener Zustimmung: Jeder auf der Übertragungsstrecke kann den Verkehr mitlesen und verändern. Danach versiegelt die Messreihe die Verbindung wieder.</translation>
+    </message>
+    <message>
+        <source>New keys are being negotiated</source>
+        <translation>Neue Schlüssel werden ausgehandelt</translation>
     </message>
 </context>
 <context>
@@ -2912,16 +2957,16 @@ Fingerabdruck %3</translation>
         <translation>Fahrzeug %1 ist scharf. Beenden?</translation>
     </message>
     <message>
-        <source>The vehicles %1 are armed. Quit?</source>
+        <source>Quit</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Vehicles %1 are armed. Quit?</source>
         <translation>Die Fahrzeuge %1 sind scharf. Beenden?</translation>
     </message>
     <message>
-        <source>Without this station, no vehicle can be commanded from here, and failsafes may trigger.</source>
-        <translation>Ohne diese Station lässt sich kein Fahrzeug von hier steuern, und Failsafes können auslösen.</translation>
-    </message>
-    <message>
-        <source>Quit</source>
-        <translation>Beenden</translation>
+        <source>While Skyseal is closed, no vehicle can be commanded from here, and failsafes may trigger.</source>
+        <translation>Solange Skyseal geschlossen ist, lässt sich kein Fahrzeug von hier steuern, und Failsafes können auslösen.</translation>
     </message>
 </context>
 <context>
@@ -2950,28 +2995,6 @@ Fingerabdruck %3</translation>
         <translation>Anhalten und an der aktuellen Position bleiben?</translation>
     </message>
     <message>
-        <source>&amp;Point at here…</source>
-        <translation>&amp;Kamera hierher richten…</translation>
-    </message>
-    <message>
-        <source>Point the camera at this place?
-%1</source>
-        <translation>Kamera auf diesen Ort richten?
-%1</translation>
-    </message>
-    <message>
-        <source>At the altitude of home. A copter whose camera cannot pan turns its nose.</source>
-        <translation>In der Höhe von Home. Ein Copter, dessen Kamera nicht schwenken kann, dreht die Nase.</translation>
-    </message>
-    <message>
-        <source>&amp;Stop pointing…</source>
-        <translation>Ausrichtung &amp;beenden…</translation>
-    </message>
-    <message>
-        <source>Stop pointing the camera at a place?</source>
-        <translation>Ausrichtung der Kamera auf einen Ort beenden?</translation>
-    </message>
-    <message>
         <source>&amp;Measure from here</source>
         <translation>Von hier &amp;messen</translation>
     </message>
@@ -2980,34 +3003,12 @@ Fingerabdruck %3</translation>
         <translation>Koordinaten k&amp;opieren</translation>
     </message>
     <message>
-        <source>Go to this place?
-%1</source>
-        <translation>Diesen Ort ansteuern?
-%1</translation>
-    </message>
-    <message>
-        <source>Go to this place at %1 above home?
-%2</source>
-        <translation>Diesen Ort in %1 Höhe über Home ansteuern?
-%2</translation>
-    </message>
-    <message>
         <source>The mode changes from %1 to %2.</source>
         <translation>Der Modus wechselt von %1 zu %2.</translation>
     </message>
     <message>
         <source>&amp;Go here…</source>
         <translation>Diesen Ort &amp;ansteuern…</translation>
-    </message>
-    <message>
-        <source>Set home to this place?
-%1</source>
-        <translation>Home auf diesen Ort setzen?
-%1</translation>
-    </message>
-    <message>
-        <source>RTL flies there. Home keeps its altitude; the height of the ground there is not known.</source>
-        <translation>RTL fliegt dorthin. Home behält seine Höhe; die Geländehöhe dort ist nicht bekannt.</translation>
     </message>
     <message>
         <source>Set &amp;home here…</source>
@@ -3020,6 +3021,58 @@ Fingerabdruck %3</translation>
     <message>
         <source>%1, %2 from the vehicle</source>
         <translation>%1, %2 vom Fahrzeug</translation>
+    </message>
+    <message>
+        <source>Add &amp;to the mission…</source>
+        <translation>&amp;Zur Mission hinzufügen…</translation>
+    </message>
+    <message>
+        <source>the mission has not been read: Plan, Read from the vehicle</source>
+        <translation>die Mission wurde nicht gelesen: Planen, Vom Fahrzeug lesen</translation>
+    </message>
+    <message>
+        <source>&amp;Point camera here…</source>
+        <translation>&amp;Kamera hierher richten…</translation>
+    </message>
+    <message>
+        <source>Point the camera at this location?
+%1</source>
+        <translation>Kamera auf diesen Ort richten?
+%1</translation>
+    </message>
+    <message>
+        <source>The target is at the altitude of home. A copter whose camera cannot pan yaws instead.</source>
+        <translation>Das Ziel liegt in der Höhe von Home. Ein Copter, dessen Kamera nicht schwenken kann, giert stattdessen.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop pointing camera…</source>
+        <translation>Kameraausrichtung &amp;beenden…</translation>
+    </message>
+    <message>
+        <source>Stop pointing the camera at a location?</source>
+        <translation>Ausrichtung der Kamera auf einen Ort beenden?</translation>
+    </message>
+    <message>
+        <source>Go to this location?
+%1</source>
+        <translation>Diesen Ort ansteuern?
+%1</translation>
+    </message>
+    <message>
+        <source>Go to this location at %1 above home?
+%2</source>
+        <translation>Diesen Ort in %1 Höhe über Home ansteuern?
+%2</translation>
+    </message>
+    <message>
+        <source>Set home to this location?
+%1</source>
+        <translation>Home auf diesen Ort setzen?
+%1</translation>
+    </message>
+    <message>
+        <source>RTL will fly there. The altitude of home stays the same; the ground elevation there is not known.</source>
+        <translation>RTL fliegt dann dorthin. Die Höhe von Home bleibt gleich; die Geländehöhe dort ist nicht bekannt.</translation>
     </message>
 </context>
 <context>
@@ -3038,14 +3091,6 @@ Fingerabdruck %3</translation>
     <message>
         <source>Map source</source>
         <translation>Kartenquelle</translation>
-    </message>
-    <message>
-        <source>&amp;No pictures: lines of latitude and longitude</source>
-        <translation>&amp;Keine Bilder: Breiten- und Längengrade als Linien</translation>
-    </message>
-    <message>
-        <source>No pictures</source>
-        <translation>Keine Bilder</translation>
     </message>
     <message>
         <source>A tile &amp;server</source>
@@ -3072,28 +3117,12 @@ Fingerabdruck %3</translation>
         <translation>Quellenangabe</translation>
     </message>
     <message>
-        <source>© who made the map; most servers require it</source>
-        <translation>© Urheber der Karte; von den meisten Servern verlangt</translation>
-    </message>
-    <message>
-        <source>Deepest level</source>
-        <translation>Tiefste Stufe</translation>
-    </message>
-    <message>
         <source>&amp;Address</source>
         <translation>&amp;Adresse</translation>
     </message>
     <message>
         <source>A&amp;ttribution</source>
         <translation>&amp;Quellenangabe</translation>
-    </message>
-    <message>
-        <source>&amp;Deepest level</source>
-        <translation>&amp;Tiefste Stufe</translation>
-    </message>
-    <message>
-        <source>The server learns which places you look at and when, and so where you fly, together with the address of this computer. With http:// everyone on the way learns it too. Nothing is requested before you press OK; what was received is kept on this computer.</source>
-        <translation>Der Server erfährt, wann welche Orte betrachtet werden, und damit, wo geflogen wird, zusammen mit der Adresse dieses Rechners. Bei http:// erfährt es auch jeder auf dem Weg dorthin. Vor dem Drücken von OK wird nichts angefragt; was empfangen wurde, bleibt auf diesem Rechner.</translation>
     </message>
     <message>
         <source>MBTiles file</source>
@@ -3116,7 +3145,31 @@ Fingerabdruck %3</translation>
         <translation>Keine Datei ausgewählt</translation>
     </message>
     <message>
-        <source>Tiles will be requested of %1</source>
+        <source>&amp;No imagery: lines of latitude and longitude</source>
+        <translation>&amp;Keine Bilder: Breiten- und Längengrade als Linien</translation>
+    </message>
+    <message>
+        <source>No imagery</source>
+        <translation>Keine Bilder</translation>
+    </message>
+    <message>
+        <source>© map data; required by most servers</source>
+        <translation>© Kartendaten; von den meisten Servern verlangt</translation>
+    </message>
+    <message>
+        <source>Maximum zoom level</source>
+        <translation>Größte Zoomstufe</translation>
+    </message>
+    <message>
+        <source>Ma&amp;ximum zoom level</source>
+        <translation>Größte &amp;Zoomstufe</translation>
+    </message>
+    <message>
+        <source>The server learns which areas you view and when, and thus where you fly, and the address of this computer. With http://, anyone on the path learns it too. Nothing is requested until you press OK; received tiles are kept on this computer.</source>
+        <translation>Der Server erfährt, wann welche Gebiete betrachtet werden, und damit, wo geflogen wird, sowie die Adresse dieses Rechners. Bei http:// erfährt es auch jeder auf der Übertragungsstrecke. Vor dem Drücken von OK wird nichts angefragt; empfangene Kacheln bleiben auf diesem Rechner.</translation>
+    </message>
+    <message>
+        <source>Tiles will be requested from %1</source>
         <translation>Kacheln werden bei %1 angefragt</translation>
     </message>
 </context>
@@ -3127,12 +3180,12 @@ Fingerabdruck %3</translation>
         <translation>Karte</translation>
     </message>
     <message>
-        <source>%1. Return sets a point in the middle of the map, Backspace removes the last, Escape ends</source>
+        <source>%1. Enter sets a point at the centre of the map, Backspace removes the last, Escape ends</source>
         <translation>%1. Eingabetaste setzt einen Punkt in der Kartenmitte, Rücktaste entfernt den letzten, Esc beendet</translation>
     </message>
     <message>
-        <source>Arrow keys move it, plus and minus zoom, Home follows the vehicle, Menu opens the commands for its middle</source>
-        <translation>Pfeiltasten bewegen sie, Plus und Minus zoomen, Pos1 folgt dem Fahrzeug, Menütaste öffnet die Befehle für ihre Mitte</translation>
+        <source>Arrow keys move the map, plus and minus zoom, Home follows the vehicle, Menu opens the commands for the centre</source>
+        <translation>Pfeiltasten bewegen die Karte, Plus und Minus zoomen, Pos1 folgt dem Fahrzeug, Menütaste öffnet die Befehle für die Mitte</translation>
     </message>
 </context>
 <context>
@@ -3154,16 +3207,16 @@ Fingerabdruck %3</translation>
         <translation>es ist keine MBTiles-Datei (%1)</translation>
     </message>
     <message>
-        <source>it has vector tiles, and only pictures (PNG, JPEG, WebP) can be shown</source>
-        <translation>sie enthält Vektorkacheln, darstellbar sind nur Bilder (PNG, JPEG, WebP)</translation>
-    </message>
-    <message>
         <source>a tile is larger than %1 kB</source>
         <translation>eine Kachel ist größer als %1 kB</translation>
     </message>
     <message>
         <source>the file takes too long to search</source>
         <translation>die Suche in der Datei dauert zu lange</translation>
+    </message>
+    <message>
+        <source>it has vector tiles; only images (PNG, JPEG, WebP) can be shown</source>
+        <translation>sie enthält Vektorkacheln; darstellbar sind nur Bilder (PNG, JPEG, WebP)</translation>
     </message>
 </context>
 <context>
@@ -3173,18 +3226,18 @@ Fingerabdruck %3</translation>
         <translation>%1 lässt sich nicht schreiben: %2</translation>
     </message>
     <message>
-        <source>%1 is in the way</source>
-        <translation>%1 ist im Weg</translation>
-    </message>
-    <message>
         <source>%1 cannot be written</source>
         <translation>%1 lässt sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>%1 cannot be replaced</source>
+        <translation>%1 lässt sich nicht ersetzen</translation>
     </message>
 </context>
 <context>
     <name>skyseal::ui::MeasurePainter</name>
     <message>
-        <source>Click or Return sets a point, Backspace removes the last, Esc ends</source>
+        <source>Click or Enter sets a point, Backspace removes the last, Esc ends</source>
         <translation>Klick oder Eingabetaste setzt einen Punkt, Rücktaste entfernt den letzten, Esc beendet</translation>
     </message>
 </context>
@@ -3253,14 +3306,6 @@ Fingerabdruck %3</translation>
         <translation>Filter</translation>
     </message>
     <message>
-        <source>Filter of the messages</source>
-        <translation>Filter der Nachrichten</translation>
-    </message>
-    <message>
-        <source>Least severity shown</source>
-        <translation>Niedrigster angezeigter Schweregrad</translation>
-    </message>
-    <message>
         <source>all</source>
         <translation>alle</translation>
     </message>
@@ -3289,16 +3334,24 @@ Fingerabdruck %3</translation>
         <translation>Nachrichtenliste leeren</translation>
     </message>
     <message>
-        <source>%1. Security → Allow plain MAVLink accepts it</source>
-        <translation>%1. Sicherheit → Ungeschütztes MAVLink zulassen gibt es frei</translation>
-    </message>
-    <message>
-        <source>%1. Security → Keys and peers pairs the two</source>
-        <translation>%1. Sicherheit → Schlüssel und Gegenstellen koppelt die beiden</translation>
-    </message>
-    <message>
         <source>Replay: %1</source>
         <translation>Wiedergabe: %1</translation>
+    </message>
+    <message>
+        <source>Filter messages</source>
+        <translation>Nachrichten filtern</translation>
+    </message>
+    <message>
+        <source>Minimum severity shown</source>
+        <translation>Niedrigster angezeigter Schweregrad</translation>
+    </message>
+    <message>
+        <source>%1. To accept it, choose Security → Allow plain MAVLink</source>
+        <translation>%1. Zum Annehmen Sicherheit → Ungeschütztes MAVLink zulassen wählen</translation>
+    </message>
+    <message>
+        <source>%1. To pair with it, open Security → Keys and peers</source>
+        <translation>%1. Zum Koppeln Sicherheit → Schlüssel und Gegenstellen öffnen</translation>
     </message>
 </context>
 <context>
@@ -3403,12 +3456,12 @@ Fingerabdruck %3</translation>
         <translation>Die Mission wurde noch nicht vom Fahrzeug gelesen.</translation>
     </message>
     <message>
-        <source>The mission, and the fence and the rally points where the vehicle has them</source>
-        <translation>Die Mission sowie Geofence und Rally-Punkte, wo das Fahrzeug sie hat</translation>
-    </message>
-    <message>
         <source>Send a mission to vehicle %1</source>
         <translation>Mission an Fahrzeug %1 senden</translation>
+    </message>
+    <message>
+        <source>The mission, and the fence and rally points if the vehicle has them</source>
+        <translation>Die Mission sowie Geofence und Rally-Punkte, falls das Fahrzeug sie hat</translation>
     </message>
 </context>
 <context>
@@ -3441,15 +3494,15 @@ Fingerabdruck %3</translation>
         <translation>es ist eine Wiedergabe</translation>
     </message>
     <message>
-        <source>Not sealed, listening only</source>
+        <source>Not sealed, receive only</source>
         <translation>Nicht versiegelt, nur Empfang</translation>
     </message>
     <message>
-        <source>This stream is protected like MAVSec&apos;s published code, which is insecure: anyone on the path can change it. Nothing is sent to it.</source>
-        <translation>Dieser Datenstrom ist wie im veröffentlichten Code von MAVSec geschützt, was unsicher ist: Jeder auf der Übertragungsstrecke kann ihn verändern. Nichts wird dorthin gesendet.</translation>
+        <source>This stream is protected as in the published MAVSec code, which is insecure: anyone on the path can change it. Nothing is sent.</source>
+        <translation>Dieser Datenstrom ist wie im veröffentlichten Code von MAVSec geschützt, was unsicher ist: Jeder auf der Übertragungsstrecke kann ihn verändern. Nichts wird gesendet.</translation>
     </message>
     <message>
-        <source>its link is listen-only</source>
+        <source>its link is receive-only</source>
         <translation>seine Verbindung erlaubt nur Empfang</translation>
     </message>
 </context>
@@ -3543,8 +3596,8 @@ Fingerabdruck %3</translation>
         <translation>Es sind %1 Dateien, weitere sind nicht möglich. Zuerst eine entfernen.</translation>
     </message>
     <message>
-        <source>No overlays. Add… draws the fields, areas and places of KML and GeoJSON files over the map. They are pictures only: the vehicle does not know them.</source>
-        <translation>Keine Overlays. Hinzufügen… zeichnet Felder, Gebiete und Orte aus KML- und GeoJSON-Dateien über die Karte. Sie sind nur Bilder: Das Fahrzeug kennt sie nicht.</translation>
+        <source>No overlays. Add… draws the points, lines and areas of KML and GeoJSON files over the map. They are for display only: the vehicle does not know about them.</source>
+        <translation>Keine Overlays. Hinzufügen… zeichnet Punkte, Linien und Flächen aus KML- und GeoJSON-Dateien über die Karte. Sie dienen nur der Anzeige: Das Fahrzeug kennt sie nicht.</translation>
     </message>
 </context>
 <context>
@@ -3554,20 +3607,12 @@ Fingerabdruck %3</translation>
         <translation>Wird gelesen…</translation>
     </message>
     <message>
-        <source>Shown as it was read before: %1</source>
-        <translation>Angezeigt wie zuvor gelesen: %1</translation>
-    </message>
-    <message>
         <source>Not shown: %1</source>
         <translation>Nicht angezeigt: %1</translation>
     </message>
     <message>
         <source>Changed since it was added</source>
         <translation>Seit dem Hinzufügen geändert</translation>
-    </message>
-    <message>
-        <source>%1 not drawn: without a place, or of another kind</source>
-        <translation>%1 nicht gezeichnet: ohne Ort oder von anderer Art</translation>
     </message>
     <message>
         <source>File</source>
@@ -3584,6 +3629,14 @@ Fingerabdruck %3</translation>
     <message>
         <source>State</source>
         <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Shown as last read: %1</source>
+        <translation>Angezeigt wie zuletzt gelesen: %1</translation>
+    </message>
+    <message>
+        <source>%1 not drawn: no position, or an unsupported kind</source>
+        <translation>%1 nicht gezeichnet: ohne Position oder von nicht unterstützter Art</translation>
     </message>
 </context>
 <context>
@@ -3809,16 +3862,12 @@ Dann ist kein Code zu vergleichen. Sie gilt nur für diese Kopplung.</translatio
         <translation>Agent</translation>
     </message>
     <message>
-        <source>system id %1</source>
+        <source>system ID %1</source>
         <translation>System-ID %1</translation>
     </message>
 </context>
 <context>
     <name>skyseal::ui::ParameterModel</name>
-    <message>
-        <source>written, read back %1</source>
-        <translation>geschrieben, zurückgelesen: %1</translation>
-    </message>
     <message>
         <source>not written: %1</source>
         <translation>nicht geschrieben: %1</translation>
@@ -3859,6 +3908,10 @@ Dann ist kein Code zu vergleichen. Sie gilt nur für diese Kopplung.</translatio
         <source>Value · vehicle %1</source>
         <translation>Wert · Fahrzeug %1</translation>
     </message>
+    <message>
+        <source>written, read back as %1</source>
+        <translation>geschrieben, zurückgelesen als %1</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::ParametersPanel</name>
@@ -3873,10 +3926,6 @@ Dann ist kein Code zu vergleichen. Sie gilt nur für diese Kopplung.</translatio
     <message>
         <source>Filter by name</source>
         <translation>Name</translation>
-    </message>
-    <message>
-        <source>Filter of the parameters</source>
-        <translation>Filter der Parameter</translation>
     </message>
     <message>
         <source>Parameters fetched</source>
@@ -3914,6 +3963,10 @@ Dann ist kein Code zu vergleichen. Sie gilt nur für diese Kopplung.</translatio
         <source>Requested…</source>
         <translation>Angefordert…</translation>
     </message>
+    <message>
+        <source>Filter parameters</source>
+        <translation>Parameter filtern</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::PassphraseDialog</name>
@@ -3926,16 +3979,16 @@ Dann ist kein Code zu vergleichen. Sie gilt nur für diese Kopplung.</translatio
         <translation>Öffnen</translation>
     </message>
     <message>
-        <source>Without sealed links</source>
-        <translation>Ohne Versiegelung</translation>
-    </message>
-    <message>
         <source>Passphrase of this station&apos;s key:</source>
         <translation>Passphrase für den Schlüssel dieser Station:</translation>
     </message>
     <message>
         <source>Wrong passphrase.</source>
         <translation>Falsche Passphrase.</translation>
+    </message>
+    <message>
+        <source>Continue without sealed links</source>
+        <translation>Ohne Versiegelung weiter</translation>
     </message>
 </context>
 <context>
@@ -3963,10 +4016,6 @@ Dann ist kein Code zu vergleichen. Sie gilt nur für diese Kopplung.</translatio
     <message>
         <source>Name</source>
         <translation>Name</translation>
-    </message>
-    <message>
-        <source>MAVLink system ids</source>
-        <translation>MAVLink-System-IDs</translation>
     </message>
     <message>
         <source>any; or e.g. 1,2</source>
@@ -4015,6 +4064,10 @@ Dann ist kein Code zu vergleichen. Sie gilt nur für diese Kopplung.</translatio
     <message>
         <source>Confirm that the key is replaced, or choose another name.</source>
         <translation>Das Ersetzen des Schlüssels bestätigen oder einen anderen Namen wählen.</translation>
+    </message>
+    <message>
+        <source>MAVLink system IDs</source>
+        <translation>MAVLink-System-IDs</translation>
     </message>
 </context>
 <context>
@@ -4084,20 +4137,16 @@ mit PSK</translation>
 <context>
     <name>skyseal::ui::PreArmButton</name>
     <message>
-        <source>Opens the list of the reasons and the checklist.</source>
-        <translation>Öffnet die Liste der Gründe und die Checkliste.</translation>
+        <source>Opens the list of failures and the checklist.</source>
+        <translation>Öffnet die Liste der Fehler und die Checkliste.</translation>
     </message>
     <message>
-        <source>%1 open on the checklist. Opens it with the list of the reasons.</source>
-        <translation>Auf der Checkliste offen: %1. Öffnet sie mit der Liste der Gründe.</translation>
+        <source>%1 open on the checklist. Opens the checklist and the list of failures.</source>
+        <translation>Auf der Checkliste offen: %1. Öffnet die Checkliste und die Liste der Fehler.</translation>
     </message>
 </context>
 <context>
     <name>skyseal::ui::PreArmDialog</name>
-    <message>
-        <source>Reasons against arming, with what to do</source>
-        <translation>Gründe gegen das Scharfschalten, mit Abhilfe</translation>
-    </message>
     <message>
         <source>Check now</source>
         <translation>Jetzt prüfen</translation>
@@ -4119,28 +4168,24 @@ mit PSK</translation>
         <translation>Prüfungen vor dem Scharfschalten · Fahrzeug %1</translation>
     </message>
     <message>
-        <source>This autopilot runs its checks by itself</source>
-        <translation>Dieser Autopilot prüft von selbst</translation>
-    </message>
-    <message>
         <source>The vehicle is armed</source>
         <translation>Das Fahrzeug ist scharf</translation>
     </message>
     <message>
-        <source>Lets the vehicle run its checks now and say what fails</source>
-        <translation>Lässt das Fahrzeug jetzt prüfen und melden, was nicht in Ordnung ist</translation>
+        <source>Pre-arm failures, with what to do</source>
+        <translation>Fehler der Vorprüfung, mit Abhilfe</translation>
+    </message>
+    <message>
+        <source>This autopilot runs its checks automatically</source>
+        <translation>Dieser Autopilot prüft von selbst</translation>
+    </message>
+    <message>
+        <source>Makes the vehicle run its checks now and report failures</source>
+        <translation>Lässt das Fahrzeug jetzt prüfen und Fehler melden</translation>
     </message>
 </context>
 <context>
     <name>skyseal::ui::PreArmText</name>
-    <message>
-        <source>Set a mode that can be armed, such as LOITER or GUIDED.</source>
-        <translation>Einen Modus setzen, in dem sich scharfschalten lässt, etwa LOITER oder GUIDED.</translation>
-    </message>
-    <message>
-        <source>Set a mode that can be armed, such as Hold or Position.</source>
-        <translation>Einen Modus setzen, in dem sich scharfschalten lässt, etwa Hold oder Position.</translation>
-    </message>
     <message>
         <source>Press the vehicle&apos;s safety switch until its light stays on.</source>
         <translation>Den Sicherheitsschalter des Fahrzeugs drücken, bis seine LED dauerhaft leuchtet.</translation>
@@ -4154,16 +4199,8 @@ mit PSK</translation>
         <translation>Den Sender einschalten und seinen Empfänger prüfen.</translation>
     </message>
     <message>
-        <source>Pull the throttle stick down to its end.</source>
-        <translation>Den Gasknüppel ganz nach unten ziehen.</translation>
-    </message>
-    <message>
         <source>Calibrate the compass away from metal.</source>
         <translation>Den Kompass fern von Metall kalibrieren.</translation>
-    </message>
-    <message>
-        <source>Move the vehicle away from metal, cables and magnets; calibrate the compass if it stays.</source>
-        <translation>Das Fahrzeug von Metall, Kabeln und Magneten entfernen; bleibt die Meldung, den Kompass kalibrieren.</translation>
     </message>
     <message>
         <source>Move the vehicle away from metal, cables and magnets.</source>
@@ -4190,14 +4227,6 @@ mit PSK</translation>
         <translation>Das Fahrzeug ruhig halten, bis seine Schätzung eingeschwungen ist.</translation>
     </message>
     <message>
-        <source>Keep the vehicle still; restart it if the text stays.</source>
-        <translation>Das Fahrzeug ruhig halten; bleibt die Meldung, neu starten.</translation>
-    </message>
-    <message>
-        <source>Keep the vehicle still; calibrate the accelerometers if it stays.</source>
-        <translation>Das Fahrzeug ruhig halten; bleibt die Meldung, die Beschleunigungssensoren kalibrieren.</translation>
-    </message>
-    <message>
         <source>Shield the barometer from wind and light; restart the vehicle.</source>
         <translation>Das Barometer vor Wind und Licht schützen; das Fahrzeug neu starten.</translation>
     </message>
@@ -4208,10 +4237,6 @@ mit PSK</translation>
     <message>
         <source>Charge or change the battery; check BATT_ARM_VOLT.</source>
         <translation>Den Akku laden oder wechseln; BATT_ARM_VOLT prüfen.</translation>
-    </message>
-    <message>
-        <source>Check that the SD card is inserted and has room.</source>
-        <translation>Prüfen, ob die SD-Karte eingesteckt ist und Platz hat.</translation>
     </message>
     <message>
         <source>Send a mission that suits this vehicle.</source>
@@ -4226,14 +4251,6 @@ mit PSK</translation>
         <translation>Das Fahrzeug auf ebenen Boden stellen.</translation>
     </message>
     <message>
-        <source>Restart the autopilot, and do not fly before the cause is known.</source>
-        <translation>Den Autopiloten neu starten und nicht fliegen, bevor die Ursache bekannt ist.</translation>
-    </message>
-    <message>
-        <source>Wait until the vehicle has noticed that it has landed.</source>
-        <translation>Warten, bis das Fahrzeug bemerkt hat, dass es gelandet ist.</translation>
-    </message>
-    <message>
         <source>Check the motor and frame parameters, and the ESCs.</source>
         <translation>Motor- und Rahmenparameter sowie die ESCs prüfen.</translation>
     </message>
@@ -4242,12 +4259,8 @@ mit PSK</translation>
         <translation>Stromversorgung und Kabel der ESCs prüfen.</translation>
     </message>
     <message>
-        <source>Correct the parameter that the text names.</source>
-        <translation>Den Parameter korrigieren, den der Text nennt.</translation>
-    </message>
-    <message>
         <source>Pre-arm: unknown</source>
-        <translation>Vorprüfung: unbekannt</translation>
+        <translation>Vorprüfung: unklar</translation>
     </message>
     <message>
         <source>Pre-arm: ok</source>
@@ -4262,14 +4275,6 @@ mit PSK</translation>
         <translation>Vorprüfung: nicht ok</translation>
     </message>
     <message>
-        <source>Pre-arm: 1 reason</source>
-        <translation>Vorprüfung: 1 Grund</translation>
-    </message>
-    <message>
-        <source>Pre-arm: %1 reasons</source>
-        <translation>Vorprüfung: %1 Gründe</translation>
-    </message>
-    <message>
         <source>No vehicle is connected.</source>
         <translation>Kein Fahrzeug ist verbunden.</translation>
     </message>
@@ -4278,32 +4283,80 @@ mit PSK</translation>
         <translation>Das Fahrzeug schweigt, daher ist der Stand seiner Prüfungen nicht bekannt.</translation>
     </message>
     <message>
-        <source>The vehicle does not say whether its checks pass, and has given no reason against arming.</source>
-        <translation>Das Fahrzeug meldet nicht, ob seine Prüfungen bestanden sind, und hat keinen Grund gegen das Scharfschalten genannt.</translation>
-    </message>
-    <message>
-        <source>The vehicle says that all its checks pass.</source>
-        <translation>Das Fahrzeug meldet, dass alle Prüfungen bestanden sind.</translation>
-    </message>
-    <message>
         <source>The vehicle is armed.</source>
         <translation>Das Fahrzeug ist scharf.</translation>
     </message>
     <message>
-        <source>The vehicle says that a check fails, but has not said which. It repeats its reasons every 30 s.</source>
-        <translation>Das Fahrzeug meldet eine nicht bestandene Prüfung, hat aber nicht gesagt, welche. Es wiederholt seine Gründe alle 30 s.</translation>
+        <source>Set a mode that allows arming, such as LOITER or GUIDED.</source>
+        <translation>Einen Modus setzen, in dem sich scharfschalten lässt, etwa LOITER oder GUIDED.</translation>
     </message>
     <message>
-        <source>The vehicle would not arm. A reason goes when it has not been repeated for 40 s.</source>
-        <translation>Das Fahrzeug ließ sich nicht scharfschalten. Ein Grund verschwindet, wenn er 40 s lang nicht wiederholt wurde.</translation>
+        <source>Set a mode that allows arming, such as Hold or Position.</source>
+        <translation>Einen Modus setzen, in dem sich scharfschalten lässt, etwa Hold oder Position.</translation>
     </message>
     <message>
-        <source>Look the text up in the manual of the autopilot.</source>
-        <translation>Den Text im Handbuch des Autopiloten nachschlagen.</translation>
+        <source>Lower the throttle stick fully.</source>
+        <translation>Den Gasknüppel ganz nach unten ziehen.</translation>
     </message>
     <message>
-        <source>Wait for the GPS and the EKF, or switch the fence off.</source>
+        <source>Move the vehicle away from metal, cables and magnets; calibrate the compass if the failure persists.</source>
+        <translation>Das Fahrzeug von Metall, Kabeln und Magneten entfernen; bleibt der Fehler, den Kompass kalibrieren.</translation>
+    </message>
+    <message>
+        <source>Wait for the GPS and the EKF, or disable the fence.</source>
         <translation>Auf GPS und EKF warten oder den Geofence ausschalten.</translation>
+    </message>
+    <message>
+        <source>Keep the vehicle still; restart it if the failure persists.</source>
+        <translation>Das Fahrzeug ruhig halten; bleibt der Fehler, neu starten.</translation>
+    </message>
+    <message>
+        <source>Keep the vehicle still; calibrate the accelerometers if the failure persists.</source>
+        <translation>Das Fahrzeug ruhig halten; bleibt der Fehler, die Beschleunigungssensoren kalibrieren.</translation>
+    </message>
+    <message>
+        <source>Check that the SD card is inserted and has free space.</source>
+        <translation>Prüfen, ob die SD-Karte eingesteckt ist und freien Platz hat.</translation>
+    </message>
+    <message>
+        <source>Restart the autopilot, and do not fly until the cause is known.</source>
+        <translation>Den Autopiloten neu starten und nicht fliegen, bis die Ursache bekannt ist.</translation>
+    </message>
+    <message>
+        <source>Wait until the vehicle has detected the landing.</source>
+        <translation>Warten, bis das Fahrzeug die Landung erkannt hat.</translation>
+    </message>
+    <message>
+        <source>Correct the parameter named in the message.</source>
+        <translation>Den Parameter korrigieren, den die Nachricht nennt.</translation>
+    </message>
+    <message>
+        <source>Pre-arm: 1 failure</source>
+        <translation>Vorprüfung: 1 Fehler</translation>
+    </message>
+    <message>
+        <source>Pre-arm: %1 failures</source>
+        <translation>Vorprüfung: %1 Fehler</translation>
+    </message>
+    <message>
+        <source>The vehicle does not report whether its checks pass, and has not reported a failure.</source>
+        <translation>Das Fahrzeug meldet nicht, ob seine Prüfungen bestanden sind, und hat keinen Fehler gemeldet.</translation>
+    </message>
+    <message>
+        <source>The vehicle reports that all checks pass.</source>
+        <translation>Das Fahrzeug meldet, dass alle Prüfungen bestanden sind.</translation>
+    </message>
+    <message>
+        <source>The vehicle reports that a check fails, but not which one. It repeats its failures every 30 s.</source>
+        <translation>Das Fahrzeug meldet eine nicht bestandene Prüfung, aber nicht, welche. Es wiederholt seine Fehlermeldungen alle 30 s.</translation>
+    </message>
+    <message>
+        <source>The vehicle will not arm. A failure is removed when it has not been repeated for 40 s.</source>
+        <translation>Das Fahrzeug lässt sich nicht scharfschalten. Ein Fehler verschwindet, wenn er 40 s lang nicht wiederholt wurde.</translation>
+    </message>
+    <message>
+        <source>Look up the message in the autopilot&apos;s documentation.</source>
+        <translation>Die Nachricht in der Dokumentation des Autopiloten nachschlagen.</translation>
     </message>
 </context>
 <context>
@@ -4439,10 +4492,6 @@ mit PSK</translation>
         <translation>% eines Kerns</translation>
     </message>
     <message>
-        <source>CPU time of the process with its window, of the thread that carries the link, and of the suite in seal and open (elapsed time of each call, added up), over the last second.</source>
-        <translation>CPU-Zeit des Prozesses mit seinem Fenster, des Threads, der die Verbindung bedient, und der Chiffre beim Versiegeln und Öffnen (Dauer aller Aufrufe zusammen), in der letzten Sekunde.</translation>
-    </message>
-    <message>
         <source>process</source>
         <translation>Prozess</translation>
     </message>
@@ -4469,10 +4518,6 @@ mit PSK</translation>
     <message>
         <source>next p50</source>
         <translation>nächste p50</translation>
-    </message>
-    <message>
-        <source>From the frames to the record that is sent, with the cold caches of a thread that slept.</source>
-        <translation>Von den Frames bis zum Record, der gesendet wird, mit den kalten Caches eines Threads, der geschlafen hat.</translation>
     </message>
     <message>
         <source>Memory</source>
@@ -4567,10 +4612,6 @@ mit PSK</translation>
         <translation>Umlaufzeit: zum Autopiloten per TIMESYNC, geglättet, und zum Agenten aus den Berichten des Kanals.</translation>
     </message>
     <message>
-        <source>From the datagram to the decrypted frames: look-up, replay window, tag, decryption. The first record after the thread slept finds cold caches and takes several microseconds with any suite; at the pace of telemetry that is nearly every record. “next” are records that follow in the same wake-up, which show more of the cipher itself.</source>
-        <translation>Vom Datagramm bis zu den entschlüsselten Frames: Suche, Wiedereinspielungsfenster, Tag, Entschlüsselung. Der erste Record, nachdem der Thread geschlafen hat, trifft auf kalte Caches und braucht mit jeder Chiffre mehrere Mikrosekunden; im Takt der Telemetrie ist das fast jeder Record. „nächste“ sind Records, die im selben Aufwachen folgen; sie zeigen mehr von der Chiffre selbst.</translation>
-    </message>
-    <message>
         <source>Resident memory of the whole process. It does not depend on the suite.</source>
         <translation>Residenter Speicher des ganzen Prozesses. Er hängt nicht von der Chiffre ab.</translation>
     </message>
@@ -4583,8 +4624,20 @@ mit PSK</translation>
         <translation>Leistung des Rechners</translation>
     </message>
     <message>
-        <source>From the kernel&apos;s energy counters or the sensor of the supply, over the last second: everything that runs on the machine, not this program alone (%1).</source>
-        <translation>Aus den Energiezählern des Kernels oder dem Sensor der Stromversorgung, in der letzten Sekunde: alles, was auf dem Rechner läuft, nicht nur dieses Programm (%1).</translation>
+        <source>From the datagram to the decrypted frames: look-up, replay window, tag, decryption. The first record after the thread slept finds cold caches and takes several microseconds with any suite; at telemetry rates that is nearly every record. “next” is for the records that follow in the same wake-up, which show more of the cipher itself.</source>
+        <translation>Vom Datagramm bis zu den entschlüsselten Frames: Suche, Wiedereinspielungsfenster, Tag, Entschlüsselung. Der erste Record, nachdem der Thread geschlafen hat, trifft auf kalte Caches und braucht mit jeder Chiffre mehrere Mikrosekunden; bei den Raten der Telemetrie ist das fast jeder Record. „nächste“ sind die Records, die im selben Aufwachen folgen; sie zeigen mehr von der Chiffre selbst.</translation>
+    </message>
+    <message>
+        <source>From the frames to the record that is sent, with the cold caches of a thread that was asleep.</source>
+        <translation>Von den Frames bis zum Record, der gesendet wird, mit den kalten Caches eines Threads, der geschlafen hat.</translation>
+    </message>
+    <message>
+        <source>CPU time over the last second: of the process with its window, of the link thread, and of the suite in seal and open (sum of the elapsed times of the calls).</source>
+        <translation>CPU-Zeit in der letzten Sekunde: des Prozesses mit seinem Fenster, des Verbindungs-Threads und der Chiffre beim Versiegeln und Öffnen (Summe der Dauer aller Aufrufe).</translation>
+    </message>
+    <message>
+        <source>From the kernel&apos;s energy counters or the power supply&apos;s sensor, over the last second: the whole machine, not this program alone (%1).</source>
+        <translation>Aus den Energiezählern des Kernels oder dem Sensor der Stromversorgung, in der letzten Sekunde: der ganze Rechner, nicht nur dieses Programm (%1).</translation>
     </message>
 </context>
 <context>
@@ -4625,6 +4678,18 @@ mit PSK</translation>
         <source>File</source>
         <translation>Datei</translation>
     </message>
+    <message>
+        <source>and others</source>
+        <translation>und andere</translation>
+    </message>
+    <message>
+        <source>No cipher suite is noted beside this recording</source>
+        <translation>Neben dieser Aufzeichnung ist keine Chiffre vermerkt</translation>
+    </message>
+    <message>
+        <source>Ciphers</source>
+        <translation>Chiffren</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::RecordingsDialog</name>
@@ -4657,14 +4722,6 @@ mit PSK</translation>
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Looking into %1…</source>
-        <translation>%1 wird durchsucht…</translation>
-    </message>
-    <message>
-        <source>No recordings in %1. File → Settings switches recording on; &quot;Other file&quot; replays a log from elsewhere.</source>
-        <translation>Keine Aufzeichnungen in %1. Datei → Einstellungen schaltet das Aufzeichnen ein; „Andere Datei“ gibt ein Log von anderswo wieder.</translation>
-    </message>
-    <message>
         <source>%1 of %2 read in %3</source>
         <translation>%1 von %2 in %3 gelesen</translation>
     </message>
@@ -4676,6 +4733,14 @@ mit PSK</translation>
         <source>Telemetry logs (*.tlog);;All files (*)</source>
         <translation>Telemetrie-Logs (*.tlog);;Alle Dateien (*)</translation>
     </message>
+    <message>
+        <source>Searching %1…</source>
+        <translation>%1 wird durchsucht…</translation>
+    </message>
+    <message>
+        <source>No recordings in %1. Enable recording in File → Settings, or choose &quot;Other file&quot; to replay another log.</source>
+        <translation>Keine Aufzeichnungen in %1. Das Aufzeichnen in Datei → Einstellungen einschalten oder mit „Andere Datei“ ein anderes Log wiedergeben.</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::RegionDialog</name>
@@ -4686,14 +4751,6 @@ mit PSK</translation>
     <message>
         <source>Fetch the area in view</source>
         <translation>Sichtbaren Ausschnitt laden</translation>
-    </message>
-    <message>
-        <source>From level</source>
-        <translation>Von Zoomstufe</translation>
-    </message>
-    <message>
-        <source>To level</source>
-        <translation>Bis Zoomstufe</translation>
     </message>
     <message>
         <source>area.mbtiles</source>
@@ -4724,14 +4781,6 @@ mit PSK</translation>
         <translation>Laden</translation>
     </message>
     <message>
-        <source>&amp;Use as the map</source>
-        <translation>Als &amp;Karte verwenden</translation>
-    </message>
-    <message>
-        <source>Use the file as the map</source>
-        <translation>Die Datei als Karte verwenden</translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
@@ -4740,24 +4789,8 @@ mit PSK</translation>
         <translation>bis</translation>
     </message>
     <message>
-        <source>&amp;Levels</source>
-        <translation>&amp;Zoomstufen</translation>
-    </message>
-    <message>
         <source>F&amp;ile</source>
         <translation>Da&amp;tei</translation>
-    </message>
-    <message>
-        <source>One tile after the other, two at a time. Whether the server permits it is for you to know.</source>
-        <translation>Eine Kachel nach der anderen, zwei gleichzeitig. Ob der Server das erlaubt, ist selbst zu klären.</translation>
-    </message>
-    <message>
-        <source>The first level is deeper than the last</source>
-        <translation>Die erste Zoomstufe ist höher als die letzte</translation>
-    </message>
-    <message>
-        <source>%L1 tiles: at most %L2 can be fetched at a time. Zoom in, or choose fewer levels</source>
-        <translation>%L1 Kacheln: Höchstens %L2 lassen sich auf einmal laden. Die Karte vergrößern oder weniger Zoomstufen wählen</translation>
     </message>
     <message>
         <source>No file is chosen</source>
@@ -4807,6 +4840,38 @@ mit PSK</translation>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
+    <message>
+        <source>From zoom level</source>
+        <translation>Von Zoomstufe</translation>
+    </message>
+    <message>
+        <source>To zoom level</source>
+        <translation>Bis Zoomstufe</translation>
+    </message>
+    <message>
+        <source>&amp;Use as map source</source>
+        <translation>Als &amp;Kartenquelle verwenden</translation>
+    </message>
+    <message>
+        <source>Use the file as the map source</source>
+        <translation>Die Datei als Kartenquelle verwenden</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;levels</source>
+        <translation>&amp;Zoomstufen</translation>
+    </message>
+    <message>
+        <source>Tiles are fetched two at a time. Check that the server permits it.</source>
+        <translation>Je zwei Kacheln werden gleichzeitig geladen. Vorher klären, ob der Server das erlaubt.</translation>
+    </message>
+    <message>
+        <source>The first zoom level is greater than the last</source>
+        <translation>Die erste Zoomstufe ist höher als die letzte</translation>
+    </message>
+    <message>
+        <source>%L1 tiles: at most %L2 can be fetched at a time. Zoom in, or choose fewer zoom levels</source>
+        <translation>%L1 Kacheln: Höchstens %L2 lassen sich auf einmal laden. Die Karte vergrößern oder weniger Zoomstufen wählen</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::RegionFetch</name>
@@ -4849,6 +4914,10 @@ mit PSK</translation>
         <source>Recorded %1</source>
         <translation>Aufgezeichnet: %1</translation>
     </message>
+    <message>
+        <source>Beside the recording: %1</source>
+        <translation>Neben der Aufzeichnung: %1</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::ReplayTimeline</name>
@@ -4884,13 +4953,21 @@ mit PSK</translation>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
     </message>
+    <message>
+        <source>%1 switched to %2</source>
+        <translation>%1 wechselte zu %2</translation>
+    </message>
+    <message>
+        <source>%1 sealed with %2</source>
+        <translation>%1 versiegelt mit %2</translation>
+    </message>
+    <message>
+        <source> (link to %1)</source>
+        <translation> (Verbindung zu %1)</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::RescueBar</name>
-    <message>
-        <source>The last run did not end properly, about %1. What it recorded is kept.</source>
-        <translation>Der letzte Lauf wurde nicht ordnungsgemäß beendet (etwa %1). Seine Aufzeichnung ist erhalten.</translation>
-    </message>
     <message>
         <source>Replay its recording</source>
         <translation>Aufzeichnung wiedergeben</translation>
@@ -4910,6 +4987,10 @@ mit PSK</translation>
     <message>
         <source>Dismiss</source>
         <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>The last run ended unexpectedly at about %1. Its recording was kept.</source>
+        <translation>Der letzte Lauf endete unerwartet (etwa %1). Seine Aufzeichnung ist erhalten.</translation>
     </message>
 </context>
 <context>
@@ -4941,10 +5022,6 @@ mit PSK</translation>
     <message>
         <source>No sealed link</source>
         <translation>Keine versiegelte Verbindung</translation>
-    </message>
-    <message>
-        <source>The session starts by itself once a known agent announces itself.</source>
-        <translation>Die Sitzung beginnt von selbst, sobald sich ein bekannter Agent meldet.</translation>
     </message>
     <message>
         <source>Not sealed</source>
@@ -4993,10 +5070,6 @@ mit PSK</translation>
         <translation>%1 antwortet nicht</translation>
     </message>
     <message>
-        <source>Not sealed, in a sweep</source>
-        <translation>Nicht versiegelt, in einer Messreihe</translation>
-    </message>
-    <message>
         <source>Under attack, all refused</source>
         <translation>Unter Angriff, alles abgelehnt</translation>
     </message>
@@ -5029,16 +5102,8 @@ mit PSK</translation>
         <translation>Fahrzeug %1 sendet ungeschütztes MAVLink und gibt sich möglicherweise als %2 aus. Befehle sind gesperrt bis zur Freigabe: Sicherheit → Ungeschütztes MAVLink zulassen.</translation>
     </message>
     <message>
-        <source>Plain MAVLink is measured at present, with your consent: anyone on the path can read the telemetry and command the vehicle. The sweep seals the link again afterwards.</source>
-        <translation>Zurzeit wird ungeschütztes MAVLink gemessen, mit hier gegebener Zustimmung: Jeder auf der Übertragungsstrecke kann die Telemetrie lesen und dem Fahrzeug Befehle geben. Danach versiegelt die Messreihe die Verbindung wieder.</translation>
-    </message>
-    <message>
         <source>Sealed, no data received</source>
         <translation>Versiegelt, keine Daten empfangen</translation>
-    </message>
-    <message>
-        <source>It continues automatically when the agent is received again.</source>
-        <translation>Es geht von selbst weiter, sobald der Agent wieder empfangen wird.</translation>
     </message>
     <message>
         <source>Sealed, commands are ignored</source>
@@ -5065,24 +5130,40 @@ mit PSK</translation>
         <translation>Dieses Fahrzeug verwendet ungeschütztes MAVLink: Jeder auf der Übertragungsstrecke kann seine Telemetrie lesen und ihm Befehle geben. Diese Station kann die Verbindung nicht versiegeln, weil sie ihren Schlüssel nicht verwenden kann: %1</translation>
     </message>
     <message>
-        <source>Sealed, the disk of the agent fails</source>
-        <translation>Versiegelt, Datenträger des Agenten gestört</translation>
-    </message>
-    <message>
-        <source>The vehicle&apos;s computer cannot store handshake counters: its disk may be full, read-only or broken. The link stays up. If that computer restarts now, it will answer handshakes that were recorded before; no session results from them.</source>
-        <translation>Der Rechner des Fahrzeugs kann keine Handshake-Zähler speichern: Sein Datenträger ist vielleicht voll, schreibgeschützt oder defekt. Die Verbindung bleibt bestehen. Startet dieser Rechner jetzt neu, beantwortet er früher aufgezeichnete Handshakes; eine Sitzung entsteht daraus nicht.</translation>
-    </message>
-    <message>
-        <source>Sealed, the disk of this computer fails</source>
-        <translation>Versiegelt, Datenträger dieses Rechners gestört</translation>
-    </message>
-    <message>
-        <source>Handshake counters cannot be stored: %1. The link stays up. If this program restarts now, agents refuse its first handshake and return the correct counter.</source>
-        <translation>Handshake-Zähler lassen sich nicht speichern: %1. Die Verbindung bleibt bestehen. Startet dieses Programm jetzt neu, lehnen Agenten seinen ersten Handshake ab und senden den richtigen Zähler zurück.</translation>
-    </message>
-    <message>
         <source>%1 spoofed frames in a minute</source>
         <translation>%1 vorgetäuschte Frames in einer Minute</translation>
+    </message>
+    <message>
+        <source>The session starts automatically when a known agent announces itself.</source>
+        <translation>Die Sitzung beginnt von selbst, wenn sich ein bekannter Agent meldet.</translation>
+    </message>
+    <message>
+        <source>Not sealed, sweep running</source>
+        <translation>Nicht versiegelt, Messreihe läuft</translation>
+    </message>
+    <message>
+        <source>The sweep is measuring plain MAVLink, with your consent: anyone on the path can read the telemetry and command the vehicle. The sweep seals the link again afterwards.</source>
+        <translation>Die Messreihe misst gerade ungeschütztes MAVLink, mit hier gegebener Zustimmung: Jeder auf der Übertragungsstrecke kann die Telemetrie lesen und dem Fahrzeug Befehle geben. Danach versiegelt die Messreihe die Verbindung wieder.</translation>
+    </message>
+    <message>
+        <source>It continues automatically when the agent is heard again.</source>
+        <translation>Es geht von selbst weiter, sobald der Agent wieder empfangen wird.</translation>
+    </message>
+    <message>
+        <source>Sealed, disk error at the agent</source>
+        <translation>Versiegelt, Datenträgerfehler beim Agenten</translation>
+    </message>
+    <message>
+        <source>The companion computer cannot store handshake counters: its disk may be full, read-only or broken. The link stays up. If that computer restarts now, it will answer replayed handshakes, but they cannot establish a session.</source>
+        <translation>Der Begleitrechner kann keine Handshake-Zähler speichern: Sein Datenträger ist vielleicht voll, schreibgeschützt oder defekt. Die Verbindung bleibt bestehen. Startet dieser Rechner jetzt neu, beantwortet er wiedereingespielte Handshakes, die aber keine Sitzung aufbauen können.</translation>
+    </message>
+    <message>
+        <source>Sealed, disk error on this computer</source>
+        <translation>Versiegelt, Datenträgerfehler auf diesem Rechner</translation>
+    </message>
+    <message>
+        <source>Handshake counters cannot be stored: %1. The link stays up. If this program restarts now, agents will refuse its first handshake and return the correct counter.</source>
+        <translation>Handshake-Zähler lassen sich nicht speichern: %1. Die Verbindung bleibt bestehen. Startet dieses Programm jetzt neu, lehnen Agenten seinen ersten Handshake ab und senden den richtigen Zähler zurück.</translation>
     </message>
 </context>
 <context>
@@ -5136,14 +5217,6 @@ mit PSK</translation>
         <translation>Station</translation>
     </message>
     <message>
-        <source>MAVLink system id</source>
-        <translation>MAVLink-System-ID</translation>
-    </message>
-    <message>
-        <source>MAVLink component id</source>
-        <translation>MAVLink-Komponenten-ID</translation>
-    </message>
-    <message>
         <source>Link to open at start</source>
         <translation>Verbindung, die beim Start geöffnet wird</translation>
     </message>
@@ -5186,10 +5259,6 @@ mit PSK</translation>
     <message>
         <source>&amp;Folder</source>
         <translation>Or&amp;dner</translation>
-    </message>
-    <message>
-        <source>Ids, link and folder take effect at the next start.</source>
-        <translation>IDs, Verbindung und Ordner gelten ab dem nächsten Start.</translation>
     </message>
     <message>
         <source>Security</source>
@@ -5294,6 +5363,187 @@ mit PSK</translation>
     <message>
         <source>The language takes effect at the next start.</source>
         <translation>Die Sprache gilt ab dem nächsten Start.</translation>
+    </message>
+    <message>
+        <source>MAVLink system ID</source>
+        <translation>MAVLink-System-ID</translation>
+    </message>
+    <message>
+        <source>MAVLink component ID</source>
+        <translation>MAVLink-Komponenten-ID</translation>
+    </message>
+    <message>
+        <source>IDs, link and folder take effect at the next start.</source>
+        <translation>IDs, Verbindung und Ordner gelten ab dem nächsten Start.</translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::ShortcutDialog</name>
+    <message>
+        <source>Find an action</source>
+        <translation>Aktion suchen</translation>
+    </message>
+    <message>
+        <source>Actions and their shortcuts</source>
+        <translation>Aktionen und ihre Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Shortcut of the selected action</source>
+        <translation>Tastenkürzel der ausgewählten Aktion</translation>
+    </message>
+    <message>
+        <source>Re&amp;place</source>
+        <translation>&amp;Ersetzen</translation>
+    </message>
+    <message>
+        <source>Take the shortcut from the other action</source>
+        <translation>Der anderen Aktion das Tastenkürzel nehmen</translation>
+    </message>
+    <message>
+        <source>&amp;None</source>
+        <translation>&amp;Keines</translation>
+    </message>
+    <message>
+        <source>Remove the shortcut of the selected action</source>
+        <translation>Tastenkürzel der ausgewählten Aktion entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Default</source>
+        <translation>&amp;Standard</translation>
+    </message>
+    <message>
+        <source>Default shortcut for the selected action</source>
+        <translation>Standard-Tastenkürzel für die ausgewählte Aktion</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Parts of a name, a menu or keys, such as &quot;zoom&quot; or &quot;ctrl+k&quot;</source>
+        <translation>Teile eines Namens, eines Menüs oder von Tasten, etwa „zoom“ oder „strg+k“</translation>
+    </message>
+    <message>
+        <source>Security</source>
+        <translation>Sicherheit</translation>
+    </message>
+    <message>
+        <source>Reset &amp;all…</source>
+        <translation>&amp;Alle zurücksetzen…</translation>
+    </message>
+    <message>
+        <source>Reset all shortcuts</source>
+        <translation>Alle Tastenkürzel zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Shortcut of &quot;%1&quot;: press the keys, or Backspace for none</source>
+        <translation>Tastenkürzel von „%1“: Tasten drücken, oder Rücktaste für keines</translation>
+    </message>
+    <message>
+        <source>No action has these words.</source>
+        <translation>Keine Aktion hat diese Wörter.</translation>
+    </message>
+    <message>
+        <source>%1 is that of &quot;%2&quot;; it would lose it.</source>
+        <translation>%1 gehört zu „%2“, das es verlieren würde.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no shortcut now.</source>
+        <translation>„%1“ hat jetzt kein Tastenkürzel.</translation>
+    </message>
+    <message>
+        <source>%1 is now that of &quot;%2&quot;.</source>
+        <translation>%1 gehört jetzt zu „%2“.</translation>
+    </message>
+    <message>
+        <source>Give every action its default shortcut?</source>
+        <translation>Jeder Aktion ihr Standard-Tastenkürzel geben?</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation>Alle zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Every action has its default shortcut.</source>
+        <translation>Jede Aktion hat ihr Standard-Tastenkürzel.</translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::ShortcutModel</name>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Aktion</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>Menü</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Standard</translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::ShortcutRules</name>
+    <message>
+        <source>it must be pressed at once.</source>
+        <translation>es muss auf einmal gedrückt werden.</translation>
+    </message>
+    <message>
+        <source>this key is not known.</source>
+        <translation>diese Taste ist unbekannt.</translation>
+    </message>
+    <message>
+        <source>Space and Enter press buttons.</source>
+        <translation>Leertaste und Eingabetaste drücken Knöpfe.</translation>
+    </message>
+    <message>
+        <source>Tab moves between controls.</source>
+        <translation>Tab wechselt zwischen Bedienelementen.</translation>
+    </message>
+    <message>
+        <source>Esc closes and cancels.</source>
+        <translation>Esc schließt und bricht ab.</translation>
+    </message>
+    <message>
+        <source>the arrows move in the map, in lists and in texts.</source>
+        <translation>die Pfeiltasten bewegen in Karte, Listen und Texten.</translation>
+    </message>
+    <message>
+        <source>Alt with a letter opens menus and presses buttons.</source>
+        <translation>Alt mit einem Buchstaben öffnet Menüs und drückt Knöpfe.</translation>
+    </message>
+    <message>
+        <source>it opens the menu at the pointer.</source>
+        <translation>es öffnet das Menü am Mauszeiger.</translation>
+    </message>
+    <message>
+        <source>it edits texts.</source>
+        <translation>es bearbeitet Texte.</translation>
+    </message>
+    <message>
+        <source>without Ctrl or Alt, texts, lists and the map need it. F1 to F35 are free.</source>
+        <translation>ohne Strg oder Alt brauchen es Texte, Listen und die Karte. F1 bis F35 sind frei.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be a shortcut: %2</source>
+        <translation>%1 kann kein Tastenkürzel sein: %2</translation>
     </message>
 </context>
 <context>
@@ -5445,10 +5695,6 @@ mit PSK</translation>
         <translation>Landen</translation>
     </message>
     <message>
-        <source>Return to launch</source>
-        <translation>Rückkehr zum Startpunkt</translation>
-    </message>
-    <message>
         <source>Mode %1</source>
         <translation>Modus %1</translation>
     </message>
@@ -5459,10 +5705,6 @@ mit PSK</translation>
     <message>
         <source>Mission item %1</source>
         <translation>Missionspunkt %1</translation>
-    </message>
-    <message>
-        <source>Start the mission</source>
-        <translation>Mission starten</translation>
     </message>
     <message>
         <source>Restart the autopilot</source>
@@ -5489,20 +5731,28 @@ mit PSK</translation>
         <translation>Loiter</translation>
     </message>
     <message>
-        <source>Point at here</source>
-        <translation>Kamera hierher richten</translation>
-    </message>
-    <message>
-        <source>Stop pointing</source>
-        <translation>Ausrichtung beenden</translation>
-    </message>
-    <message>
         <source>Set home here</source>
         <translation>Home hierher setzen</translation>
     </message>
     <message>
         <source>Pre-arm checks</source>
         <translation>Vorprüfung</translation>
+    </message>
+    <message>
+        <source>RTL</source>
+        <translation>RTL</translation>
+    </message>
+    <message>
+        <source>Point camera here</source>
+        <translation>Kamera hierher richten</translation>
+    </message>
+    <message>
+        <source>Stop pointing camera</source>
+        <translation>Ausrichtung beenden</translation>
+    </message>
+    <message>
+        <source>Start mission</source>
+        <translation>Mission starten</translation>
     </message>
 </context>
 <context>
@@ -5715,14 +5965,6 @@ mit PSK</translation>
         <translation>Die bestehende Verbindung</translation>
     </message>
     <message>
-        <source>A simulated &amp;vehicle of its own, on this machine</source>
-        <translation>Ein eigenes simuliertes &amp;Fahrzeug auf diesem Rechner</translation>
-    </message>
-    <message>
-        <source>A simulated vehicle of its own</source>
-        <translation>Ein eigenes simuliertes Fahrzeug</translation>
-    </message>
-    <message>
         <source>The &amp;connected link, to %1</source>
         <translation>Die bestehende &amp;Verbindung zu %1</translation>
     </message>
@@ -5839,18 +6081,6 @@ mit PSK</translation>
         <translation>Damit wird ungeschütztem MAVLink zugestimmt: Während dieser Läufe werden Telemetrie und Befehle im Klartext gesendet, und jeder kann dem Fahrzeug Befehle geben.</translation>
     </message>
     <message>
-        <source>The noise shows only in repeats: 2 or more.</source>
-        <translation>Das Rauschen zeigt sich nur bei Wiederholungen: 2 oder mehr.</translation>
-    </message>
-    <message>
-        <source>An &amp;autopilot that runs already, beside an agent of its own</source>
-        <translation>Ein bereits laufender &amp;Autopilot neben einem eigenen Agenten</translation>
-    </message>
-    <message>
-        <source>An autopilot that runs already</source>
-        <translation>Ein bereits laufender Autopilot</translation>
-    </message>
-    <message>
         <source>Link to the autopilot</source>
         <translation>Verbindung zum Autopiloten</translation>
     </message>
@@ -5859,8 +6089,28 @@ mit PSK</translation>
         <translation>Chiffren und Störungen wechseln auf der eigenen Verbindung der Messreihe; der Autopilot erhält keine Befehle. Flüge: skyseal-cli sweep --vehicle URL --fly SCRIPT.</translation>
     </message>
     <message>
-        <source>The autopilot&apos;s link is not a link URL, such as tcp:127.0.0.1:5760.</source>
-        <translation>Die Verbindung des Autopiloten ist keine Verbindungs-URL wie tcp:127.0.0.1:5760.</translation>
+        <source>A separate simulated &amp;vehicle, on this machine</source>
+        <translation>Ein eigenes simuliertes &amp;Fahrzeug auf diesem Rechner</translation>
+    </message>
+    <message>
+        <source>A separate simulated vehicle</source>
+        <translation>Ein eigenes simuliertes Fahrzeug</translation>
+    </message>
+    <message>
+        <source>A running &amp;autopilot, with a separate agent</source>
+        <translation>Ein laufender &amp;Autopilot mit eigenem Agenten</translation>
+    </message>
+    <message>
+        <source>A running autopilot</source>
+        <translation>Ein laufender Autopilot</translation>
+    </message>
+    <message>
+        <source>The noise can be measured only with 2 or more repeats.</source>
+        <translation>Das Rauschen lässt sich nur mit 2 oder mehr Wiederholungen messen.</translation>
+    </message>
+    <message>
+        <source>The link to the autopilot must be a URL, such as tcp:127.0.0.1:5760.</source>
+        <translation>Die Verbindung zum Autopiloten muss eine URL sein, etwa tcp:127.0.0.1:5760.</translation>
     </message>
 </context>
 <context>
@@ -5973,6 +6223,10 @@ mit PSK</translation>
         <source>Stopping: restoring the suite of the link…</source>
         <translation>Hält an: Die Chiffre der Verbindung wird wiederhergestellt…</translation>
     </message>
+    <message>
+        <source>Bars of the sweep</source>
+        <translation>Balken der Messreihe</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::SweepPresenter</name>
@@ -6033,24 +6287,24 @@ mit PSK</translation>
 <context>
     <name>skyseal::ui::TileTemplate</name>
     <message>
-        <source>The address needs {z}, {x} and {y}, where the server expects level, column and row</source>
-        <translation>Die Adresse braucht {z}, {x} und {y}, wo der Server Zoomstufe, Spalte und Zeile erwartet</translation>
-    </message>
-    <message>
-        <source>Only {z}, {x} and {y} (or {-y}) can be filled in</source>
-        <translation>Nur {z}, {x} und {y} (oder {-y}) werden eingesetzt</translation>
-    </message>
-    <message>
         <source>The address must begin with https:// or http:// and name a server</source>
         <translation>Die Adresse muss mit https:// oder http:// beginnen und einen Server nennen</translation>
     </message>
     <message>
-        <source>The name of the server must not depend on the tile</source>
-        <translation>Der Name des Servers darf nicht von der Kachel abhängen</translation>
+        <source>The address must contain {z}, {x} and {y}, where the server expects zoom level, column and row</source>
+        <translation>Die Adresse muss {z}, {x} und {y} enthalten, wo der Server Zoomstufe, Spalte und Zeile erwartet</translation>
     </message>
     <message>
-        <source>The rules of openstreetmap.org forbid to fetch areas for later use; choose a server that permits it</source>
-        <translation>Die Regeln von openstreetmap.org verbieten, Ausschnitte auf Vorrat zu laden; einen Server wählen, der es erlaubt</translation>
+        <source>Only the placeholders {z}, {x} and {y} (or {-y}) are supported</source>
+        <translation>Nur die Platzhalter {z}, {x} und {y} (oder {-y}) werden unterstützt</translation>
+    </message>
+    <message>
+        <source>The server name must not contain placeholders</source>
+        <translation>Der Servername darf keine Platzhalter enthalten</translation>
+    </message>
+    <message>
+        <source>openstreetmap.org does not permit fetching areas for later use; choose a server that does</source>
+        <translation>openstreetmap.org erlaubt nicht, Ausschnitte auf Vorrat zu laden; einen Server wählen, der es erlaubt</translation>
     </message>
 </context>
 <context>
@@ -6137,10 +6391,6 @@ mit PSK</translation>
         <translation>es gibt keinen Wert „%1“</translation>
     </message>
     <message>
-        <source>&quot;caption&quot; is not a text of at most %1 characters</source>
-        <translation>„caption“ ist kein Text mit höchstens %1 Zeichen</translation>
-    </message>
-    <message>
         <source>&quot;decimals&quot; is not a number from 0 to %1</source>
         <translation>„decimals“ ist keine Zahl von 0 bis %1</translation>
     </message>
@@ -6167,6 +6417,10 @@ mit PSK</translation>
     <message>
         <source>value %1: %2</source>
         <translation>Wert %1: %2</translation>
+    </message>
+    <message>
+        <source>&quot;caption&quot; is not text of at most %1 characters</source>
+        <translation>„caption“ ist kein Text mit höchstens %1 Zeichen</translation>
     </message>
 </context>
 <context>
@@ -6197,10 +6451,6 @@ mit PSK</translation>
     <message>
         <source>%1 elements</source>
         <translation>%1 Elemente</translation>
-    </message>
-    <message>
-        <source>MAVLink system id</source>
-        <translation>MAVLink-System-ID</translation>
     </message>
     <message>
         <source>system</source>
@@ -6403,10 +6653,6 @@ mit PSK</translation>
         <translation>Punkt</translation>
     </message>
     <message>
-        <source>Number of the flight mode</source>
-        <translation>Nummer des Flugmodus</translation>
-    </message>
-    <message>
         <source>mode no.</source>
         <translation>Modus-Nr.</translation>
     </message>
@@ -6425,10 +6671,6 @@ mit PSK</translation>
     <message>
         <source>CPU</source>
         <translation>CPU</translation>
-    </message>
-    <message>
-        <source>Vibration, the worst axis</source>
-        <translation>Vibration, die schlechteste Achse</translation>
     </message>
     <message>
         <source>vibration</source>
@@ -6466,16 +6708,24 @@ mit PSK</translation>
         <source>firmware</source>
         <translation>Firmware</translation>
     </message>
+    <message>
+        <source>MAVLink system ID</source>
+        <translation>MAVLink-System-ID</translation>
+    </message>
+    <message>
+        <source>Flight mode number</source>
+        <translation>Nummer des Flugmodus</translation>
+    </message>
+    <message>
+        <source>Vibration, worst axis</source>
+        <translation>Vibration, schlechteste Achse</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::ValuesEditor</name>
     <message>
         <source>Edit values</source>
         <translation>Werte bearbeiten</translation>
-    </message>
-    <message>
-        <source>What is wrong</source>
-        <translation>Was nicht stimmt</translation>
     </message>
     <message>
         <source>Chosen values</source>
@@ -6578,24 +6828,12 @@ mit PSK</translation>
         <translation>&amp;Suchen</translation>
     </message>
     <message>
-        <source>Values that contain what was typed</source>
-        <translation>Werte, die das Eingegebene enthalten</translation>
-    </message>
-    <message>
         <source>&amp;Add</source>
         <translation>Hin&amp;zufügen</translation>
     </message>
     <message>
         <source>Use for the &amp;selected value</source>
         <translation>&amp;Für ausgewählten Wert verwenden</translation>
-    </message>
-    <message>
-        <source>Usual se&amp;t</source>
-        <translation>Übli&amp;che Werte</translation>
-    </message>
-    <message>
-        <source>The values that Skyseal shows without a choice; takes effect with Apply or OK</source>
-        <translation>Die Werte, die Skyseal ohne eigene Auswahl zeigt; wirksam mit Übernehmen oder OK</translation>
     </message>
     <message>
         <source>A&amp;pply</source>
@@ -6633,6 +6871,22 @@ mit PSK</translation>
         <source>Adds the value that is selected below</source>
         <translation>Fügt den unten ausgewählten Wert hinzu</translation>
     </message>
+    <message>
+        <source>Problem</source>
+        <translation>Problem</translation>
+    </message>
+    <message>
+        <source>Matching values</source>
+        <translation>Passende Werte</translation>
+    </message>
+    <message>
+        <source>Defaul&amp;ts</source>
+        <translation>S&amp;tandardwerte</translation>
+    </message>
+    <message>
+        <source>Restores the default values; takes effect with Apply or OK</source>
+        <translation>Stellt die Standardwerte wieder her; wirksam mit Übernehmen oder OK</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::ValuesGrid</name>
@@ -6661,16 +6915,16 @@ mit PSK</translation>
         <translation>Werte bearbeiten</translation>
     </message>
     <message>
-        <source>Choose the values that stand here, their limits and their lines</source>
-        <translation>Die Werte wählen, die hier stehen, mit ihren Grenzen und Verläufen</translation>
-    </message>
-    <message>
-        <source>The stored values cannot be read (%1). These are the usual ones.</source>
-        <translation>Die gespeicherten Werte sind nicht lesbar (%1). Dies sind die üblichen.</translation>
-    </message>
-    <message>
         <source>Last heard %1 ago</source>
         <translation>Zuletzt vor %1</translation>
+    </message>
+    <message>
+        <source>Choose the values shown here, their limits and their lines</source>
+        <translation>Die hier gezeigten Werte wählen, mit ihren Grenzen und Verläufen</translation>
+    </message>
+    <message>
+        <source>The stored values cannot be read (%1). These are the defaults.</source>
+        <translation>Die gespeicherten Werte sind nicht lesbar (%1). Dies sind die Standardwerte.</translation>
     </message>
 </context>
 <context>
@@ -6690,6 +6944,14 @@ mit PSK</translation>
     <message>
         <source>%1: requested…</source>
         <translation>%1: angefordert…</translation>
+    </message>
+    <message>
+        <source>Add to the mission</source>
+        <translation>Zur Mission hinzufügen</translation>
+    </message>
+    <message>
+        <source>the mission is not known</source>
+        <translation>die Mission ist nicht bekannt</translation>
     </message>
 </context>
 <context>
@@ -6762,10 +7024,6 @@ mit PSK</translation>
         <translation>verloren</translation>
     </message>
     <message>
-        <source>No frames arrive</source>
-        <translation>Es kommen keine Frames an</translation>
-    </message>
-    <message>
         <source>%1 · poor</source>
         <translation>%1 · schlecht</translation>
     </message>
@@ -6817,6 +7075,10 @@ mit PSK</translation>
         <source>Disarmed</source>
         <translation>Unscharf</translation>
     </message>
+    <message>
+        <source>No frames received</source>
+        <translation>Keine Frames empfangen</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::VehicleMarker</name>
@@ -6863,10 +7125,6 @@ mit PSK</translation>
         <translation>Letzter Frame</translation>
     </message>
     <message>
-        <source>Filter of the vehicles</source>
-        <translation>Filter der Fahrzeuge</translation>
-    </message>
-    <message>
         <source>Number or words, such as &quot;rover armed&quot;</source>
         <translation>Nummer oder Wörter, etwa „rover scharf“</translation>
     </message>
@@ -6897,6 +7155,10 @@ mit PSK</translation>
     <message>
         <source>No vehicle matches &quot;%1&quot;.</source>
         <translation>Kein Fahrzeug passt zu „%1“.</translation>
+    </message>
+    <message>
+        <source>Filter vehicles</source>
+        <translation>Fahrzeuge filtern</translation>
     </message>
 </context>
 <context>
@@ -7038,10 +7300,6 @@ GPL-3.0-or-later; erstellt mit Qt %2, Qt Charts, libsodium und OpenSSL.</transla
         <translation>Zum Startpunkt zurückkehren und dort landen?</translation>
     </message>
     <message>
-        <source>&amp;Start the mission…</source>
-        <translation>&amp;Mission starten…</translation>
-    </message>
-    <message>
         <source>Fly the mission?</source>
         <translation>Die Mission fliegen?</translation>
     </message>
@@ -7146,16 +7404,8 @@ GPL-3.0-or-later; erstellt mit Qt %2, Qt Charts, libsodium und OpenSSL.</transla
         <translation>das Fahrzeug ist scharf</translation>
     </message>
     <message>
-        <source>The demo runs</source>
-        <translation>Die Demo läuft</translation>
-    </message>
-    <message>
         <source>&amp;End the demo</source>
         <translation>Demo b&amp;eenden</translation>
-    </message>
-    <message>
-        <source>No demo runs</source>
-        <translation>Keine Demo läuft</translation>
     </message>
     <message>
         <source>&amp;Map source…</source>
@@ -7196,6 +7446,38 @@ GPL-3.0-or-later; erstellt mit Qt %2, Qt Charts, libsodium und OpenSSL.</transla
     <message>
         <source>O&amp;verlays…</source>
         <translation>&amp;Overlays…</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard shortcuts…</source>
+        <translation>&amp;Tastenkürzel…</translation>
+    </message>
+    <message>
+        <source>&amp;Start mission…</source>
+        <translation>&amp;Mission starten…</translation>
+    </message>
+    <message>
+        <source>The demo is running</source>
+        <translation>Die Demo läuft</translation>
+    </message>
+    <message>
+        <source>No demo is running</source>
+        <translation>Keine Demo läuft</translation>
+    </message>
+    <message>
+        <source>&amp;Fly workspace</source>
+        <translation>Arbeitsbereich &amp;Fliegen</translation>
+    </message>
+    <message>
+        <source>&amp;Plan workspace</source>
+        <translation>Arbeitsbereich &amp;Planen</translation>
+    </message>
+    <message>
+        <source>Ve&amp;hicle workspace</source>
+        <translation>Arbeitsbereich Fahr&amp;zeug</translation>
+    </message>
+    <message>
+        <source>&amp;Lab workspace</source>
+        <translation>Arbeitsbereich &amp;Labor</translation>
     </message>
 </context>
 <context>

@@ -100,7 +100,7 @@ private Q_SLOTS:
         QVERIFY(back->isEnabled());
         QVERIFY(QTest::qWaitForWindowActive(&dialog));
         QTest::keySequence(page, QKeySequence(QKeySequence::Back));
-        QVERIFY(page->toPlainText().startsWith(QStringLiteral("The Lab workspace")));
+        EVENTUALLY(page->toPlainText().startsWith(QStringLiteral("The Lab workspace")));
         QVERIFY(!back->isEnabled());
     }
 

@@ -20,7 +20,7 @@ HelpDialog::HelpDialog(const QString &page, const QHash<QString, QString> &inser
     back->setShortcut(QKeySequence::Back);
     back->setObjectName(QStringLiteral("helpBack"));
     back->setEnabled(false);
-    connect(text, &HelpPage::historyChanged, back, &QWidget::setEnabled);
+    connect(text, &HelpPage::canGoBackChanged, back, &QWidget::setEnabled);
     connect(back, &QPushButton::clicked, text, &HelpPage::back);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto *column = new QVBoxLayout(this);

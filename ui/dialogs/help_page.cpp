@@ -42,6 +42,8 @@ HelpPage::HelpPage(const QHash<QString, QString> &inserts, QWidget *parent) : QT
     setObjectName(QStringLiteral("helpPage"));
     setAccessibleName(tr("Help page"));
     setFrameShape(QFrame::NoFrame);
+    // The scroll bar takes its width from the pictures, whose height would decide whether it is there.
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
     setOpenLinks(false); // a page has inserts and pictures of its own
     document()->setDocumentMargin(2 * kGrid);
     connect(this, &QTextBrowser::anchorClicked, this, [this](const QUrl &link) {
@@ -68,7 +70,7 @@ void HelpPage::show(const QString &page)
 {
     setMarkdown(pageText(page, m_inserts));
     fitPictures();
-    Q_EMIT historyChanged(m_opened.size() > 1);
+    Q_EMIT canGoBackChanged(m_opened.size() > 1);
 }
 
 void HelpPage::fitPictures()

@@ -20,7 +20,7 @@ public:
     void back();
 
 Q_SIGNALS:
-    void historyChanged(bool canGoBack);
+    void canGoBackChanged(bool canGoBack);
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
