@@ -236,6 +236,7 @@ Values valuesBetween(const Reading &begin, const Reading &end, bool sealed, bool
     out[Metric::FramesPerDatagram] = frames / growth(traffic.rxDatagrams, later.rxDatagrams);
     out[Metric::Overhead] = 100 * (received / mavlink - 1);
     addCosts(out, *before.probe, *after.probe, time, frames, sealed);
+    out[Metric::Readings] = growth(before.number, after.number);
     if (sealed)
         addChannel(out, before.channel, after.channel);
     addLatency(out, before, after);

@@ -40,7 +40,7 @@ struct ProgramUsage
 struct Reading
 {
     std::shared_ptr<const engine::Snapshot> station; ///< with a probe
-    std::optional<AgentCostReport> agent;            ///< made during the run
+    std::optional<AgentCostReport> agent;            ///< of the run's suite alone
     ProgramUsage programs;
     metrics::MachineUsage machine;            ///< read together with `programs`
     std::optional<std::uint64_t> microjoules; ///< of the machine, see metrics::EnergyMeter

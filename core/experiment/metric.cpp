@@ -75,6 +75,12 @@ constexpr std::array<MetricInfo, kMetrics> kTable{{
      .description = "CPU time in which the station's I/O thread built and handed out snapshots and probes, by its own clock, "
                     "percent of its CPU time",
      .explains = true},
+    {.metric = Metric::Readings,
+     .key = "readings",
+     .title = "Snapshots during the run, station",
+     .description = "snapshots that the station's I/O thread built from the first probe of the run on: 1, which is the last "
+                    "probe, or those of a window as well",
+     .explains = true},
     {.metric = Metric::CpuSuite,
      .key = "cpu_suite",
      .title = "CPU load of the suite, station",

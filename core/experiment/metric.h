@@ -25,6 +25,7 @@ enum class Metric : std::uint8_t {
     Cpu,
     CpuProcess,
     MeterCpu,
+    Readings,
     CpuSuite,
     AgentCpu,
     AgentCpuSuite,

@@ -16,7 +16,7 @@ constexpr Duration kSilencePatience = std::chrono::seconds(20); ///< beyond the 
 constexpr Duration kMostSettling = std::chrono::seconds(30);    ///< of a saturated load; the run is measured all the same
 constexpr int kFirstWarmUps = 4; ///< warm-ups before the first run of programs that have just started
 constexpr Duration kProbePatience = std::chrono::seconds(10);
-constexpr int kForReports = 1; ///< snapshots a second while a run waits for the agent's first report
+constexpr Duration kReportPatience = std::chrono::seconds(3); ///< beyond the warm-up, for a report of the agent
 
 } // namespace
 
@@ -43,13 +43,13 @@ void RunDriver::enter(Stage stage, Duration patience)
     m_link.setSnapshotsPerSecond(snapshotsPerSecond());
 }
 
-/// That the stage needs. A run that is measured needs none but to see the agent's first report.
+/// That the stage needs. A run that is measured has its two probes only, whatever its arm.
 int RunDriver::snapshotsPerSecond() const
 {
     switch (m_stage.stage()) {
     case Stage::Beginning:
+    case Stage::Measuring:
     case Stage::Ending: return 0;
-    case Stage::Measuring: return m_link.measured().isPlain() || m_measurement.hasReport() ? 0 : kForReports;
     default: return LinkDriver::kWatching;
     }
 }
@@ -130,15 +130,19 @@ void RunDriver::continueSwitch()
 void RunDriver::beginWarmUp()
 {
     m_settling = LoadSettling(lineRate(m_plan.conditions[m_sample.run.condition].settings));
-    enter(Stage::WarmingUp, kFirstWarmUps * m_plan.warmUp + kMostSettling + kSilencePatience);
+    m_measurement.awaitReport(m_link.measured(), *m_link.snapshot());
+    enter(Stage::WarmingUp, kFirstWarmUps * m_plan.warmUp + kReportPatience + kMostSettling + kSilencePatience);
 }
 
-/// A load that follows the answers of the other end takes its time to find its rate, most of all after a pause.
+/// A load that follows the answers of the other end takes its time to find its rate, most of all after a pause. The agent
+/// reports once a second: a warm-up that is shorter ends with its first report.
 bool RunDriver::isWarm(double inStage)
 {
     const double least = (m_isFirst ? kFirstWarmUps : 1) * seconds(m_plan.warmUp);
+    const bool isReported = m_measurement.isReported(m_link.measured(), *m_link.snapshot());
+    const bool isLongEnough = inStage >= least && (isReported || inStage >= least + seconds(kReportPatience));
     if (m_plan.loads[m_sample.run.load] != Load::Saturated)
-        return inStage >= least;
+        return isLongEnough;
     const engine::Snapshot &snapshot = *m_link.snapshot();
     std::uint64_t bytes = 0;
     double trip = std::numeric_limits<double>::quiet_NaN();
@@ -150,7 +154,7 @@ bool RunDriver::isWarm(double inStage)
     }
     m_settling.note(snapshot.time, bytes, trip);
     const bool settled = m_settling.settled() || inStage >= seconds(kMostSettling);
-    return settled && inStage >= least;
+    return settled && isLongEnough;
 }
 
 void RunDriver::requestBegin()
@@ -169,14 +173,13 @@ void RunDriver::beginMeasuring()
     m_measured.start(std::chrono::duration_cast<milliseconds>(m_plan.measure));
 }
 
+/// Only a borrowed station publishes snapshots during a run.
 void RunDriver::watchMeasuring()
 {
     const engine::Snapshot &snapshot = *m_link.snapshot();
     m_measurement.noteReport(m_link.measured(), snapshot);
     if (m_measurement.sessionChanged(m_link.measured(), snapshot))
         requestEnd();
-    else
-        m_link.setSnapshotsPerSecond(snapshotsPerSecond());
 }
 
 void RunDriver::requestEnd()

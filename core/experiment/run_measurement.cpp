@@ -23,14 +23,28 @@ Reading RunMeasurement::readingOf(const MeasuredLink &link, const Snapshot &snap
     return {snapshot, reportIn(link, *snapshot), m_programs(), metrics::machineUsage(), m_energy.microjoules(steadyNow())};
 }
 
+void RunMeasurement::awaitReport(const MeasuredLink &link, const engine::Snapshot &snapshot)
+{
+    const auto report = reportIn(link, snapshot);
+    m_reportBefore = report ? std::optional(report->stamp) : std::nullopt;
+}
+
+bool RunMeasurement::isReported(const MeasuredLink &link, const engine::Snapshot &snapshot) const
+{
+    if (link.isPlain())
+        return true;
+    const auto report = reportIn(link, snapshot);
+    return report && report->stamp != m_reportBefore;
+}
+
 void RunMeasurement::begin(const MeasuredLink &link, const Snapshot &snapshot)
 {
     const engine::SessionSnapshot *up = link.session(*snapshot);
     m_session = up ? std::optional(up->info.session) : std::nullopt;
     m_peer = up ? std::optional(up->info.peer) : std::nullopt;
     m_begin = readingOf(link, snapshot);
-    m_reportBefore = m_begin.agent ? std::optional(m_begin.agent->stamp) : std::nullopt;
-    m_begin.agent.reset();
+    if (!isReported(link, *snapshot))
+        m_begin.agent.reset();
 }
 
 void RunMeasurement::tick()
@@ -40,9 +54,8 @@ void RunMeasurement::tick()
 
 void RunMeasurement::noteReport(const MeasuredLink &link, const engine::Snapshot &snapshot)
 {
-    const auto report = reportIn(link, snapshot);
-    if (!m_begin.agent && report && report->stamp != m_reportBefore)
-        m_begin.agent = report;
+    if (!m_begin.agent && isReported(link, snapshot))
+        m_begin.agent = reportIn(link, snapshot);
 }
 
 bool RunMeasurement::sessionChanged(const MeasuredLink &link, const engine::Snapshot &snapshot) const

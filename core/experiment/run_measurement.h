@@ -20,13 +20,17 @@ public:
 
     explicit RunMeasurement(std::function<ProgramUsage()> programs) : m_programs(std::move(programs)) {}
 
+    /// The suite of the run is in use: reports of the agent that arrive from now on tell its costs. The one before may hold the
+    /// time of another suite.
+    void awaitReport(const MeasuredLink &link, const engine::Snapshot &snapshot);
+    /// True if one has arrived since, or if none is to come: in plain MAVLink.
+    bool isReported(const MeasuredLink &link, const engine::Snapshot &snapshot) const;
+    /// The agent's costs count from its newest report, if that arrived since awaitReport().
     void begin(const MeasuredLink &link, const Snapshot &snapshot);
     /// To be called some ten times a second during the run, for sensors of power.
     void tick();
-    /// Takes the agent's first report of the run: its costs count from there, since the report before it may hold the time of
-    /// another suite. To be called with each snapshot of the run until hasReport().
+    /// Takes the first report of the run where begin() had none. To be called with each snapshot of the run, if there are any.
     void noteReport(const MeasuredLink &link, const engine::Snapshot &snapshot);
-    bool hasReport() const { return m_begin.agent.has_value(); }
     /// True if the live session differs from that at the beginning. A short silence of the same session does not count.
     bool sessionChanged(const MeasuredLink &link, const engine::Snapshot &snapshot) const;
     /// True if this new session is with the peer of the session at the beginning, which it replaces.
@@ -43,7 +47,7 @@ private:
     Reading m_begin;
     std::optional<channel::SessionId> m_session; ///< empty in plain MAVLink
     std::optional<channel::PublicKey> m_peer;    ///< of that session
-    std::optional<std::uint32_t> m_reportBefore; ///< stamp of the agent's newest report when the run began
+    std::optional<std::uint32_t> m_reportBefore; ///< stamp of the agent's newest report at awaitReport()
 };
 
 } // namespace skyseal::experiment

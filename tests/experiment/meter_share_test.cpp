@@ -10,6 +10,8 @@
 #include <QtCore/QTemporaryDir>
 #include <QtTest/QTest>
 
+#include <cmath>
+
 using namespace skyseal::test;
 
 namespace {
@@ -28,6 +30,7 @@ class MeterShareTest : public QObject
 
 private Q_SLOTS:
     void meterIsNoPartOfTheMeasurement();
+    void defaultRunsAreMeteredAlike();
 };
 
 void MeterShareTest::meterIsNoPartOfTheMeasurement()
@@ -84,6 +87,31 @@ void MeterShareTest::meterIsNoPartOfTheMeasurement()
     QVERIFY2(outside > 0, "the functions of the meter are not found by their names");
     QVERIFY(meter < kMost * all);
     QVERIFY(own < 100 * kMost);
+}
+
+/// Runs of the default length, in which a reading weighs twelve times as much: as little in plain MAVLink as sealed.
+void MeterShareTest::defaultRunsAreMeteredAlike()
+{
+    const RunResult sweep = runToItsEnd(QStringLiteral(SKYSEAL_BIN_DIR "/skyseal-cli"),
+                                        words("sweep --launches 1 --load natural --suites none,chacha20-poly1305 --repeats 4 "
+                                              "--no-noise --json"),
+                                        {}, 300000);
+    QVERIFY2(sweep.status == 0, sweep.err.constData());
+    double plain = 0, sealed = 0;
+    int runs = 0;
+    for (const QByteArray &line : sweep.out.split('\n')) {
+        const QJsonObject run = QJsonDocument::fromJson(line).object();
+        if (run[QLatin1String("event")] != QLatin1String("run"))
+            continue;
+        const double meter = run[QLatin1String("values")][QLatin1String("meter_cpu")].toDouble(100);
+        QVERIFY2(meter < 100 * kMost, line.constData());
+        QCOMPARE(run[QLatin1String("values")][QLatin1String("readings")].toDouble(), 1.0);
+        (run[QLatin1String("suite")] == QLatin1String("none") ? plain : sealed) += meter / 4;
+        ++runs;
+    }
+    QCOMPARE(runs, 8);
+    qInfo("meter_cpu is %.2f %% in plain MAVLink and %.2f %% sealed", plain, sealed);
+    QVERIFY(std::abs(plain - sealed) < 0.5);
 }
 
 SKYSEAL_TEST(MeterShareTest)
