@@ -1,8 +1,11 @@
 #include "core/experiment/analysis.h"
 
+#include "core/experiment/least_squares.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace skyseal::experiment {
 
@@ -47,34 +50,38 @@ Summary summaryOf(const Results &results, const Cell &cell, Metric metric)
     return out;
 }
 
-/// One test, not corrected yet.
+/// One test, not corrected yet: log(value) = arm + launch + slope × order, so that what differs between the starts of the
+/// programs is no trend.
 static std::optional<OrderTrend> orderTrendAt(const Results &results, std::size_t condition, std::size_t load, Metric metric)
 {
-    std::vector<double> places, residuals;
-    std::size_t groups = 0;
-    for (std::size_t arm = 0; arm < results.plan.arms.size(); ++arm) {
-        const std::vector<double> values = valuesOf(results, {condition, load, arm}, metric);
-        const std::vector<unsigned> orders = ordersOf(results, {condition, load, arm});
-        std::vector<double> logs, at;
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            if (!(values[i] > 0) || !std::isfinite(values[i]))
-                continue;
-            logs.push_back(std::log(values[i]));
-            at.push_back(orders[i]);
-        }
-        if (logs.size() < 2)
+    std::vector<const Sample *> runs;
+    std::map<std::size_t, std::size_t> arms, launches; // numbered from 0, those with runs
+    for (const Sample &sample : results.samples) {
+        const double value = sample.values[metric];
+        if (sample.run.condition != condition || sample.run.load != load || !sample.isValid() || !(value > 0)
+            || !std::isfinite(value))
             continue;
-        ++groups;
-        const double mean = summarise(logs).mean, meanPlace = summarise(at).mean;
-        for (std::size_t i = 0; i < logs.size(); ++i) {
-            residuals.push_back(logs[i] - mean);
-            places.push_back(at[i] - meanPlace);
-        }
+        runs.push_back(&sample);
+        arms.emplace(sample.run.arm, arms.size());
+        launches.emplace(sample.run.launch, launches.size());
     }
-    const Trend trend = trendOf(places, residuals, groups);
-    if (std::isnan(trend.p))
+    const std::size_t order = arms.size() + launches.size() - 1; // the last column; the first launch has none of its own
+    std::vector<double> design(runs.size() * (order + 1)), logs;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        double *row = &design[i * (order + 1)];
+        row[arms[runs[i]->run.arm]] = 1;
+        if (const std::size_t launch = launches[runs[i]->run.launch]; launch > 0)
+            row[arms.size() + launch - 1] = 1;
+        row[order] = runs[i]->order;
+        logs.push_back(std::log(runs[i]->values[metric]));
+    }
+    const auto fit = runs.empty() ? std::nullopt : leastSquares(design, order + 1, logs);
+    if (!fit)
         return std::nullopt;
-    return OrderTrend{condition, load, metric, std::expm1(trend.slope), trend.p};
+    constexpr double kRounding = 1e-11; // of logarithms
+    const double slope = fit->coefficients[order], error = fit->errors[order];
+    const double p = error > kRounding ? studentTwoSided(slope / error, fit->degrees) : std::abs(slope) <= kRounding ? 1 : 0;
+    return OrderTrend{condition, load, metric, std::expm1(slope), p};
 }
 
 std::vector<OrderTrend> orderTrends(const Results &results)

@@ -14,8 +14,8 @@ namespace skyseal::experiment {
 /// has no variance to use: the interval ends at boundOfNone() for all frames or records of these runs together.
 Summary summaryOf(const Results &results, const Cell &cell, Metric metric);
 
-/// Whether the values of a metric rose or fell with the order of the runs, whatever the arm: programs that had not warmed up,
-/// or a machine that slowed down.
+/// Whether the values of a metric rose or fell with the order of the runs of a launch, whatever the arm: programs that had not
+/// warmed up, or a machine that slowed down.
 struct OrderTrend
 {
     std::size_t condition = 0, load = 0;
@@ -25,8 +25,8 @@ struct OrderTrend
     bool remains() const { return p < 0.05; }
 };
 
-/// By the logarithms of the values less the mean of their arm, within each condition and load, for the metrics that compare
-/// costs. Arms and metrics without two positive values are left out.
+/// By log(value) = arm + launch + slope × order (least_squares.h), within each condition and load, for the metrics that compare
+/// costs and have more positive values than that has terms. Launches differ from each other, which is no trend.
 std::vector<OrderTrend> orderTrends(const Results &results);
 /// Mean of the samples of an arm; NaN if there are none.
 double meanOf(const Results &results, std::size_t condition, std::size_t load, const SweepArm &arm, Metric metric);

@@ -219,9 +219,10 @@ std::string trendTable(const Results &results)
                      readable(100 * trend.perRun) + " %", readable(trend.p), trend.remains() ? "remains" : "none found"});
     if (rows.empty())
         return "<p>No suite was measured twice, so that no trend can be tested.</p>\n";
-    return "<p>Test whether values rise or fall with the order of the runs: a line through the logarithms of all runs, each "
-           "less the mean of its suite, and Student's t test of its slope, corrected by Holm's method over these "
-           "lines.</p>\n<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
+    return "<p>Test whether values rise or fall with the order of the runs, since programs had not warmed up: log(value) = "
+           "suite + launch + slope × order by least squares, and Student's t test of the slope, corrected by Holm's method "
+           "over these lines. What differs between launches is no trend, but part of the intervals.</p>\n"
+           "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
         + row({"metric", "change for each run", "p corrected", "trend"}, "th") + rows + "</table>\n";
 }
 

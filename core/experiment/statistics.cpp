@@ -152,34 +152,6 @@ double boundOfNone(double trials)
     return trials > 0 ? -std::expm1(std::log(0.05) / trials) : 1;
 }
 
-Trend trendOf(std::span<const double> places, std::span<const double> residuals, std::size_t groups)
-{
-    Trend out;
-    const std::size_t n = residuals.size();
-    if (n < groups + 2)
-        return out;
-    const double degrees = static_cast<double>(n - groups - 1);
-    const double meanPlace = meanOf({places.begin(), places.end()}), mean = meanOf({residuals.begin(), residuals.end()});
-    double xx = 0, xy = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-        xx += (places[i] - meanPlace) * (places[i] - meanPlace);
-        xy += (places[i] - meanPlace) * (residuals[i] - mean);
-    }
-    if (!(xx > 0))
-        return out;
-    out.slope = xy / xx;
-    double left = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-        const double off = residuals[i] - mean - out.slope * (places[i] - meanPlace);
-        left += off * off;
-    }
-    if (left > 0)
-        out.p = studentTwoSided(out.slope / std::sqrt(left / degrees / xx), degrees);
-    else
-        out.p = out.slope == 0 ? 1 : 0;
-    return out;
-}
-
 std::vector<double> holm(std::span<const double> p)
 {
     std::vector<double> out(p.begin(), p.end());

@@ -47,17 +47,6 @@ Summary summarise(std::span<const double> samples);
 /// 3/n (Hanley and Lippman-Hand 1983); 1 without trials.
 double boundOfNone(double trials);
 
-/// A straight line through residuals, whose groups' means were taken from them: least squares, and the test of Student's t
-/// whether its slope is zero.
-struct Trend
-{
-    double slope = std::numeric_limits<double>::quiet_NaN(); ///< of the residual, for each step of the place
-    double p = std::numeric_limits<double>::quiet_NaN();     ///< two-sided; NaN without a test
-};
-/// `groups`: how many means were taken from the residuals; each takes a degree of freedom. There is no test with none left, or
-/// if all places are the same.
-Trend trendOf(std::span<const double> places, std::span<const double> residuals, std::size_t groups);
-
 /// Corrects p values by Holm's method, so that the probability of any false positive among all of them is that of a single
 /// test. Same order as given; NaN (no test) stays NaN.
 std::vector<double> holm(std::span<const double> p);

@@ -80,8 +80,10 @@ private Q_SLOTS:
     void coinsAreNoDifference();
     void zeroByDefinitionIsNotCompared();
     void rareLongCallsDoNotMoveThePercentile();
+    void trendIsThatOfALine();
     void trendWithTheOrderIsFound();
     void trendIsSeldomFoundWhereThereIsNone();
+    void launchesThatDifferAreNoTrend();
     void invalidRunsHaveNoPartInATrend();
 };
 
@@ -237,6 +239,30 @@ void AnalysisTest::rareLongCallsDoNotMoveThePercentile()
 }
 
 /// Each run costs 2 per mil less than the one before it: programs that are still warming up.
+/// By hand: slope 0.425, residual sum of squares 2.79075, and Student's t in closed form for three degrees of freedom.
+void AnalysisTest::trendIsThatOfALine()
+{
+    const auto trendsOf = [](const std::vector<double> &logs) {
+        Results out;
+        out.plan.arms = {{SuiteId::Aes256Gcm}};
+        for (const double log : logs) {
+            Sample sample;
+            sample.order = static_cast<unsigned>(out.samples.size());
+            sample.values[Metric::CpuPerFrame] = std::exp(log);
+            out.samples.push_back(sample);
+        }
+        return orderTrends(out);
+    };
+    const OrderTrend trend = trendsOf({1, 2, 1.3, 3.75, 2.25}).at(0);
+    QVERIFY(std::abs(trend.perRun - std::expm1(0.425)) < 1e-12);
+    const double u = 0.425 / std::sqrt(2.79075 / 3 / 10) / std::sqrt(3);
+    const double p = 1 - 2 / std::acos(-1.0) * (std::atan(u) + u / (1 + u * u));
+    QVERIFY2(std::abs(trend.p - p) < 1e-9, qPrintable(QString::number(trend.p, 'g', 12)));
+    QCOMPARE(trendsOf({2, 4, 6, 8, 10}).at(0).p, 0.0);
+    QCOMPARE(trendsOf({3, 3, 3, 3, 3}).at(0).p, 1.0);
+    QVERIFY(trendsOf({3, 4}).empty()); // any line fits
+}
+
 void AnalysisTest::trendWithTheOrderIsFound()
 {
     std::mt19937 random(kSeed);
@@ -268,6 +294,39 @@ void AnalysisTest::trendIsSeldomFoundWhereThereIsNone()
     }
     qInfo("seed %u: a trend is reported in %.1f %% of sweeps that have none", kSeed, 100.0 * found / kSweeps);
     QVERIFY(found > 0.03 * kSweeps && found < 0.06 * kSweeps); // one in twenty
+}
+
+/// Programs that start anew differ by more than their runs: five starts in any order are no trend, but runs of each that become
+/// cheaper are one.
+void AnalysisTest::launchesThatDifferAreNoTrend()
+{
+    std::mt19937 random(kSeed);
+    std::normal_distribution<double> ofLaunch(0, 0.1), ofRun(0, 0.01);
+    const auto sweep = [&](double perRun) {
+        Results out;
+        out.plan.arms = {{SuiteId::None}, {SuiteId::Aes256Gcm}, {SuiteId::ChaCha20Poly1305}};
+        out.plan.launches = 5;
+        out.plan.repeats = 2;
+        std::vector<double> launches(out.plan.launches);
+        std::ranges::generate(launches, [&] { return ofLaunch(random); });
+        for (const Run &run : schedule(out.plan)) {
+            Sample sample;
+            sample.run = run;
+            sample.order = static_cast<unsigned>(out.samples.size());
+            const double place = sample.order % 6;
+            sample.values[Metric::CpuPerFrame] = std::exp(7 + 0.1 * static_cast<double>(run.arm) + launches[run.launch]
+                                                          + perRun * place + ofRun(random));
+            out.samples.push_back(sample);
+        }
+        return orderTrends(out).at(0);
+    };
+    int found = 0;
+    constexpr int kSweeps = 1000;
+    for (int i = 0; i < kSweeps; ++i)
+        found += sweep(0).remains();
+    QVERIFY2(found > 0.03 * kSweeps && found < 0.07 * kSweeps, qPrintable(QString::number(found)));
+    const OrderTrend warming = sweep(-0.01);
+    QVERIFY2(warming.remains() && std::abs(warming.perRun + 0.01) < 0.005, qPrintable(QString::number(warming.perRun)));
 }
 
 void AnalysisTest::invalidRunsHaveNoPartInATrend()

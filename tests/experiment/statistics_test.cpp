@@ -44,7 +44,6 @@ private Q_SLOTS:
     void noneSeenIsNotNone();
     void holmsExample();
     void holmIsBetweenNothingAndBonferroni();
-    void trendIsThatOfALine();
 };
 
 void StatisticsTest::studentTable_data()
@@ -206,23 +205,6 @@ void StatisticsTest::holmIsBetweenNothingAndBonferroni()
                 RC_ASSERT(p[i] > p[j] || adjusted[i] <= adjusted[j]);
         }
     }));
-}
-
-/// By hand: slope 0.425, residual sum of squares 2.79075, and Student's t in closed form for three degrees of freedom.
-void StatisticsTest::trendIsThatOfALine()
-{
-    const std::vector<double> places{1, 2, 3, 4, 5}, values{1, 2, 1.3, 3.75, 2.25};
-    const Trend trend = trendOf(places, values, 1);
-    QVERIFY(std::abs(trend.slope - 0.425) < 1e-12);
-    const double u = 0.425 / std::sqrt(2.79075 / 3 / 10) / std::sqrt(3);
-    const double p = 1 - 2 / std::acos(-1.0) * (std::atan(u) + u / (1 + u * u));
-    QVERIFY2(std::abs(trend.p - p) < 1e-9, qPrintable(QString::number(trend.p, 'g', 12)));
-    QVERIFY(trendOf(places, values, 2).p > trend.p); // one degree of freedom less
-    QVERIFY(std::isnan(trendOf(places, values, 4).p));
-    QVERIFY(std::isnan(trendOf(std::vector<double>(5, 2), values, 1).p));
-    QVERIFY(std::isnan(trendOf({}, {}, 0).p));
-    QCOMPARE(trendOf(places, std::vector<double>{2, 4, 6, 8, 10}, 1).p, 0.0);
-    QCOMPARE(trendOf(places, std::vector<double>(5, 3), 1).p, 1.0);
 }
 
 SKYSEAL_TEST_APPLESS(StatisticsTest)
