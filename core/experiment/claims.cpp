@@ -7,8 +7,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <optional>
+#include <tuple>
+#include <utility>
 
 namespace skyseal::experiment {
 
@@ -33,28 +36,22 @@ ArmFraming judgedFraming(const Plan &plan)
     return framings.empty() ? ArmFraming::Sealed : framings.back();
 }
 
-/// Where claims are judged: on the clean link where it is among the conditions, packets and CPU under the saturated load.
+/// Where a claim is judged.
 struct Place
 {
     std::size_t condition = 0, load = 0;
 };
 
-Place judgedPlace(const Plan &plan)
+struct Pair
 {
-    const auto clean = std::find_if(plan.conditions.begin(), plan.conditions.end(),
-                                    [](const Condition &one) { return one.clean(); });
-    const auto busy = std::find(plan.loads.begin(), plan.loads.end(), Load::Saturated);
-    return {clean == plan.conditions.end() ? 0 : static_cast<std::size_t>(clean - plan.conditions.begin()),
-            busy == plan.loads.end() ? 0 : static_cast<std::size_t>(busy - plan.loads.begin())};
-}
+    SuiteId first, second;
+};
 
-/// "CPU time per frame, station (cpu_per_frame, link clean, saturated load, framing sealed): "
-std::string whereText(const Plan &plan, Metric metric)
+/// The load that claims by this metric speak of: that of an autopilot for costs, but a saturated one for packets, since the
+/// vehicle decides their number under any other.
+Load loadOf(Metric metric)
 {
-    const Place place = judgedPlace(plan);
-    return std::string(info(metric).title) + " (" + std::string(info(metric).key) + ", link "
-        + conditionText(plan.conditions[place.condition]) + ", " + std::string(name(plan.loads[place.load])) + " load, framing "
-        + std::string(name(judgedFraming(plan))) + "): ";
+    return info(metric).setByVehicle ? Load::Saturated : Load::Natural;
 }
 
 std::optional<std::size_t> judgedArm(const Plan &plan, SuiteId suite)
@@ -67,20 +64,65 @@ std::optional<std::size_t> judgedArm(const Plan &plan, SuiteId suite)
     return std::nullopt;
 }
 
-/// The first to the second, by one metric.
-std::optional<Contrast> ratioOf(const Results &results, Metric metric, SuiteId first, SuiteId second)
+/// The first to the second; nullopt without an interval.
+std::optional<Contrast> ratioOf(const Results &results, const Place &place, Metric metric, const Pair &pair)
 {
-    const Place place = judgedPlace(results.plan);
-    const auto over = judgedArm(results.plan, first), under = judgedArm(results.plan, second);
+    const auto over = judgedArm(results.plan, pair.first), under = judgedArm(results.plan, pair.second);
     if (!over || !under)
         return std::nullopt;
     for (const Contrast &one : plannedContrasts(results, place.condition, place.load, metric)) {
+        if (!std::isfinite(one.low()) || !std::isfinite(one.high()))
+            continue;
         if (one.first == *under && one.second == *over)
             return one;
         if (one.first == *over && one.second == *under)
             return one.reversed();
     }
     return std::nullopt;
+}
+
+/// The clean link first, and there the load of the metric, then the paced ones from the fastest on, then the others.
+std::vector<Place> placesFor(const Plan &plan, Metric metric)
+{
+    std::vector<Place> out;
+    for (std::size_t condition = 0; condition < plan.conditions.size(); ++condition) {
+        for (std::size_t load = 0; load < plan.loads.size(); ++load)
+            out.push_back({condition, load});
+    }
+    const auto rank = [&](const Place &place) {
+        const Load load = plan.loads[place.load];
+        const bool isOther = load != loadOf(metric);
+        return std::tuple(!plan.conditions[place.condition].clean(), isOther, isOther && !load.isPaced(),
+                          -static_cast<double>(load.perSecond));
+    };
+    std::ranges::stable_sort(out, {}, rank);
+    return out;
+}
+
+/// The first place in which all of these ratios were measured, or the first with one of them; the first of all without any.
+Place judgedPlace(const Results &results, Metric metric, const std::vector<Pair> &pairs)
+{
+    const std::vector<Place> places = placesFor(results.plan, metric);
+    std::optional<Place> some;
+    for (const Place &place : places) {
+        const auto isMeasured = [&](const Pair &pair) { return ratioOf(results, place, metric, pair).has_value(); };
+        if (std::ranges::all_of(pairs, isMeasured))
+            return place;
+        if (!some && std::ranges::any_of(pairs, isMeasured))
+            some = place;
+    }
+    return some.value_or(places.front());
+}
+
+/// "CPU time per frame, station (cpu_per_frame, link clean, pps500 load, since the natural one has no such ratios, framing
+/// sealed): "
+std::string whereText(const Plan &plan, const Place &place, Metric metric)
+{
+    const Load load = plan.loads[place.load];
+    return std::string(info(metric).title) + " (" + std::string(info(metric).key) + ", link "
+        + conditionText(plan.conditions[place.condition]) + ", " + name(load) + " load"
+        + (load == loadOf(metric) ? "" : ", since the " + name(loadOf(metric)) + " one has no such ratios") + ", framing "
+        + std::string(name(judgedFraming(plan))) + "): ";
 }
 
 /// A claim about a ratio. `margin` is the equivalence margin as a factor: 1.03.
@@ -109,74 +151,90 @@ Finding isEqual(double low, double high, double margin)
     return high < 1 / margin || low > margin ? Finding::Refuted : Finding::NotDecided;
 }
 
-/// By however little.
-Finding isAbove(double low, double high, double)
-{
-    return low > 1 ? Finding::Confirmed : high < 1 ? Finding::Refuted : Finding::NotDecided;
-}
-
 std::string percentText(double share)
 {
     return readable(100 * share) + " %";
 }
 
-/// "chacha20 to rc4 0.85 (0.81 to 0.89)"
+/// With as many digits as a ratio near 1 takes: "1.00021".
+std::string exactText(double ratio)
+{
+    char out[32];
+    std::snprintf(out, sizeof out, "%.6g", ratio);
+    return out;
+}
+
+/// "chacha20 to rc4 0.85 (0.81 to 0.89)"; "chacha20 to rc4 1.0002" of a ratio that is exact.
 std::string ratioText(const std::string &first, const std::string &second, double ratio, double low, double high)
 {
-    return first + " to " + second + " " + readable(ratio) + " (" + readable(low) + " to " + readable(high) + ")";
+    return first + " to " + second + " "
+        + (low < high ? readable(ratio) + " (" + readable(low) + " to " + readable(high) + ")" : exactText(ratio));
 }
 
 /// Judges several ratios as one: all must be confirmed, and one that is refuted refutes the whole.
 class Gathered
 {
 public:
-    Gathered(const Results &results, Judge judge) : m_results(results), m_judge(judge) {}
+    Gathered(const Plan &plan, Judge judge) : m_margin(plan.margin), m_judge(judge) {}
 
-    void add(const std::string &first, const std::string &second, double ratio, double low, double high)
+    void add(const Pair &pair, double ratio, double low, double high)
     {
-        const Finding found = m_judge(low, high, 1 + m_results.plan.margin);
-        m_any = true;
-        m_allConfirmed = m_allConfirmed && found == Finding::Confirmed;
-        m_anyRefuted = m_anyRefuted || found == Finding::Refuted;
-        m_text += (m_text.empty() ? "" : "; ") + ratioText(first, second, ratio, low, high)
-            + (found == Finding::NotDecided ? ", which could have decided a margin of " + percentText(std::sqrt(high / low) - 1)
-                                            : "");
+        m_intervals.emplace_back(low, high);
+        m_text += (m_text.empty() ? "" : "; ") + ratioText(nameOf(pair.first), nameOf(pair.second), ratio, low, high);
     }
 
-    void add(Metric metric, SuiteId first, SuiteId second)
+    void addMissing(const Pair &pair)
     {
-        const std::optional<Contrast> ratio = ratioOf(m_results, metric, first, second);
-        if (ratio && std::isfinite(ratio->low()) && std::isfinite(ratio->high()))
-            return add(nameOf(first), nameOf(second), ratio->value(), ratio->low(), ratio->high());
-        m_missing += (m_missing.empty() ? "" : ", ") + nameOf(first) + " to " + nameOf(second);
+        m_missing += (m_missing.empty() ? "" : ", ") + nameOf(pair.first) + " to " + nameOf(pair.second);
     }
 
-    Finding finding() const
+    Finding finding() const { return findingBy(1 + m_margin); }
+
+    /// The smallest margin by which the claim would be decided; NaN if it is, or if none would.
+    double decidable() const
     {
-        if (m_anyRefuted)
-            return Finding::Refuted;
-        return m_any && m_allConfirmed && m_missing.empty() ? Finding::Confirmed : Finding::NotDecided;
+        constexpr double kBeyond = 1 + 1e-9;
+        std::vector<double> ends; // only there findings change
+        for (const auto &[low, high] : m_intervals)
+            ends.insert(ends.end(), {low, high, 1 / low, 1 / high});
+        std::ranges::sort(ends);
+        for (const double end : ends) {
+            if (finding() == Finding::NotDecided && end > 1 + m_margin && findingBy(end * kBeyond) != Finding::NotDecided)
+                return end - 1;
+        }
+        return std::numeric_limits<double>::quiet_NaN();
     }
 
     std::string text() const
     {
-        const std::string ratios = m_text.empty()
-            ? ""
-            : m_text + "; ratios with their 95 % intervals, margin " + percentText(m_results.plan.margin) + ".";
-        const std::string missing = m_missing.empty() ? "" : m_missing + ": not measured often enough for an interval.";
-        return ratios + (ratios.empty() || missing.empty() ? "" : " ") + missing;
+        const bool anyInterval = std::ranges::any_of(m_intervals, [](const auto &one) { return one.first < one.second; });
+        std::string out = m_text;
+        if (!out.empty())
+            out += (anyInterval ? "; ratios with their 95 % intervals, margin " : "; margin ") + percentText(m_margin) + ".";
+        if (const double margin = decidable(); std::isfinite(margin))
+            out += " These data would decide it by a margin of " + percentText(margin) + ".";
+        if (!m_missing.empty())
+            out += (out.empty() ? "" : " ") + m_missing + ": not measured often enough for an interval.";
+        return out;
     }
 
 private:
-    const Results &m_results;
-    Judge m_judge;
-    std::string m_text, m_missing;
-    bool m_any = false, m_allConfirmed = true, m_anyRefuted = false;
-};
+    Finding findingBy(double margin) const
+    {
+        bool all = !m_intervals.empty() && m_missing.empty();
+        for (const auto &[low, high] : m_intervals) {
+            const Finding found = m_judge(low, high, margin);
+            if (found == Finding::Refuted)
+                return found;
+            all = all && found == Finding::Confirmed;
+        }
+        return all ? Finding::Confirmed : Finding::NotDecided;
+    }
 
-struct Pair
-{
-    SuiteId first, second;
+    const double m_margin;
+    Judge m_judge;
+    std::vector<std::pair<double, double>> m_intervals;
+    std::string m_text, m_missing;
 };
 
 std::vector<Pair> eachAgainst(SuiteId first, std::initializer_list<SuiteId> others)
@@ -191,12 +249,18 @@ std::vector<Pair> eachAgainst(SuiteId first, std::initializer_list<SuiteId> othe
 Claim judged(const Results &results, std::string_view key, std::string text, Metric metric, Judge judge,
              const std::vector<Pair> &pairs)
 {
-    Gathered gathered(results, judge);
-    for (const Pair &pair : pairs)
-        gathered.add(metric, pair.first, pair.second);
-    Claim out{key, std::move(text), gathered.finding(), whereText(results.plan, metric) + gathered.text()};
-    if (!isCompared(metric, results.plan.loads[judgedPlace(results.plan).load]))
-        out.reason += " The vehicle sets this rate under the natural load, whatever the suite costs.";
+    const Place place = judgedPlace(results, metric, pairs);
+    Gathered gathered(results.plan, judge);
+    for (const Pair &pair : pairs) {
+        if (const auto ratio = ratioOf(results, place, metric, pair))
+            gathered.add(pair, ratio->value(), ratio->low(), ratio->high());
+        else
+            gathered.addMissing(pair);
+    }
+    Claim out{key, std::move(text), gathered.finding(), whereText(results.plan, place, metric) + gathered.text(),
+              gathered.decidable()};
+    if (!isCompared(metric, results.plan.loads[place.load]))
+        out.reason += " The vehicle sets this rate under that load, whatever the suite costs.";
     return out;
 }
 
@@ -235,13 +299,13 @@ double residentOf(const Results &results)
 /// ratio is exact.
 Claim judgedMemory(const Results &results, std::string_view key, std::string text, Judge judge, const std::vector<Pair> &pairs)
 {
-    Claim out{key, std::move(text), Finding::NotDecided, {}};
+    Claim out{key, std::move(text), Finding::NotDecided, {}, std::numeric_limits<double>::quiet_NaN()};
     const double resident = residentOf(results);
     // One kind of heap for all suites, since a session has more than its cipher.
     const bool ofSession = std::ranges::all_of(pairs, [&](const Pair &pair) {
         return std::isfinite(heapOf(results, pair.first, true)) && std::isfinite(heapOf(results, pair.second, true));
     });
-    Gathered gathered(results, judge);
+    Gathered gathered(results.plan, judge);
     std::string heaps;
     for (const Pair &pair : pairs) {
         const double one = heapOf(results, pair.first, ofSession), two = heapOf(results, pair.second, ofSession);
@@ -250,12 +314,13 @@ Claim judgedMemory(const Results &results, std::string_view key, std::string tex
             out.reason = "The memory of a session or of a keyed cipher was not measured for each of these suites.";
             return out;
         }
-        gathered.add(nameOf(pair.first), nameOf(pair.second), ratio, ratio, ratio);
+        gathered.add(pair, ratio, ratio, ratio);
         if (heaps.empty())
             heaps = nameOf(pair.first) + " " + readable(one) + " B";
         heaps += ", " + nameOf(pair.second) + " " + readable(two) + " B";
     }
     out.finding = gathered.finding();
+    out.decidable = gathered.decidable();
     out.reason = "The station's process takes " + readable(resident / 1e6) + " MB with any suite; suites differ by the heap of "
         + (ofSession ? "a session" : "a keyed cipher") + ": " + heaps + ". " + gathered.text();
     return out;
@@ -269,9 +334,13 @@ std::string orderHere(const Results &results, Metric metric, bool mostFirst)
         std::string text;
         double ratio;
     };
+    std::vector<Pair> pairs;
+    for (const SuiteId suite : kPapers)
+        pairs.push_back({suite, SuiteId::None});
+    const Place where = judgedPlace(results, metric, pairs);
     std::vector<Standing> places{{"plain 1", 1}};
-    for (const SuiteId suite : kPapers) {
-        if (const auto ratio = ratioOf(results, metric, suite, SuiteId::None))
+    for (const auto &[suite, plain] : pairs) {
+        if (const auto ratio = ratioOf(results, where, metric, {suite, plain}))
             places.push_back({nameOf(suite) + " " + readable(ratio->value()) + " (" + readable(ratio->low()) + " to "
                                   + readable(ratio->high()) + ")",
                               ratio->value()});
@@ -322,8 +391,8 @@ std::vector<Claim> paperClaims(const Results &results)
     if (out.back().finding == Finding::Confirmed && judgedFraming(results.plan) == ArmFraming::Sealed)
         out.back().reason += " Sealing puts several frames into a record, and sending fewer datagrams makes it faster.";
     out.push_back(judged(results, "packets-plain-above",
-                         "Without encryption slightly more packets than with ChaCha20 (by however little).", Metric::Packets,
-                         isAbove, eachAgainst(SuiteId::None, {SuiteId::ChaCha20})));
+                         "Without encryption slightly more packets than with ChaCha20 (by more than the margin).",
+                         Metric::Packets, isHigher, eachAgainst(SuiteId::None, {SuiteId::ChaCha20})));
     std::vector<Pair> streams = eachAgainst(SuiteId::ChaCha20, {SuiteId::Aes256Cbc, SuiteId::Rc4});
     for (const Pair &pair : eachAgainst(SuiteId::Aes256Ctr, {SuiteId::Aes256Cbc, SuiteId::Rc4}))
         streams.push_back(pair);
@@ -345,10 +414,12 @@ std::vector<Claim> paperClaims(const Results &results)
          wasMeasured(results, Metric::EnergyPerFrame)
              ? "The measurement (energy_per_frame) is that of this machine with all programs of the sweep, above idle; it "
                "does not apply to a drone."
-             : "Energy was not measured, and that of a desktop processor would not apply to a drone."});
+             : "Energy was not measured, and that of a desktop processor would not apply to a drone.",
+         std::numeric_limits<double>::quiet_NaN()});
     out.push_back({"confidentiality", "Encryption with ChaCha20 guarantees confidentiality.", Finding::NotDecided,
                    "A measurement of costs cannot show it. Every suite is also authenticated here, unlike in the paper, so "
-                   "the cost of the four classic ciphers includes HMAC-SHA-256."});
+                   "the cost of the four classic ciphers includes HMAC-SHA-256.",
+                   std::numeric_limits<double>::quiet_NaN()});
     return out;
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/experiment/results.h"
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -20,14 +21,16 @@ struct Claim
     std::string_view key; ///< "packets-best"
     std::string text;     ///< paraphrased
     Finding finding{};
-    /// With the ratios and intervals that the finding is based on; where it is not decided, with the margin that these data
-    /// could have decided.
+    /// With the ratios and intervals that the finding is based on, and the load and link that they are of.
     std::string reason;
+    /// The smallest margin by which these data would decide the claim, 0.05: 5 %. NaN if it is decided, or if no margin would.
+    double decidable = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Claims are judged on the clean link, otherwise under the first condition; packets and CPU under the saturated load, since
-/// the natural one leaves every suite idle; and in the paper's framing (inline); each as far as it was measured, and stated in
-/// the reason.
+/// Each claim is judged on the clean link and under the load that it speaks of: CPU under the natural one, as in the paper,
+/// packets under the saturated one, since the vehicle decides their number otherwise. Where a ratio was not measured there, it
+/// is judged under another load or link (CPU: the paced ones first), which the reason states. In the paper's framing (inline),
+/// if measured.
 std::vector<Claim> paperClaims(const Results &results);
 
 /// The order in which the paper found the ciphers by one quantity, and the one that this sweep found. Only orders are compared:

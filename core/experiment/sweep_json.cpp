@@ -295,7 +295,9 @@ std::string sweepJson(const Results &results, const std::vector<Verdict> &verdic
     json.endArray().key("claims").beginArray();
     for (const Claim &claim : paperClaims(results)) {
         json.beginObject().field("key", claim.key).field("claim", claim.text);
-        json.field("finding", findingText(claim.finding)).field("because", claim.reason).endObject();
+        json.field("finding", findingText(claim.finding)).field("because", claim.reason);
+        number(json, "decidable_margin", claim.decidable);
+        json.endObject();
     }
     return json.endArray().endObject().text();
 }
