@@ -4,8 +4,10 @@
 #include "tests/support/run_program.h"
 #include "tests/support/test_runner.h"
 
+#include <QtCore/QFile>
 #include <QtCore/QJsonDocument>
 #include <QtCore/QJsonObject>
+#include <QtCore/QRegularExpression>
 #include <QtTest/QTest>
 
 #include <algorithm>
@@ -19,6 +21,7 @@ class SettingTest : public QObject
 
 private Q_SLOTS:
     void namesTheBuild();
+    void namesTheProcessorsState();
     void busyMachineIsWarnedOf();
     void slowBuildIsWarnedOf();
     void readsWhatOpensslSaysOfItself();
@@ -36,6 +39,35 @@ void SettingTest::namesTheBuild()
         qInfo("%s: %s", key, found->second.c_str());
         QVERIFY2(!found->second.empty(), key);
     }
+}
+
+/// As far as this kernel tells; "unknown" where it does not.
+void SettingTest::namesTheProcessorsState()
+{
+    const Setting setting = machineSetting();
+    const auto entry = [&setting](const char *key) {
+        const auto found = std::ranges::find(setting, key, [](const auto &one) { return one.first; });
+        return found == setting.end() ? QString() : QString::fromStdString(found->second);
+    };
+    const auto lineOf = [](const char *path) {
+        QFile file(QString::fromLatin1(path));
+        return file.open(QIODevice::ReadOnly) ? QString::fromLatin1(file.readLine()).trimmed() : QString();
+    };
+    const auto orUnknown = [](const QString &text) { return text.isEmpty() ? QStringLiteral("unknown") : text; };
+    QCOMPARE(entry("frequency_governor"), orUnknown(lineOf("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor")));
+    QCOMPARE(entry("clock_source"), lineOf("/sys/devices/system/clocksource/clocksource0/current_clocksource"));
+    QFile processor(QStringLiteral("/proc/cpuinfo"));
+    QVERIFY(processor.open(QIODevice::ReadOnly));
+    const QString cpuinfo = QString::fromLatin1(processor.readAll());
+    static const QRegularExpression kMicrocode(QStringLiteral("^microcode\\s*: *(.+)$"), QRegularExpression::MultilineOption);
+    QCOMPARE(entry("microcode"), orUnknown(kMicrocode.match(cpuinfo).captured(1)));
+    const QString noTurbo = lineOf("/sys/devices/system/cpu/intel_pstate/no_turbo"),
+                  boost = lineOf("/sys/devices/system/cpu/cpufreq/boost");
+    const bool isOn = noTurbo == QLatin1String("0") || (noTurbo.isEmpty() && boost == QLatin1String("1"));
+    QCOMPARE(entry("turbo"),
+             noTurbo.isEmpty() && boost.isEmpty() ? QStringLiteral("unknown") : QString::fromLatin1(isOn ? "on" : "off"));
+    for (const char *key : {"processor", "cores", "hypervisor", "kernel", "compiler", "libsodium", "openssl"})
+        QVERIFY2(!entry(key).isEmpty(), key);
 }
 
 void SettingTest::busyMachineIsWarnedOf()

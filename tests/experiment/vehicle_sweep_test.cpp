@@ -90,6 +90,7 @@ private Q_SLOTS:
     void failedFlightEndsTheSweep();
     void interruptedSweepLands_data();
     void interruptedSweepLands();
+    void terminatedSweepKeepsItsRuns();
     void landsOverANewLink();
     void staysOnTheGround();
 };
@@ -180,6 +181,8 @@ void VehicleSweepTest::interruptedSweepLands_data()
     QTest::newRow("Ctrl+C") << SIGINT << 1;
     QTest::newRow("Ctrl+C, of a launch") << SIGINT << 2;
     QTest::newRow("the terminal is closed") << SIGHUP << 1;
+    QTest::newRow("SIGTERM") << SIGTERM << 1;
+    QTest::newRow("SIGTERM, of a launch") << SIGTERM << 2;
 }
 
 /// In the middle of a run.
@@ -198,6 +201,36 @@ void VehicleSweepTest::interruptedSweepLands()
     EVENTUALLY(vehicle.isDown());
     QVERIFY(sweep.errors().contains("the vehicle is brought down first"));
     QCOMPARE(sweep.last(QStringLiteral("end"))[QLatin1String("problem")].toString(), QStringLiteral("cancelled"));
+}
+
+/// SIGTERM in flight: the vehicle is brought down, the sweep's programs have ended, and the runs until then can be reported.
+void VehicleSweepTest::terminatedSweepKeepsItsRuns()
+{
+    FlownVehicle vehicle;
+    QVERIFY(vehicle.sim.waitUntilListening(QStringLiteral("tcpin")));
+    QTemporaryDir folder;
+    const QString out = folder.filePath(QStringLiteral("out"));
+    Program sweep(
+        QStringLiteral("skyseal-cli"),
+        vehicle.sweep(QLatin1String(kToFiveMetres),
+                      "--suites none,aes-256-gcm --launches 1 --repeats 50 --seconds 0.5 --warm-up 0.1 --no-noise --out")
+            + QStringList{out});
+    QVERIFY2(!sweep.waitFor(QStringLiteral("run")).isEmpty(), sweep.errors().constData());
+    const qint64 agent = agentOf(sweep.pid());
+    QVERIFY(agent > 0);
+    QCOMPARE(::kill(static_cast<pid_t>(sweep.pid()), SIGTERM), 0);
+    QCOMPARE(sweep.waitForExit(2 * kDeadlineMs), 1);
+    EVENTUALLY(vehicle.isDown());
+    QVERIFY(::kill(static_cast<pid_t>(agent), 0) != 0);
+    const auto runs = static_cast<qsizetype>(sweep.events(QStringLiteral("run")).size());
+    const RunResult report = runProgram(
+        "skyseal-cli", {QStringLiteral("report"), out, QStringLiteral("--out"), folder.filePath(QStringLiteral("again"))}, {},
+        2 * kDeadlineMs);
+    QVERIFY2(report.status == 0, report.err.constData());
+    const QJsonObject kept = QJsonDocument::fromJson(fileIn(folder, "again/sweep.json")).object();
+    QVERIFY(runs >= 1 && !kept[QLatin1String("complete")].toBool(true));
+    QCOMPARE(kept[QLatin1String("samples")].toArray().size(), runs);
+    QVERIFY(fileIn(folder, "again/report.html").contains("This sweep is incomplete"));
 }
 
 /// The agent is killed in flight: the sweep starts another one to land.
