@@ -13,6 +13,7 @@
 #include <QtCore/QFileInfo>
 #include <QtCore/QJsonDocument>
 #include <QtCore/QJsonObject>
+#include <QtNetwork/QNetworkInterface>
 #include <QtNetwork/QUdpSocket>
 
 #include <array>
@@ -27,6 +28,7 @@ namespace skyseal::experiment {
 namespace {
 
 constexpr int kStopMs = 3000;
+constexpr int kSearchMs = 1000, kMostSearches = 20; ///< for the autopilot's process
 constexpr int kFlightRate =
     20; ///< speeds up the flight, so that the vehicle has a position within seconds; telemetry keeps its rates
 
@@ -58,13 +60,20 @@ QStringList relayArguments(const impair::ImpairmentSettings &settings)
             QStringLiteral("--rate"),     QString::number(settings.baud)};
 }
 
-/// The program at the other end of the link; nullopt for one that calls us, is behind a serial line, or runs elsewhere.
+bool isHere(const std::string &host)
+{
+    const QHostAddress address(QString::fromStdString(host));
+    return host == "localhost" || address.isLoopback() || QNetworkInterface::allAddresses().contains(address);
+}
+
+/// The program at the other end of the link, which listens there or calls us. nullopt for one that is behind a serial line or
+/// runs elsewhere, and for one that calls us by UDP without a connected socket.
 std::optional<link::PortOwner> programBehind(const link::LinkUrl &vehicle)
 {
-    const bool isHere = vehicle.host() == "localhost" || QHostAddress(QString::fromStdString(vehicle.host())).isLoopback();
-    if (vehicle.isListening() || !isHere)
-        return std::nullopt;
-    return link::portOwner(vehicle.traits().isStream ? link::PortKind::Tcp : link::PortKind::Udp, vehicle.port());
+    const link::PortKind kind = vehicle.traits().isStream ? link::PortKind::Tcp : link::PortKind::Udp;
+    if (vehicle.isListening())
+        return link::portCaller(kind, vehicle.port());
+    return isHere(vehicle.host()) ? link::portOwner(kind, vehicle.port()) : std::nullopt;
 }
 
 /// True if the encrypted heartbeat of an autopilot is still one: the agent reads heartbeats, and no key is known to it.
@@ -123,6 +132,9 @@ Lab::Lab(LabPrograms programs, std::optional<link::LinkUrl> vehicle)
 #endif
     }
     connect(&m_simulator, &QProcess::readyReadStandardOutput, this, &Lab::readPace);
+    m_search.setSingleShot(true);
+    m_search.setInterval(kSearchMs);
+    connect(&m_search, &QTimer::timeout, this, &Lab::findAutopilot);
 }
 
 Result<std::unique_ptr<Lab>, InputError> Lab::create(LabPrograms programs, RandomSource &random,
@@ -174,8 +186,8 @@ void Lab::start(Load load, const Condition &condition, std::uint64_t seed)
         agent << QStringLiteral("--allow-research") << QStringLiteral("--allow-plain") << QStringLiteral("--allow-inline");
     launch(m_agent, m_programs.agent, agent);
     if (m_vehicle) {
-        m_autopilot = programBehind(*m_vehicle);
-        return;
+        m_searches = kMostSearches;
+        return findAutopilot();
     }
     QStringList simulator{QStringLiteral("--link"),    loopback("udpout", m_vehiclePort), QStringLiteral("--seed"),
                           QString::number(seed),       QStringLiteral("--json"),          QStringLiteral("--rate"),
@@ -190,6 +202,14 @@ void Lab::start(Load load, const Condition &condition, std::uint64_t seed)
     m_missedSends.reset();
     m_simulator.setStandardOutputFile(load.isPaced() ? QString() : QProcess::nullDevice());
     launch(m_simulator, m_programs.simulator, simulator);
+}
+
+/// One that calls us does so some time after the agent has started.
+void Lab::findAutopilot()
+{
+    m_autopilot = programBehind(*m_vehicle);
+    if (!m_autopilot && --m_searches > 0)
+        m_search.start();
 }
 
 void Lab::setBareCipher(std::optional<crypto::MavsecKind> cipher)
@@ -229,7 +249,7 @@ std::string Lab::sourceText() const
         return "the sweep's own simulator (skyseal-sim)";
     return "the autopilot on " + m_vehicle->toText()
         + (m_autopilot ? ", " + m_autopilot->name + ", whose CPU load is autopilot_cpu"
-                       : ", whose process was not found on this machine: autopilot_cpu is empty");
+                       : ", whose process is not known on this machine: autopilot_cpu is empty");
 }
 
 void Lab::launch(QProcess &process, const QString &program, const QStringList &arguments)
@@ -241,6 +261,7 @@ void Lab::launch(QProcess &process, const QString &program, const QStringList &a
 void Lab::stop()
 {
     m_stopping = true;
+    m_search.stop();
     for (QProcess *process : {&m_simulator, &m_agent, &m_relay}) {
         if (process->state() == QProcess::NotRunning)
             continue;

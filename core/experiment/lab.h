@@ -15,6 +15,7 @@
 #include <QtCore/QObject>
 #include <QtCore/QProcess>
 #include <QtCore/QTemporaryDir>
+#include <QtCore/QTimer>
 
 #include <memory>
 
@@ -67,6 +68,7 @@ private:
     Lab(LabPrograms programs, std::optional<link::LinkUrl> vehicle);
 
     void launch(QProcess &process, const QString &program, const QStringList &arguments);
+    void findAutopilot();
     void readPace();
     void reportEnd(QProcess &process);
     QString file(const char *name) const { return m_folder.filePath(QLatin1String(name)); }
@@ -75,6 +77,8 @@ private:
     const std::optional<link::LinkUrl> m_vehicle;
     Placement m_placement;
     std::optional<link::PortOwner> m_autopilot; ///< where its process was found on this machine
+    QTimer m_search;                            ///< for it
+    int m_searches = 0;                         ///< that are left
     QTemporaryDir m_folder;
     QProcess m_simulator, m_agent, m_relay;
     quint16 m_vehiclePort, m_relayPort, m_groundPort;

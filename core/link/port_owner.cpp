@@ -1,21 +1,35 @@
 #include "core/link/port_owner.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <vector>
 
+#include <ifaddrs.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+
 namespace skyseal::link {
 
 namespace fs = std::filesystem;
 
-/// Targets of the links in /proc/PID/fd that denote a socket bound to the port: "socket:[inode]".
-static std::vector<std::string> socketsOf(PortKind kind, std::uint16_t port)
+namespace {
+
+/// A line of /proc/net/tcp or udp.
+struct SocketLine
 {
-    static constexpr const char *kTcpListen = "0A"; // state TCP_LISTEN in /proc/net/tcp
-    std::vector<std::string> out;
+    std::string remoteAddress; ///< hexadecimal, as the kernel writes them
+    unsigned long localPort = 0, remotePort = 0;
+    std::string state, inode;
+};
+
+std::vector<SocketLine> socketLines(PortKind kind)
+{
+    std::vector<SocketLine> out;
     const std::string base = kind == PortKind::Udp ? "/proc/net/udp" : "/proc/net/tcp";
     for (const std::string &path : {base, base + "6"}) {
         std::ifstream file(path);
@@ -23,23 +37,29 @@ static std::vector<std::string> socketsOf(PortKind kind, std::uint16_t port)
         std::getline(file, line); // the headings
         while (std::getline(file, line)) {
             std::istringstream fields(line);
-            std::string slot, local, remote, state, queues, timer, retransmits, user, timeout, inode;
-            fields >> slot >> local >> remote >> state >> queues >> timer >> retransmits >> user >> timeout >> inode;
-            const std::size_t colon = local.find(':');
-            if (colon == local.npos || (kind == PortKind::Tcp && state != kTcpListen))
+            std::string slot, local, remote, queues, timer, retransmits, user, timeout;
+            SocketLine one;
+            fields >> slot >> local >> remote >> one.state >> queues >> timer >> retransmits >> user >> timeout >> one.inode;
+            const std::size_t localColon = local.find(':'), remoteColon = remote.find(':');
+            if (localColon == local.npos || remoteColon == remote.npos)
                 continue;
-            if (std::strtoul(local.c_str() + colon + 1, nullptr, 16) == port)
-                out.push_back("socket:[" + inode + "]");
+            one.remoteAddress = remote.substr(0, remoteColon);
+            one.localPort = std::strtoul(local.c_str() + localColon + 1, nullptr, 16);
+            one.remotePort = std::strtoul(remote.c_str() + remoteColon + 1, nullptr, 16);
+            out.push_back(std::move(one));
         }
     }
     return out;
 }
 
-std::optional<PortOwner> portOwner(PortKind kind, std::uint16_t port)
+/// The program that holds one of these sockets.
+std::optional<PortOwner> holderOf(const std::vector<SocketLine> &lines)
 {
-    const std::vector<std::string> sockets = socketsOf(kind, port);
-    if (sockets.empty())
+    if (lines.empty())
         return std::nullopt;
+    std::vector<std::string> sockets; // targets of the links in /proc/PID/fd
+    for (const SocketLine &line : lines)
+        sockets.push_back("socket:[" + line.inode + "]");
     // Processes may end meanwhile, and those of other users are not readable: skip failures.
     std::error_code error;
     for (fs::directory_iterator process("/proc", error), end; !error && process != end; process.increment(error)) {
@@ -59,6 +79,52 @@ std::optional<PortOwner> portOwner(PortKind kind, std::uint16_t port)
         }
     }
     return std::nullopt;
+}
+
+/// The IPv4 addresses of this machine as the kernel writes them, also within IPv6.
+bool isOwnAddress(const std::string &hexadecimal)
+{
+    static constexpr const char *kWithin = "0000000000000000FFFF0000"; // ::ffff:a.b.c.d
+    static constexpr const char *kLoopback = "00000000000000000000000001000000";
+    if (hexadecimal == kLoopback)
+        return true;
+    ifaddrs *first = nullptr;
+    if (::getifaddrs(&first) != 0)
+        return false;
+    bool isOwn = false;
+    for (const ifaddrs *one = first; one; one = one->ifa_next) {
+        if (!one->ifa_addr || one->ifa_addr->sa_family != AF_INET)
+            continue;
+        sockaddr_in address{};
+        std::memcpy(&address, one->ifa_addr, sizeof address);
+        char text[9];
+        std::snprintf(text, sizeof text, "%08X", address.sin_addr.s_addr);
+        isOwn = isOwn || hexadecimal == text || hexadecimal == std::string(kWithin) + text;
+    }
+    ::freeifaddrs(first);
+    return isOwn;
+}
+
+} // namespace
+
+std::optional<PortOwner> portOwner(PortKind kind, std::uint16_t port)
+{
+    static constexpr const char *kTcpListen = "0A"; // state TCP_LISTEN
+    std::vector<SocketLine> lines = socketLines(kind);
+    std::erase_if(lines, [&](const SocketLine &line) {
+        return line.localPort != port || (kind == PortKind::Tcp && line.state != kTcpListen);
+    });
+    return holderOf(lines);
+}
+
+std::optional<PortOwner> portCaller(PortKind kind, std::uint16_t port)
+{
+    static constexpr const char *kEstablished = "01"; // also of a connected UDP socket
+    std::vector<SocketLine> lines = socketLines(kind);
+    std::erase_if(lines, [&](const SocketLine &line) {
+        return line.remotePort != port || line.state != kEstablished || !isOwnAddress(line.remoteAddress);
+    });
+    return holderOf(lines);
 }
 
 std::string portOwnerText(PortKind kind, std::uint16_t port)

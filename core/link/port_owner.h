@@ -18,6 +18,9 @@ struct PortOwner
 
 /// A TCP port has to be listened on. nullopt when the owner cannot be found. Slow, since it reads /proc.
 std::optional<PortOwner> portOwner(PortKind kind, std::uint16_t port);
+/// The program of this machine whose socket is connected to that port of this machine: of TCP, or of UDP if it has called
+/// connect(). nullopt when there is none or it cannot be found. As slow.
+std::optional<PortOwner> portCaller(PortKind kind, std::uint16_t port);
 /// "skyseal (process 1234)", or an empty text.
 std::string portOwnerText(PortKind kind, std::uint16_t port);
 

@@ -93,6 +93,7 @@ private Q_SLOTS:
     void terminatedSweepKeepsItsRuns();
     void landsOverANewLink();
     void staysOnTheGround();
+    void callingAutopilotIsFound();
 };
 
 /// Two flights of two phases, in each of which both arms are measured once.
@@ -265,6 +266,24 @@ void VehicleSweepTest::staysOnTheGround()
     QCOMPARE(int(sweep.events(QStringLiteral("run")).size()), 2);
     QVERIFY(vehicle.isDown());
     QCOMPARE(vehicle.landings(), 0);
+}
+
+/// It connects to the agent, and not the other way round.
+void VehicleSweepTest::callingAutopilotIsFound()
+{
+    const quint16 port = freeTcpPort();
+    Program sim(QStringLiteral("skyseal-sim"),
+                QStringLiteral("--link tcp:127.0.0.1:%1 --json").arg(port).split(QLatin1Char(' ')));
+    Program sweep(QStringLiteral("skyseal-cli"),
+                  QStringList{QStringLiteral("sweep"), QStringLiteral("--vehicle"),
+                              QStringLiteral("tcpin:127.0.0.1:%1").arg(port), QStringLiteral("--json")}
+                      + words("--suites chacha20-poly1305 --launches 1 --seconds 1 --warm-up 0.5 --no-noise"));
+    QVERIFY2(sweep.waitForExit(2 * kDeadlineMs) == 0, sweep.errors().constData());
+    const QJsonObject run = sweep.last(QStringLiteral("run"));
+    QVERIFY(run[QLatin1String("values")][QLatin1String("autopilot_cpu")].isDouble());
+    const QString source = sweep.last(QStringLiteral("end"))[QLatin1String("source")].toString();
+    QVERIFY2(source.startsWith(QStringLiteral("the autopilot on tcpin:127.0.0.1:%1, skyseal-sim").arg(port)),
+             qPrintable(source));
 }
 
 SKYSEAL_TEST(VehicleSweepTest)

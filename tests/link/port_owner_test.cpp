@@ -1,0 +1,72 @@
+// Which program holds a port of this machine, and which is connected to one: this test itself, by sockets of every kind.
+#include "core/link/port_owner.h"
+#include "tests/support/test_runner.h"
+
+#include <QtNetwork/QTcpServer>
+#include <QtNetwork/QTcpSocket>
+#include <QtNetwork/QUdpSocket>
+#include <QtTest/QTest>
+
+using namespace skyseal::link;
+
+class PortOwnerTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void listenerAndCaller_data();
+    void listenerAndCaller();
+    void datagrams();
+};
+
+void PortOwnerTest::listenerAndCaller_data()
+{
+    QTest::addColumn<QString>("address");
+    QTest::newRow("IPv4") << QStringLiteral("127.0.0.1");
+    QTest::newRow("IPv6") << QStringLiteral("::1");
+}
+
+void PortOwnerTest::listenerAndCaller()
+{
+#ifndef Q_OS_LINUX
+    QSKIP("only Linux shows this");
+#endif
+    QFETCH(QString, address);
+    QTcpServer server;
+    if (!server.listen(QHostAddress(address)))
+        QSKIP("no such address here");
+    const auto port = server.serverPort();
+    const auto owner = portOwner(PortKind::Tcp, port);
+    QVERIFY(owner);
+    QCOMPARE(owner->process, qint64(QCoreApplication::applicationPid()));
+    QVERIFY(!portCaller(PortKind::Tcp, port));
+    QTcpSocket caller;
+    caller.connectToHost(server.serverAddress(), port);
+    QVERIFY(caller.waitForConnected());
+    const auto found = portCaller(PortKind::Tcp, port);
+    QVERIFY(found);
+    QCOMPARE(found->process, qint64(QCoreApplication::applicationPid()));
+    QVERIFY(!found->name.empty());
+    QVERIFY(!portOwner(PortKind::Tcp, caller.localPort())); // it does not listen there
+}
+
+/// A UDP socket that only sends names its destination to nobody; one that is connected does.
+void PortOwnerTest::datagrams()
+{
+#ifndef Q_OS_LINUX
+    QSKIP("only Linux shows this");
+#endif
+    QUdpSocket station, sender, caller;
+    QVERIFY(station.bind(QHostAddress::LocalHost) && sender.bind(QHostAddress::LocalHost));
+    QVERIFY(portOwner(PortKind::Udp, station.localPort()));
+    QCOMPARE(sender.writeDatagram("x", QHostAddress::LocalHost, station.localPort()), qint64(1));
+    QVERIFY(!portCaller(PortKind::Udp, station.localPort()));
+    caller.connectToHost(QHostAddress(QHostAddress::LocalHost), station.localPort());
+    QVERIFY(caller.waitForConnected());
+    const auto found = portCaller(PortKind::Udp, station.localPort());
+    QVERIFY(found);
+    QCOMPARE(found->process, qint64(QCoreApplication::applicationPid()));
+}
+
+SKYSEAL_TEST(PortOwnerTest)
+#include "port_owner_test.moc"
