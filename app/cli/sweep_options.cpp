@@ -3,6 +3,7 @@
 #include "app/common/options.h"
 #include "core/base/research.h"
 #include "core/crypto/system_random.h"
+#include "core/experiment/placement.h"
 #include "core/experiment/precision.h"
 
 #include <algorithm>
@@ -15,6 +16,9 @@ namespace {
 
 using experiment::Load;
 
+/// The link of a saturated load where the programs have no cores of their own. There a clean link uses up all cores together
+/// before the station or the agent has used up one, so that no run would be valid; any machine fills this line.
+constexpr const char *kFillable = "rate=921600";
 constexpr unsigned kPilotLaunches = 3, kMostLaunchesUntil = 100;
 
 void declare(Options &options)
@@ -64,7 +68,8 @@ void declare(Options &options)
         "Alone unless --load is given.");
     options.addValue("impair", "SPEC",
                      "Link condition: clean, or loss=, duplicate=, reorder=, corrupt=, delay=, jitter=, rate=, separated by "
-                     "commas. May be given several times.");
+                     "commas. May be given several times. Default: clean; with a saturated load and fewer than five cores "
+                     "rate=921600, a line that can be filled there.");
     options.addValue("until", "PERCENT",
                      "Continue until the ratios to plain MAVLink in CPU time per frame, at both ends, are known to this many "
                      "percent, after 10 launches at the earliest and --launches at the latest (then 100 by default).");
@@ -176,8 +181,12 @@ void readLoads(Options &options, bool ownVehicle, experiment::Plan &plan)
 
 void readConditions(Options &options, bool ownAgent, experiment::Plan &plan)
 {
-    if (!options.has("impair"))
+    if (!options.has("impair")) {
+        const bool isSaturated = std::ranges::find(plan.loads, Load::Saturated) != plan.loads.end();
+        if (isSaturated && !experiment::placementHere().station)
+            plan.conditions = {*experiment::parseCondition(kFillable)};
         return;
+    }
     if (!ownAgent)
         options.fail(
             "--impair applies to the sweep's own agent; with --link use 'skyseal-cli impair' between station and agent");
