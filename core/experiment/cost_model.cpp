@@ -2,6 +2,8 @@
 
 #include "core/experiment/bar_chart.h"
 #include "core/experiment/html_parts.h"
+#include "core/experiment/random_intercept.h"
+#include "core/experiment/statistics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,8 +25,12 @@ constexpr EndMetrics kEnds[] = {{LinkEnd::Station, Metric::Cpu, Metric::WakeUps}
 
 std::optional<CostModel> modelOf(const Results &results, std::size_t condition, std::size_t arm, const EndMetrics &end)
 {
-    CostModel out{condition, arm, end.end, {}, {}, {}};
+    CostModel out;
+    out.condition = condition;
+    out.arm = arm;
+    out.end = end.end;
     std::vector<double> design;
+    std::vector<std::size_t> launches;
     std::set<std::size_t> loads;
     for (const Sample &sample : results.samples) {
         const bool isOne = sample.run.condition == condition && sample.run.arm == arm && sample.isValid()
@@ -36,10 +42,17 @@ std::optional<CostModel> modelOf(const Results &results, std::size_t condition, 
         loads.insert(sample.run.load);
         out.runs.push_back(&sample);
         out.values.push_back(cost);
+        launches.push_back(sample.run.launch);
         design.insert(design.end(), {1, frames, wakeUps});
     }
     if (loads.size() < 2)
         return std::nullopt;
+    if (auto fit = randomIntercept(design, CostModel::kTerms, out.values, launches)) {
+        out.fit = std::move(fit->fit);
+        out.launchDeviation = fit->groupDeviation;
+        out.launches = static_cast<unsigned>(fit->groups);
+        return out;
+    }
     auto fit = leastSquares(design, CostModel::kTerms, out.values);
     if (!fit)
         return std::nullopt;
@@ -48,10 +61,10 @@ std::optional<CostModel> modelOf(const Results &results, std::size_t condition, 
 }
 
 /// "612.3 ± 20.4"
-std::string termText(const LinearFit &fit, std::size_t term)
+std::string termText(const CostModel &model, std::size_t term, double scale = 1)
 {
-    return readable(fit.coefficients[term], fit.coefficients[term] - fit.halfWidth(term),
-                    fit.coefficients[term] + fit.halfWidth(term));
+    const double value = scale * model.fit.coefficients[term], half = scale * model.halfWidth(term);
+    return readable(value, value - half, value + half);
 }
 
 /// The mean residual of the runs of this load and the greatest one, per cent of the CPU time of the run.
@@ -81,6 +94,11 @@ std::string missedText(const Results &results)
 }
 
 } // namespace
+
+double CostModel::halfWidth(std::size_t term) const
+{
+    return term == kConstant && launches > 1 ? studentQuantile(0.975, launches - 1) * fit.errors[term] : fit.halfWidth(term);
+}
 
 std::string_view name(LinkEnd end)
 {
@@ -114,7 +132,8 @@ std::string costModelHtml(const Results &results)
                                   "a (µs per second)",
                                   "b (ns per frame)",
                                   "c (ns per wake-up)",
-                                  "standard deviation of the residuals (µs per second)"};
+                                  "standard deviation between launches (µs per second)",
+                                  "of the residuals (µs per second)"};
     std::vector<std::size_t> paced;
     for (std::size_t load = 0; load < plan.loads.size(); ++load) {
         if (!plan.loads[load].isPaced())
@@ -132,26 +151,20 @@ std::string costModelHtml(const Results &results)
               "(--pps).</p>\n";
     std::string rows;
     for (const CostModel &model : models) {
-        LinearFit micro = model.fit;
-        micro.coefficients[CostModel::kConstant] /= 1000;
-        micro.errors[CostModel::kConstant] /= 1000;
-        std::vector<std::string> cells{armText(plan.arms[model.arm]),
-                                       std::string(framingName(plan.arms[model.arm])),
-                                       std::string(name(model.end)),
-                                       escaped(plan.conditions[model.condition].name),
-                                       std::to_string(model.runs.size()),
-                                       termText(micro, CostModel::kConstant),
-                                       termText(model.fit, CostModel::kPerFrame),
-                                       termText(model.fit, CostModel::kPerWakeUp),
-                                       readable(model.fit.deviation / 1000)};
+        std::vector<std::string> cells{armText(plan.arms[model.arm]),          std::string(framingName(plan.arms[model.arm])),
+                                       std::string(name(model.end)),           escaped(plan.conditions[model.condition].name),
+                                       std::to_string(model.runs.size()),      termText(model, CostModel::kConstant, 1e-3),
+                                       termText(model, CostModel::kPerFrame),  termText(model, CostModel::kPerWakeUp),
+                                       readable(model.launchDeviation / 1000), readable(model.fit.deviation / 1000)};
         for (const std::size_t load : paced)
             cells.push_back(residualText(model, load));
         rows += row(cells);
     }
     return title
         + "<p>CPU time = a + b × frames + c × wake-ups, for each second, fitted to the runs of the paced loads by least "
-          "squares, ± half of the 95 % interval (Student's t). Runs of one launch count as independent here, so that few "
-          "launches make the intervals too narrow. If frames and wake-ups grow together, b and c cannot be told apart well, "
+          "squares with the launch as a random effect (REML), ± half of the 95 % interval (Student's t). Of a single launch "
+          "the intervals hold for that one start of the programs. "
+          "If frames and wake-ups grow together, b and c cannot be told apart well, "
           "and both intervals are wide. Residuals: their mean over the runs of a load and, in brackets, the greatest one, per "
           "cent of the measured CPU time; means of one sign at the lowest and highest rates and of the other in between show "
           "that the cost is not linear. "

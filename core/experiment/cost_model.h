@@ -6,6 +6,8 @@
 #include "core/experiment/least_squares.h"
 #include "core/experiment/results.h"
 
+#include <limits>
+
 namespace skyseal::experiment {
 
 enum class LinkEnd : std::uint8_t { Station, Agent };
@@ -17,6 +19,11 @@ struct CostModel
     LinkEnd end{};
     /// Of CPU time in ns per second: what passes without a load, ns; ns for a frame; ns for a wake-up.
     LinearFit fit;
+    /// Standard deviation between launches, ns per second; NaN of a single launch, whose interval holds for it alone.
+    double launchDeviation = std::numeric_limits<double>::quiet_NaN();
+    unsigned launches = 1;
+    /// Half of the 95 % interval of a term. Between launches the constant has launches − 1 degrees of freedom.
+    double halfWidth(std::size_t term) const;
     std::vector<const Sample *> runs; ///< of each residual; they point into the results
     std::vector<double> values;       ///< CPU time of each run, ns per second
 
@@ -24,8 +31,8 @@ struct CostModel
 };
 
 /// One for each condition, arm (but the repeated one) and end that has valid runs of at least two paced loads, more runs than
-/// terms, and whose frames and wake-ups do not depend on each other. By ordinary least squares: runs of one launch count as
-/// independent, so that few launches make the intervals too narrow.
+/// terms, and whose frames and wake-ups do not depend on each other. With the launch as a random effect (random_intercept.h);
+/// of a single launch, or where there are too few runs for that, by ordinary least squares.
 std::vector<CostModel> costModels(const Results &results);
 
 /// For a report: the coefficients with their intervals, and the residuals of each load. Empty without a paced load.

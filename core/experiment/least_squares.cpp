@@ -97,6 +97,7 @@ std::optional<LinearFit> leastSquares(std::span<const double> design, std::size_
             variances[column] += inverse[column] * inverse[column];
     }
     for (std::size_t column = 0; column < columns; ++column) {
+        out.logDeterminant += 2 * std::log(std::abs(matrix[column][column]) * lengths[column]);
         out.coefficients[column] /= lengths[column];
         out.errors.push_back(out.deviation * std::sqrt(variances[column]) / lengths[column]);
     }

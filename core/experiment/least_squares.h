@@ -15,6 +15,7 @@ struct LinearFit
     std::vector<double> residuals;    ///< value less fitted value, in the order of the rows
     double degrees = 0;               ///< rows less columns
     double deviation = 0;             ///< of the residuals, by `degrees`
+    double logDeterminant = 0;        ///< of the design's product with itself
 
     /// Half width of the 95 % interval of a coefficient (Student's t).
     double halfWidth(std::size_t column) const;

@@ -137,8 +137,10 @@ void writeCostModel(JsonWriter &json, const Plan &plan, const CostModel &model)
     json.beginObject().field("condition", plan.conditions[model.condition].name);
     arm(json, plan.arms[model.arm]);
     json.field("end", name(model.end)).field("df", model.fit.degrees);
+    json.field("launches", std::uint64_t(model.launches));
+    number(json, "launch_sd", model.launchDeviation);
     for (std::size_t term = 0; term < CostModel::kTerms; ++term) {
-        const double value = model.fit.coefficients[term], half = model.fit.halfWidth(term);
+        const double value = model.fit.coefficients[term], half = model.halfWidth(term);
         json.key(kTerms[term]).beginObject();
         number(json, "ns", value);
         number(json, "ci95_low", value - half);

@@ -32,17 +32,34 @@ constexpr double kResiduals[] = {-4178.97837697504, -1160.498958501512,  40130.8
                                  59473.24843305284, -18049.850840039075, -68925.12802818323, 54524.05357101457};
 constexpr double kStudent = 2.570581835636314; ///< 0.975 quantile of 5 degrees, by tables
 
+/// Three launches that differ by more than their runs; one run is missing. The numbers are those of REML by full covariance
+/// matrices (Python).
+constexpr std::array<Observed, 11> kLaunches{{{0, 0, 60, 60, 2386000},
+                                              {1, 0, 560, 250, 7290000},
+                                              {2, 0, 2060, 260, 11477000},
+                                              {3, 0, 5060, 262, 19261000},
+                                              {0, 1, 60, 60, 1645000},
+                                              {1, 1, 560, 253, 6549000},
+                                              {2, 1, 2060, 260, 10673000},
+                                              {3, 1, 5060, 265, 18520000},
+                                              {0, 2, 60, 60, 2094000},
+                                              {1, 2, 560, 256, 6998000},
+                                              {2, 2, 2060, 260, 11122000}}};
+constexpr double kMixed[] = {753500.1764783972, 2611.7553691938665, 18846.645393107134};
+constexpr double kMixedErrors[] = {230995.62501547436, 12.301229037184001, 240.31065838754984};
+constexpr double kWithin = 57270.18152795528, kBetween = 392655.29412954807;
+
 /// One arm, whose station costs that and whose agent costs twice as much.
-Results observedSweep()
+template<std::size_t Count> Results observedSweep(const std::array<Observed, Count> &observed, unsigned launches)
 {
     Results out;
     out.plan.arms = {{crypto::SuiteId::Aes256Gcm}};
     out.plan.loads = {Load::paced(10), Load::paced(500), Load::paced(2000), Load::paced(5000)};
-    out.plan.launches = 2;
+    out.plan.launches = launches;
     out.plan.repeats = 1;
-    for (const Observed &one : kObserved) {
+    for (const Observed &one : observed) {
         Sample sample;
-        sample.run = {0, one.load, 0, 0, one.launch};
+        sample.run = {0, one.load, 0, launches == 1 ? one.launch : 0, launches == 1 ? 0 : one.launch};
         sample.values[Metric::FrameRate] = one.frames;
         sample.values[Metric::WakeUps] = sample.values[Metric::AgentWakeUps] = one.wakeUps;
         sample.values[Metric::Cpu] = one.cost / 1e7;
@@ -50,6 +67,12 @@ Results observedSweep()
         out.samples.push_back(sample);
     }
     return out;
+}
+
+/// All runs of a single launch.
+Results observedSweep()
+{
+    return observedSweep(kObserved, 1);
 }
 
 bool isWithin(double value, double expected, double relative)
@@ -81,6 +104,37 @@ private Q_SLOTS:
                 QCOMPARE(model.runs[i], &results.samples[i]);
             }
         }
+    }
+
+    void launchesAreARandomEffect()
+    {
+        const CostModel model = costModels(observedSweep(kLaunches, 3)).front();
+        constexpr double kOfLaunches = 4.302652729911275, kOfRuns = 2.446911851144969; // Student's t, 2 and 6 degrees
+        QCOMPARE(model.launches, 3u);
+        QCOMPARE(model.fit.degrees, 6.0);
+        for (std::size_t term = 0; term < CostModel::kTerms; ++term) {
+            QVERIFY2(isWithin(model.fit.coefficients[term], kMixed[term], 1e-6),
+                     qPrintable(QString::number(model.fit.coefficients[term], 'g', 12)));
+            const double student = term == CostModel::kConstant ? kOfLaunches : kOfRuns;
+            QVERIFY2(isWithin(model.halfWidth(term), student * kMixedErrors[term], 1e-5),
+                     qPrintable(QString::number(model.halfWidth(term), 'g', 12)));
+        }
+        QVERIFY(isWithin(model.fit.deviation, kWithin, 1e-5) && isWithin(model.launchDeviation, kBetween, 1e-5));
+        QVERIFY(isWithin(model.fit.residuals[0],
+                         kLaunches[0].cost - kMixed[0] - kMixed[1] * kLaunches[0].frames - kMixed[2] * kLaunches[0].wakeUps,
+                         1e-4));
+        QVERIFY(costModelHtml(observedSweep(kLaunches, 3)).find("the launch as a random effect") != std::string::npos);
+    }
+
+    /// As by chance: the launches add nothing.
+    void equalLaunchesAreThoseOfOne()
+    {
+        const CostModel together = costModels(observedSweep()).front(), apart = costModels(observedSweep(kObserved, 2)).front();
+        QCOMPARE(apart.launchDeviation, 0.0);
+        for (std::size_t term = 0; term < CostModel::kTerms; ++term)
+            QVERIFY(isWithin(apart.fit.coefficients[term], together.fit.coefficients[term], 1e-9)
+                    && apart.halfWidth(term) > together.halfWidth(term)); // fewer degrees of freedom
+        QVERIFY(std::isnan(together.launchDeviation));
     }
 
     void runsThatDoNotCount()
