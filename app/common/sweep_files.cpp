@@ -13,6 +13,8 @@
 #include <QtCore/QProcess>
 #include <QtCore/QStandardPaths>
 
+#include <algorithm>
+
 namespace skyseal::app {
 
 namespace {
@@ -74,7 +76,8 @@ void removePictures(const QDir &folder)
     if (!holdsSweep(folder))
         return;
     QDir figures(folder.filePath(QStringLiteral("figures")));
-    for (const QFileInfo &file : figures.entryInfoList({QStringLiteral("*.svg"), QStringLiteral("*.png")}, QDir::Files)) {
+    for (const QFileInfo &file :
+         figures.entryInfoList({QStringLiteral("*.svg"), QStringLiteral("*.png"), QStringLiteral("*.pdf")}, QDir::Files)) {
         if (isFigureName(file.completeBaseName()))
             figures.remove(file.fileName());
     }
@@ -134,13 +137,19 @@ SweepFiles writePooledFiles(const QString &path, const std::vector<experiment::M
         return {false, path.toStdString() + ": the folder cannot be created"};
     std::vector<std::pair<QString, std::string>> files{{QStringLiteral("report.html"), experiment::pooledHtml(machines)},
                                                        {QStringLiteral("pooled.csv"), experiment::pooledCsv(machines)}};
-    for (const experiment::ReportFigure &figure : experiment::forestsOf(machines))
+    QStringList drawings;
+    for (const experiment::ReportFigure &figure : experiment::forestsOf(machines)) {
         files.emplace_back(QStringLiteral("figures/%1.svg").arg(QString::fromStdString(figure.name)), figure.svg);
+        drawings << folder.filePath(files.back().first);
+    }
     for (const auto &[name, content] : files) {
         if (std::string problem = write(folder.filePath(name), content); !problem.empty())
             return {false, std::move(problem)};
     }
-    return {true, {}};
+    std::string newest; // of the sweeps, so that the same sweeps give the same bytes
+    for (const experiment::Machine &machine : machines)
+        newest = std::max(newest, settingOf(machine.results, "time"));
+    return {true, draw(folder, drawings, experiment::pooledPrint(machines), newest)};
 }
 
 } // namespace skyseal::app

@@ -77,16 +77,21 @@ void FigurePainter::drawElement(QPainter &painter, const Element &element) const
 void FigurePainter::drawText(QPainter &painter, const Element &element) const
 {
     const QXmlStreamAttributes &a = element.attributes;
+    constexpr double kFine = 16; // fonts have whole pixels, figures do not
     QFont font(m_family);
-    font.setPixelSize(qRound(number(a, "font-size", 12)));
+    font.setPixelSize(qRound(kFine * number(a, "font-size", 12)));
     font.setBold(a.value(QLatin1String("font-weight")) == QLatin1String("bold"));
     font.setItalic(a.value(QLatin1String("font-style")) == QLatin1String("italic"));
     const double width = QFontMetricsF(font).horizontalAdvance(element.text);
     const auto anchor = a.value(QLatin1String("text-anchor"));
     const double back = anchor == QLatin1String("middle") ? width / 2 : anchor == QLatin1String("end") ? width : 0;
+    painter.save();
+    painter.translate(number(a, "x"), number(a, "y"));
+    painter.scale(1 / kFine, 1 / kFine);
     painter.setFont(font);
     painter.setPen(colour(a, "fill"));
-    painter.drawText(QPointF(number(a, "x") - back, number(a, "y")), element.text);
+    painter.drawText(QPointF(-back, 0), element.text);
+    painter.restore();
 }
 
 } // namespace skyseal::app

@@ -1,5 +1,5 @@
-// skyseal-figures: renders a sweep's figures as PNG and its report as PDF, without a display. Programs that write a report
-// start it if it is installed.
+// skyseal-figures: renders a sweep's figures as PNG and PDF and its report as PDF, without a display. Programs that write a
+// report start it if it is installed.
 #include "app/common/exit_status.h"
 #include "app/common/options.h"
 #include "app/figures/figure_painter.h"
@@ -38,26 +38,6 @@ bool save(const QString &path, const QByteArray &content)
     if (!saved)
         complain(kName, saved.error().text());
     return saved.has_value();
-}
-
-bool drawPicture(const QString &file)
-{
-    const QString picture = QFileInfo(file).path() + QLatin1Char('/') + QFileInfo(file).completeBaseName()
-        + QStringLiteral(".png");
-    FigurePainter figure;
-    if (figure.load(file)) {
-        QImage image((figure.size() * kPictureScale).toSize(), QImage::Format_RGB32);
-        image.fill(Qt::white);
-        QPainter painter(&image);
-        painter.scale(kPictureScale, kPictureScale);
-        figure.draw(painter);
-        painter.end();
-        QBuffer png;
-        if (image.save(&png, "PNG"))
-            return save(picture, png.data());
-    }
-    complain(kName, file.toStdString() + ": cannot be drawn");
-    return false;
 }
 
 #ifdef Q_MOC_RUN // which reads no headers (SkysealTargets.cmake)
@@ -99,15 +79,64 @@ private:
 };
 
 /// Qt dates a PDF with the time of its writing. With the time of the sweep, the same sweep gives the same bytes. The other text
-/// is as long, in UTC, so that the offsets within the file stay valid.
+/// is as long, in UTC, so that the offsets within the file stay valid. Without a valid time nothing changes.
 QByteArray dated(QByteArray pdf, const QDateTime &time)
 {
+    if (!time.isValid())
+        return pdf;
     const QByteArray begin = "/CreationDate (";
     const qsizetype at = pdf.indexOf(begin), end = pdf.indexOf(')', at);
     const QByteArray text = time.toUTC().toString(QStringLiteral("'D:'yyyyMMddHHmmss'Z'")).toLatin1();
     if (at >= 0 && end - at - begin.size() == text.size())
         pdf.replace(at + begin.size(), text.size(), text);
     return pdf;
+}
+
+QByteArray pictureOf(const FigurePainter &figure)
+{
+    QImage image((figure.size() * kPictureScale).toSize(), QImage::Format_RGB32);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    painter.scale(kPictureScale, kPictureScale);
+    figure.draw(painter);
+    painter.end();
+    QBuffer png;
+    return image.save(&png, "PNG") ? png.data() : QByteArray();
+}
+
+/// One page of the figure's own size, 333 pixels are 88 mm.
+QByteArray pageOf(const FigurePainter &figure, const QDateTime &time)
+{
+    constexpr double kPointsPerInch = 72;
+    QBuffer written;
+    written.open(QIODevice::WriteOnly);
+    {
+        QPdfWriter writer(&written);
+        writer.setPageSize(
+            QPageSize(figure.size() * kPointsPerInch / kDotsPerInch, QPageSize::Point, QString(), QPageSize::ExactMatch));
+        writer.setPageMargins(QMarginsF());
+        writer.setResolution(kDotsPerInch);
+        QPainter painter(&writer);
+        figure.draw(painter);
+        if (!painter.end())
+            return {};
+    }
+    return dated(written.data(), time);
+}
+
+/// FILE.png and FILE.pdf of FILE.svg.
+bool drawPictures(const QString &file, const QDateTime &time)
+{
+    const QString path = QFileInfo(file).path() + QLatin1Char('/') + QFileInfo(file).completeBaseName();
+    FigurePainter figure;
+    const bool isLoaded = figure.load(file);
+    const QByteArray picture = isLoaded ? pictureOf(figure) : QByteArray(),
+                     page = isLoaded ? pageOf(figure, time) : QByteArray();
+    if (picture.isEmpty() || page.isEmpty()) {
+        complain(kName, file.toStdString() + ": cannot be drawn");
+        return false;
+    }
+    return save(path + QStringLiteral(".png"), picture) && save(path + QStringLiteral(".pdf"), page);
 }
 
 /// `time`: of the report; not valid: now.
@@ -153,7 +182,7 @@ bool writePages(const QString &report, const QString &pages, const QDateTime &ti
         complain(kName, pages.toStdString() + ": cannot be drawn");
         return false;
     }
-    return save(pages, time.isValid() ? dated(written.data(), time) : written.data());
+    return save(pages, dated(written.data(), time));
 }
 
 } // namespace
@@ -168,11 +197,12 @@ int main(int argc, char **argv)
         qputenv("XDG_RUNTIME_DIR", QFile::encodeName(runtime.path()));
     QHashSeed::setDeterministicGlobalSeed(); // it decides the order of what a PDF embeds
     QGuiApplication application(argc, argv);
-    Options options(kName, QStringLiteral("Renders figures (FILE.svg to FILE.png) and a report (--report to --pdf)."));
+    Options options(kName,
+                    QStringLiteral("Renders figures (FILE.svg to FILE.png and FILE.pdf) and a report (--report to --pdf)."));
     options.addValue("report", "FILE",
                      "Printable report of a sweep (HTML); the paths of its figures are relative to its folder.");
     options.addValue("pdf", "FILE", "PDF file to write.");
-    options.addValue("date", "TIME", "With --pdf: its date, such as 2026-05-01T12:00:00Z. Default: now.");
+    options.addValue("date", "TIME", "Date of the PDF files, such as 2026-05-01T12:00:00Z. Default: now.");
     options.addArgument("FILE.svg", "Figures to render.");
     if (const auto status = options.parse(application.arguments().mid(1)))
         return *status;
@@ -186,7 +216,7 @@ int main(int argc, char **argv)
         return *status;
     bool ok = true;
     for (const QString &figure : figures)
-        ok = drawPicture(figure) && ok;
+        ok = drawPictures(figure, date) && ok;
     if (options.has("report"))
         ok = writePages(QString::fromStdString(options.text("report")), QString::fromStdString(options.text("pdf")), date)
             && ok;

@@ -2,6 +2,7 @@
 
 #include "core/experiment/analysis.h"
 #include "core/experiment/append_format.h"
+#include "core/experiment/chart_parts.h"
 #include "core/experiment/sweep_text.h"
 
 #include <algorithm>
@@ -12,7 +13,9 @@ namespace skyseal::experiment {
 
 namespace {
 
-constexpr int kWidth = 800, kLeft = 230, kRight = 140, kTop = 76, kRow = 30, kBar = 16, kBottom = 48;
+/// A row is a line of text, the arm and its mean, and the bar below it.
+constexpr int kLeft = 3, kRight = 12, kRow = 27, kBar = 9, kBottom = 36;
+constexpr double kBarMiddle = 18; ///< below the top of its row
 
 struct Scale
 {
@@ -53,33 +56,29 @@ double highestOf(const std::vector<Bar> &bars)
 struct Axis
 {
     double step, end;
-    double x(double value) const { return kLeft + (kWidth - kLeft - kRight) * std::clamp(value / end, 0.0, 1.0); }
+    double x(double value) const { return kLeft + (kChartWidth - kLeft - kRight) * std::clamp(value / end, 0.0, 1.0); }
 };
 
-void drawAxis(std::string &out, const Axis &axis, const BarChart &chart, double bottom)
+void drawAxis(std::string &out, const Axis &axis, const BarChart &chart, double top, double bottom)
 {
+    const bool isCrowded = axis.end / axis.step > 6.5; // every other tick has its number
     for (int i = 0; i * axis.step <= axis.end * 1.0001; ++i) {
         const double x = axis.x(i * axis.step);
-        put(out, "<line x1=\"%.1f\" y1=\"%d\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\"/>\n", x, kTop - 6, x, bottom,
-            i == 0 ? "#333333" : "#dddddd");
-        put(out, "<text x=\"%.1f\" y=\"%.1f\" font-size=\"11\" text-anchor=\"middle\" fill=\"#444444\">", x, bottom + 16);
-        out += readable(i * axis.step) + "</text>\n";
+        putLine(out, x, top, x, bottom, i == 0 ? "#333333" : "#dddddd", 1);
+        if (!isCrowded || i % 2 == 0)
+            putText(out, x, bottom + kChartLine,
+                    i == 0                     ? "start"
+                        : x > kChartWidth - 20 ? "end"
+                                               : "middle",
+                    readable(i * axis.step));
     }
-    put(out, "<text x=\"%d\" y=\"%.1f\" font-size=\"12\" text-anchor=\"middle\" fill=\"#222222\">",
-        kLeft + (kWidth - kLeft - kRight) / 2, bottom + 36);
-    out += escaped(chart.axis) + "</text>\n";
-}
-
-void drawLine(std::string &out, double x1, double y1, double x2, double y2)
-{
-    put(out, "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"#111111\" stroke-width=\"1.4\"/>\n", x1, y1, x2,
-        y2);
+    putText(out, (kChartWidth - kRight + kLeft) / 2.0, bottom + 2 * kChartLine, "middle", chart.axis);
 }
 
 /// Hatching by single lines at 45 degrees, since SVG Tiny, the profile that Qt supports, has no patterns.
 void hatch(std::string &out, double left, double top, double right)
 {
-    constexpr double kSpacing = 6;
+    constexpr double kSpacing = 5;
     for (double x = left - kBar + kSpacing; x < right; x += kSpacing) {
         const double from = std::max(x, left), to = std::min(x + kBar, right);
         if (to > from)
@@ -88,16 +87,16 @@ void hatch(std::string &out, double left, double top, double right)
     }
 }
 
-void drawBar(std::string &out, const Axis &axis, const Bar &bar, int row)
+/// `top`: of the row.
+void drawBar(std::string &out, const Axis &axis, const Bar &bar, double top)
 {
-    const double middle = kTop + kRow * (row + 0.5);
-    put(out, "<text x=\"%d\" y=\"%.1f\" font-size=\"12\" text-anchor=\"end\" fill=\"#222222\">", kLeft - 8, middle + 4);
-    out += escaped(bar.label + (bar.insecure ? " (insecure)" : "")) + "</text>\n";
-    if (!std::isfinite(bar.mean)) {
-        put(out, "<text x=\"%d\" y=\"%.1f\" font-size=\"11\" font-style=\"italic\" fill=\"#777777\">%s</text>\n", kLeft + 6,
-            middle + 4, bar.missing.c_str());
+    const double middle = top + kBarMiddle;
+    const bool isMeasured = std::isfinite(bar.mean);
+    putText(out, kLeft, top + 10, "start", bar.label + (bar.insecure ? " (insecure)" : ""));
+    putText(out, kChartWidth - 3, top + 10, "end", isMeasured ? readable(bar.mean, bar.low, bar.high) : bar.missing,
+            isMeasured ? "" : " font-style=\"italic\"");
+    if (!isMeasured)
         return;
-    }
     put(out, "<rect x=\"%d\" y=\"%.1f\" width=\"%.1f\" height=\"%d\" fill=\"%s\" stroke=\"%s\"/>\n", kLeft, middle - kBar / 2.0,
         std::max(0.0, axis.x(bar.mean) - kLeft), kBar, bar.insecure ? "#f3d9cc" : "#8fb3d9",
         bar.insecure ? "#b5532a" : "#5b86b5");
@@ -105,19 +104,17 @@ void drawBar(std::string &out, const Axis &axis, const Bar &bar, int row)
         hatch(out, kLeft, middle - kBar / 2.0, axis.x(bar.mean));
     if (std::isfinite(bar.low) && std::isfinite(bar.high)) {
         const double low = axis.x(bar.low), high = axis.x(bar.high);
-        drawLine(out, low, middle, high, middle);
+        putLine(out, low, middle, high, middle, "#111111", 1.2);
         if (bar.low > 0) // no end mark where the interval is cut off at zero
-            drawLine(out, low, middle - 5, low, middle + 5);
-        drawLine(out, high, middle - 5, high, middle + 5);
+            putLine(out, low, middle - 3.5, low, middle + 3.5, "#111111", 1.2);
+        putLine(out, high, middle - 3.5, high, middle + 3.5, "#111111", 1.2);
     }
     for (std::size_t i = 0; i < bar.samples.size(); ++i) {
         if (!std::isfinite(bar.samples[i]))
             continue;
-        put(out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"2.6\" fill=\"%s\" stroke=\"%s\"/>\n", axis.x(bar.samples[i]), middle,
-            bar.outlier[i] ? "#ffffff" : "#1d3f66", bar.outlier[i] ? "#c00000" : "#ffffff");
+        put(out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"1.8\" fill=\"%s\" stroke=\"%s\" stroke-width=\"0.6\"/>\n",
+            axis.x(bar.samples[i]), middle, bar.outlier[i] ? "#ffffff" : "#1d3f66", bar.outlier[i] ? "#c00000" : "#ffffff");
     }
-    put(out, "<text x=\"%d\" y=\"%.1f\" font-size=\"11\" fill=\"#222222\">", kWidth - kRight + 8, middle + 4);
-    out += readable(bar.mean, bar.low, bar.high) + "</text>\n";
 }
 
 } // namespace
@@ -206,24 +203,16 @@ BarChart chartOf(const Results &results, std::size_t condition, std::size_t load
 
 std::string svg(const BarChart &chart)
 {
-    const double bottom = kTop + kRow * static_cast<double>(chart.bars.size()) + 4;
+    std::vector<std::string> lines = wrappedText(chart.subtitle);
+    for (std::string &line : wrappedText(chart.legend))
+        lines.push_back(std::move(line));
+    const double top = chartTop(lines), bottom = top + kRow * static_cast<double>(chart.bars.size()) + 2;
     const double highest = highestOf(chart.bars), step = axisStep(highest);
     const Axis axis{step, step * (highest > 0 ? std::ceil(highest / step - 1e-9) : 5)};
-    std::string out;
-    put(out,
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%.0f\" viewBox=\"0 0 %d %.0f\" "
-        "font-family=\"DejaVu Sans, Verdana, sans-serif\">\n",
-        kWidth, bottom + kBottom, kWidth, bottom + kBottom);
-    put(out, "<rect x=\"0\" y=\"0\" width=\"%d\" height=\"%.0f\" fill=\"#ffffff\"/>\n", kWidth, bottom + kBottom);
-    put(out, "<text x=\"12\" y=\"24\" font-size=\"16\" font-weight=\"bold\" fill=\"#111111\">");
-    out += escaped(chart.title) + "</text>\n";
-    put(out, "<text x=\"12\" y=\"42\" font-size=\"11\" fill=\"#333333\">");
-    out += escaped(chart.subtitle) + "</text>\n";
-    put(out, "<text x=\"12\" y=\"57\" font-size=\"10\" fill=\"#555555\">");
-    out += escaped(chart.legend) + "</text>\n";
-    drawAxis(out, axis, chart, bottom);
+    std::string out = chartHead(bottom + kBottom, chart.title, lines);
+    drawAxis(out, axis, chart, top, bottom);
     for (std::size_t i = 0; i < chart.bars.size(); ++i)
-        drawBar(out, axis, chart.bars[i], static_cast<int>(i));
+        drawBar(out, axis, chart.bars[i], top + kRow * static_cast<double>(i));
     return out + "</svg>\n";
 }
 

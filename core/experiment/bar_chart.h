@@ -1,5 +1,5 @@
 // A bar chart for publications: one horizontal bar per arm with its 95 % confidence interval and every sample, on an axis that
-// begins at zero and names its unit. Written as SVG, readable in black and white.
+// begins at zero and names its unit. Written as SVG for a column of 88 mm with text of 7 pt, readable in black and white.
 #pragma once
 
 #include "core/experiment/results.h"
@@ -18,6 +18,7 @@ struct Bar
     double mean = 0, low = 0, high = 0; ///< low and high NaN with one sample
     std::vector<double> samples;
     std::vector<bool> outlier; ///< one for each sample
+    std::string text = {};     ///< beside the bar; empty: the mean with half of its interval
 };
 
 struct BarChart
@@ -32,7 +33,7 @@ struct BarChart
 /// The chart of one metric under one condition and load. Large values are scaled (B to MB, ns to µs), shares are in per cent.
 BarChart chartOf(const Results &results, std::size_t condition, std::size_t load, Metric metric);
 
-/// A complete SVG document, 800 wide, of rect, line, circle and text only; app/figures draws these four.
+/// A complete SVG document, see chart_parts.h.
 std::string svg(const BarChart &chart);
 
 /// Distance of the ticks of an axis up to `highest`: 1, 2 or 5 times a power of ten, so that there are four to eight.

@@ -1,49 +1,19 @@
 #include "core/experiment/forest_chart.h"
 
 #include "core/experiment/append_format.h"
-#include "core/experiment/bar_chart.h"
+#include "core/experiment/chart_parts.h"
 #include "core/experiment/metric.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace skyseal::experiment {
 
 namespace {
 
-/// Pixels of 1/96 inch: 333 are 88 mm, and 9.4 are 7 pt.
-constexpr int kWidth = 333, kLeft = 126, kRight = 100, kRow = 17, kLine = 13;
-constexpr double kText = 9.4;
-constexpr std::size_t kCharacters = 58; ///< of a line of text, at this size
-
-void putText(std::string &out, double x, double y, const char *anchor, const std::string &text, const char *more = "")
-{
-    put(out, "<text x=\"%.1f\" y=\"%.1f\" font-size=\"%.1f\" text-anchor=\"%s\" fill=\"#111111\"%s>", x, y, kText, anchor,
-        more);
-    out += escaped(text) + "</text>\n";
-}
-
-void putLine(std::string &out, double x1, double y1, double x2, double y2, const char *colour, double width)
-{
-    put(out, "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" stroke-width=\"%.1f\"/>\n", x1, y1, x2, y2,
-        colour, width);
-}
-
-std::vector<std::string> wrapped(const std::string &text)
-{
-    std::vector<std::string> out;
-    for (std::size_t begin = 0; begin < text.size();) {
-        std::size_t end = std::min(begin + kCharacters, text.size());
-        if (end < text.size()) {
-            const std::size_t space = text.rfind(' ', end);
-            end = space == std::string::npos || space <= begin ? end : space;
-        }
-        out.push_back(text.substr(begin, end - begin));
-        begin = text.find_first_not_of(' ', end);
-    }
-    return out;
-}
+constexpr int kWidth = kChartWidth, kLeft = 126, kRight = 100, kRow = 17, kLine = kChartLine;
 
 struct RatioAxis
 {
@@ -69,6 +39,26 @@ RatioAxis axisOf(const ForestChart &chart)
     }
     const double space = std::max(std::pow(high / low, 0.05), 1.005);
     return {low / space, high * space};
+}
+
+/// Numbers that would touch are omitted, but never that of 1.
+void drawTicks(std::string &out, const RatioAxis &axis, double bottom)
+{
+    constexpr double kCharacter = 0.64 * kChartText, kGap = 5;
+    const std::vector<double> ticks = ratioTicks(axis.low, axis.high);
+    const auto isOne = [](double tick) { return std::abs(tick - 1) < 1e-9; };
+    const auto one = std::ranges::find_if(ticks, isOne) - ticks.begin();
+    bool isCrowded = false;
+    for (std::size_t i = 1; i < ticks.size(); ++i) {
+        const auto characters = static_cast<double>(readable(ticks[i - 1]).size() + readable(ticks[i]).size());
+        isCrowded = isCrowded || axis.x(ticks[i]) - axis.x(ticks[i - 1]) < characters / 2 * kCharacter + kGap;
+    }
+    for (std::size_t i = 0; i < ticks.size(); ++i) {
+        const double x = axis.x(ticks[i]);
+        putLine(out, x, bottom, x, bottom + 3, "#111111", 1);
+        if (!isCrowded || (static_cast<std::ptrdiff_t>(i) - one) % 2 == 0)
+            putText(out, x, bottom + 13, "middle", readable(ticks[i]));
+    }
 }
 
 void drawRow(std::string &out, const RatioAxis &axis, const ForestRow &row, double y)
@@ -121,33 +111,18 @@ std::vector<double> ratioTicks(double low, double high)
 
 std::string svg(const ForestChart &chart)
 {
-    const std::vector<std::string> notes = wrapped(chart.legend), place = wrapped(chart.subtitle);
-    const double top = 24 + kLine * static_cast<double>(notes.size() + place.size());
-    const double bottom = top + kRow * static_cast<double>(chart.rows.size());
-    const double height = bottom + 2 * kLine + 8;
+    std::vector<std::string> lines = wrappedText(chart.subtitle);
+    for (std::string &line : wrappedText(chart.legend))
+        lines.push_back(std::move(line));
+    const double top = chartTop(lines), bottom = top + kRow * static_cast<double>(chart.rows.size());
     const RatioAxis axis = axisOf(chart);
-    std::string out;
-    put(out,
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%.0f\" viewBox=\"0 0 %d %.0f\" "
-        "font-family=\"DejaVu Sans, Verdana, sans-serif\">\n",
-        kWidth, height, kWidth, height);
-    put(out, "<rect x=\"0\" y=\"0\" width=\"%d\" height=\"%.0f\" fill=\"#ffffff\"/>\n", kWidth, height);
-    put(out, "<text x=\"3\" y=\"13\" font-size=\"10.5\" font-weight=\"bold\" fill=\"#111111\">");
-    out += escaped(chart.title) + "</text>\n";
-    double y = 13;
-    for (const std::vector<std::string> &lines : {place, notes}) {
-        for (const std::string &line : lines)
-            putText(out, 3, y += kLine, "start", line);
-    }
+    std::string out = chartHead(bottom + 2 * kLine + 8, chart.title, lines);
     if (chart.margin > 0) {
         const double left = axis.x(1 / (1 + chart.margin)), right = axis.x(1 + chart.margin);
         put(out, "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"#e4e4e4\"/>\n", left, top, right - left,
             bottom - top);
     }
-    for (const double tick : ratioTicks(axis.low, axis.high)) {
-        putLine(out, axis.x(tick), bottom, axis.x(tick), bottom + 3, "#111111", 1);
-        putText(out, axis.x(tick), bottom + 13, "middle", readable(tick));
-    }
+    drawTicks(out, axis, bottom);
     putLine(out, kLeft, bottom, kWidth - kRight, bottom, "#111111", 1);
     putLine(out, axis.x(1), top, axis.x(1), bottom, "#555555", 1);
     putText(out, kLeft + (kWidth - kLeft - kRight) / 2.0, bottom + 26, "middle", chart.axis);

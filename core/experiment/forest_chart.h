@@ -29,7 +29,7 @@ struct ForestChart
     std::vector<ForestRow> rows;
 };
 
-/// A complete SVG document of rect, line, circle and text only; app/figures draws these four.
+/// A complete SVG document, see chart_parts.h.
 std::string svg(const ForestChart &chart);
 
 /// Ticks of a logarithmic axis that holds `low` to `high`, both above 0: three to seven.

@@ -12,6 +12,17 @@ std::string row(const std::vector<std::string> &cells, const char *tag)
     return out + "</tr>\n";
 }
 
+std::string figuresInPairs(const std::vector<ReportFigure> &figures)
+{
+    std::string out;
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+        out += i % 2 == 0 ? "<table><tr><td>" : "<td>";
+        out += "<img src=\"figures/" + figures[i].name + ".svg\"/></td>";
+        out += i % 2 == 1 || i + 1 == figures.size() ? "</tr></table>\n" : "";
+    }
+    return out;
+}
+
 std::string armText(const SweepArm &arm)
 {
     return isInsecure(arm) ? "<span class=\"insecure\">" + escaped(name(arm)) + " (insecure)</span>" : escaped(name(arm));

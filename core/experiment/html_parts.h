@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/experiment/plan.h"
+#include "core/experiment/report_figures.h"
 
 #include <string>
 #include <vector>
@@ -10,6 +11,9 @@ namespace skyseal::experiment {
 
 /// A row of a table. `cells` are HTML; `tag` is td, or th for titles.
 std::string row(const std::vector<std::string> &cells, const char *tag = "td");
+
+/// <img src="figures/NAME.svg">, two side by side, for a PDF.
+std::string figuresInPairs(const std::vector<ReportFigure> &figures);
 
 /// The name of an arm, marked if it is insecure.
 std::string armText(const SweepArm &arm);

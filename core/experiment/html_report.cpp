@@ -7,7 +7,7 @@
 #include "core/experiment/disturbances.h"
 #include "core/experiment/html_parts.h"
 #include "core/experiment/memory_table.h"
-#include "core/experiment/setting.h"
+#include "core/experiment/report_warnings.h"
 #include "core/experiment/sweep_text.h"
 
 #include <algorithm>
@@ -196,21 +196,6 @@ std::string noiseTable(const Results &results)
         + row({"metric", "mean", "mean again", "ratio", "p", "alone", "p corrected", "A/A"}, "th") + rows + "</table>\n";
 }
 
-/// For the first page; empty if no trend remains.
-std::string trendWarning(const Results &results)
-{
-    std::string list;
-    for (const OrderTrend &trend : orderTrends(results)) {
-        if (trend.remains())
-            list += (list.empty() ? "" : "; ") + std::string(info(trend.metric).title) + ", "
-                + std::string(name(results.plan.loads[trend.load])) + " load, " + readable(100 * trend.perRun)
-                + " % for each run";
-    }
-    return list.empty()
-        ? list
-        : "values change with the order of the runs, so that the warm-up was too short or the machine drifts: " + list;
-}
-
 std::string trendTable(const Results &results)
 {
     std::string rows;
@@ -394,41 +379,19 @@ std::string inlined(const std::vector<ReportFigure> &figures)
     return out;
 }
 
-/// Two figures side by side, for the PDF.
-std::string inPairs(const std::vector<ReportFigure> &figures)
-{
-    std::string out;
-    for (std::size_t i = 0; i < figures.size(); ++i) {
-        out += i % 2 == 0 ? "<table><tr><td>" : "<td>";
-        out += "<img src=\"figures/" + figures[i].name + ".svg\"/></td>";
-        out += i % 2 == 1 || i + 1 == figures.size() ? "</tr></table>\n" : "";
-    }
-    return out;
-}
-
 std::string body(const ReportParts &parts, bool inlineFigures)
 {
     const Results &results = parts.results;
     std::string out = "<h1>What each cipher suite costs on a MAVLink link</h1>\n";
-    for (const std::string &warning : warningsOf(results.setting))
+    for (const std::string &warning : reportWarnings(results))
         out += "<p class=\"bad\">" + escaped(warning) + ".</p>\n";
-    if (const std::string ended = endedEarly(results); !ended.empty())
-        out += "<p class=\"bad\">This sweep is incomplete: it " + ended + ".</p>\n";
-    if (const std::string failed = failedRuns(results); !failed.empty())
-        out += "<p class=\"bad\">" + escaped(failed) + "</p>\n";
-    if (const std::string invalid = invalidRuns(results); !invalid.empty())
-        out += "<p class=\"bad\">" + escaped(invalid) + ".</p>\n";
-    if (const std::string trend = trendWarning(results); !trend.empty())
-        out += "<p class=\"bad\">" + escaped(trend) + ".</p>\n";
-    if (const std::string disturbed = disturbedRuns(results); !disturbed.empty())
-        out += "<p class=\"bad\">" + escaped(disturbed) + ".</p>\n";
     out += "<p>Means of " + runsText(results)
         + " each, in random order, ± half of the 95 % confidence interval (Student's t, from two runs on), or (≤ its end) "
           "where it begins at zero, below which nothing can be; where nothing was lost in any run, that end is the 95 % bound "
           "by all frames of these runs together, about 3 divided by their number; * marks outliers by Tukey's fences, which "
           "stay in.</p>\n<p>"
         + methodText(results) + "</p>\n" + meterText(results) + "<h2>Figures</h2>\n";
-    out += inlineFigures ? inlined(parts.figures) : inPairs(parts.figures);
+    out += inlineFigures ? inlined(parts.figures) : figuresInPairs(parts.figures);
     // In the PDF each section begins a page, so that no table head is left alone at the bottom of one.
     const std::string section = inlineFigures ? "<h2>" : "<h2 style=\"page-break-before:always\">";
     forEachPlace(results.plan, [&](std::size_t condition, std::size_t load) {

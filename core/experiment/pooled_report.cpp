@@ -4,7 +4,9 @@
 #include "core/experiment/contrast.h"
 #include "core/experiment/csv.h"
 #include "core/experiment/forest_chart.h"
+#include "core/experiment/html_parts.h"
 #include "core/experiment/random_effects.h"
+#include "core/experiment/report_warnings.h"
 #include "core/experiment/sweep_text.h"
 
 #include <algorithm>
@@ -165,7 +167,7 @@ std::string machineTable(const std::vector<Machine> &machines)
                 keys.push_back(key);
         }
     }
-    std::string out = "<table>\n" + cellsOf(head, "th");
+    std::string out = "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n" + cellsOf(head, "th");
     std::vector<std::string> design{"launches × repeats × seconds; seed"};
     for (const Machine &machine : machines) {
         const Plan &plan = machine.results.plan;
@@ -247,16 +249,15 @@ std::string pooledCsv(const std::vector<Machine> &machines)
     return out;
 }
 
-std::string pooledHtml(const std::vector<Machine> &machines)
+static std::string pooledBody(const std::vector<Machine> &machines, bool inlineFigures)
 {
     const Plan &plan = machines.front().results.plan;
     const std::vector<Pooling> poolings = poolingsOf(machines);
-    std::string out = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<meta name=\"color-scheme\" "
-                      "content=\"light\"/>\n<title>Skyseal sweeps</title>\n<style>body{font-family:'DejaVu "
-                      "Sans',Verdana,sans-serif;font-size:14px;max-width:1180px;margin:2em auto;padding:0 "
-                      "1em}table{border-collapse:collapse;font-size:12px}th,td{border:1px solid "
-                      "#ccc;padding:3px 7px;text-align:left}figure{display:inline-block;margin:.5em}</style>\n</head>\n<body>\n"
-                      "<h1>What each cipher suite costs on several machines</h1>\n";
+    std::string out = "<h1>What each cipher suite costs on several machines</h1>\n";
+    for (const Machine &machine : machines) {
+        for (const std::string &warning : reportWarnings(machine.results))
+            out += "<p class=\"bad\">" + escaped(machine.label + ": " + warning) + ".</p>\n";
+    }
     out += "<p>" + std::to_string(machines.size()) + " sweeps. Each ratio to " + escaped(referenceText(plan))
         + " and its 95 % interval come from the launches of one sweep. "
         + (machines.size() < kLeastMachines
@@ -265,11 +266,29 @@ std::string pooledHtml(const std::vector<Machine> &machines)
                  "interval of the mean by "
                  "Hartung and Knapp, and a prediction interval, in which a further machine lies at 95 %.")
         + "</p>\n<h2>Ratios</h2>\n";
-    for (const ReportFigure &figure : figuresOf(poolings, plan))
-        out += "<figure>" + figure.svg + "</figure>\n";
+    const std::vector<ReportFigure> figures = figuresOf(poolings, plan);
+    if (!inlineFigures)
+        out += figuresInPairs(figures);
+    for (std::size_t i = 0; inlineFigures && i < figures.size(); ++i)
+        out += "<figure>" + figures[i].svg + "</figure>\n";
     if (poolings.empty())
         out += "<p>No ratio was measured often enough on two machines.</p>\n";
-    return out + "<h2>Machines</h2>\n" + machineTable(machines) + "</body>\n</html>\n";
+    return out + "<h2>Machines</h2>\n" + machineTable(machines);
+}
+
+std::string pooledHtml(const std::vector<Machine> &machines)
+{
+    return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<meta name=\"color-scheme\" "
+           "content=\"light\"/>\n<title>Skyseal sweeps</title>\n<style>body{font-family:'DejaVu "
+           "Sans',Verdana,sans-serif;font-size:14px;max-width:1180px;margin:2em auto;padding:0 "
+           "1em}.bad{color:#c00000;font-weight:bold}table{border-collapse:collapse;font-size:12px}th,td{border:1px solid "
+           "#ccc;padding:3px 7px;text-align:left}figure{display:inline-block;margin:.5em}</style>\n</head>\n<body>\n"
+        + pooledBody(machines, true) + "</body>\n</html>\n";
+}
+
+std::string pooledPrint(const std::vector<Machine> &machines)
+{
+    return "<html><body>" + pooledBody(machines, false) + "</body></html>";
 }
 
 } // namespace skyseal::experiment

@@ -25,7 +25,9 @@ std::string mismatchOf(const std::vector<Machine> &machines);
 /// One forest plot for each metric with kRatio, condition, load and arm that at least two machines compared with the reference.
 std::vector<ReportFigure> forestsOf(const std::vector<Machine> &machines);
 std::string pooledCsv(const std::vector<Machine> &machines);
-/// One self-contained page.
+/// One self-contained page. It repeats the warnings of each sweep.
 std::string pooledHtml(const std::vector<Machine> &machines);
+/// The same as rich text of Qt, for the PDF: figures are <img src="figures/NAME.svg">.
+std::string pooledPrint(const std::vector<Machine> &machines);
 
 } // namespace skyseal::experiment

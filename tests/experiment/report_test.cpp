@@ -4,6 +4,7 @@
 #include "core/experiment/contrast.h"
 #include "core/experiment/forest_chart.h"
 #include "core/experiment/html_report.h"
+#include "core/experiment/report_figures.h"
 #include "core/experiment/sweep_json.h"
 #include "core/experiment/sweep_text.h"
 #include "tests/support/test_runner.h"
@@ -82,6 +83,7 @@ class ReportTest : public QObject
 
 private Q_SLOTS:
     void barsAreTheMeans();
+    void figuresFitAColumn();
     void axisSteps_data();
     void axisSteps();
     void insecureIsSaidSo();
@@ -136,6 +138,43 @@ void ReportTest::barsAreTheMeans()
         const double mean = summarise(valuesOf(results, {0, 0, arm}, Metric::CpuPerFrame)).mean;
         QCOMPARE(chart.bars[arm].mean, mean);
         QVERIFY(std::abs(widths[arm] / widths[0] - mean / chart.bars[0].mean) < 0.002); // from zero, in proportion
+    }
+}
+
+/// 88 mm are 333 pixels of 1/96 inch, and 7 pt are 9.33. DejaVu Sans, by which they are drawn, has 0.65 of its size for a wide
+/// mean of such texts.
+void ReportTest::figuresFitAColumn()
+{
+    Results results = resultsWith(Metric::CpuPerFrame, [](SuiteId suite) { return 1000.0 + 100 * static_cast<double>(suite); });
+    results.plan.conditions = {*parseCondition("loss=0.05,delay=20,rate=57600")};
+    const std::vector<ReportFigure> figures = figuresOf(results);
+    QVERIFY(figures.size() >= 2);
+    QVERIFY(figures.front().name.starts_with("ratio-") && !figures.back().name.starts_with("ratio-"));
+    for (const ReportFigure &figure : figures) {
+        QXmlStreamReader xml(QString::fromStdString(figure.svg));
+        double height = 0;
+        int texts = 0;
+        while (!xml.atEnd()) {
+            if (xml.readNext() != QXmlStreamReader::StartElement)
+                continue;
+            if (xml.name() == QLatin1String("svg")) {
+                QCOMPARE(attribute(xml, "width"), 333.0);
+                height = attribute(xml, "height");
+            }
+            if (xml.name() != QLatin1String("text"))
+                continue;
+            const double size = attribute(xml, "font-size"), x = attribute(xml, "x"), y = attribute(xml, "y");
+            const QString anchor = xml.attributes().value(QLatin1String("text-anchor")).toString();
+            const QString text = xml.readElementText();
+            QVERIFY2(size >= 9.34, qPrintable(text));
+            const double width = 0.65 * size * static_cast<double>(text.size());
+            const double left = anchor == QLatin1String("end") ? x - width
+                : anchor == QLatin1String("middle")            ? x - width / 2
+                                                               : x;
+            QVERIFY2(left > -8 && left + width < 333 + 30 && y < height, qPrintable(text));
+            ++texts;
+        }
+        QVERIFY(!xml.hasError() && texts > 10);
     }
 }
 

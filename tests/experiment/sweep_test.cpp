@@ -352,6 +352,7 @@ void SweepTest::filesAgree()
         QVERIFY2(contentOf(folder.filePath(q("out/figures/%1.svg").arg(q(figure)))).startsWith("<svg"), figure);
 #ifdef SKYSEAL_HAVE_FIGURES
         QVERIFY2(contentOf(folder.filePath(q("out/figures/%1.png").arg(q(figure)))).startsWith("\x89PNG"), figure);
+        QVERIFY2(contentOf(folder.filePath(q("out/figures/%1.pdf").arg(q(figure)))).startsWith("%PDF"), figure);
 #endif
     }
 #ifdef SKYSEAL_HAVE_FIGURES
@@ -458,6 +459,9 @@ void SweepTest::launchesStartAnew()
     const RunResult two = runProgram("skyseal-cli", {q("report"), first, again, q("--out"), joined}, {}, 120000);
     QVERIFY2(two.status == 0, two.err.constData());
     QVERIFY(contentOf(joined + q("/report.html")).contains("each stands alone"));
+#ifdef SKYSEAL_HAVE_FIGURES
+    QVERIFY(contentOf(joined + q("/report.pdf")).startsWith("%PDF"));
+#endif
     const RunResult none = runProgram("skyseal-cli", {q("report"), folder.path(), q("--out"), joined}, {}, 120000);
     QCOMPARE(none.status, 3);
     QVERIFY(none.err.contains("sweep.json"));

@@ -1,0 +1,15 @@
+// What a reader of a report must know before its figures: the sentences on its first page. Pure function.
+#pragma once
+
+#include "core/experiment/results.h"
+
+#include <string>
+#include <vector>
+
+namespace skyseal::experiment {
+
+/// An unsuitable build or machine, an incomplete sweep, runs that failed, are not valid or were disturbed, and values that
+/// change with the order of the runs. Sentences without a full stop; empty if there is nothing to warn of.
+std::vector<std::string> reportWarnings(const Results &results);
+
+} // namespace skyseal::experiment
