@@ -254,7 +254,7 @@ void SweepWindowTest::compareWithFiles(const QString &folder)
             const QString key = q(crypto::suiteInfo(arm.suite).name.data()) + q(framingName(arm).data())
                 + (arm.again ? q("true") : q("false")) + q(metric.key.data());
             const QModelIndex index = model->index(row, column);
-            const QVariant mean = index.data(SweepTableModel::MeanRole);
+            const QVariant mean = index.data(SweepTableModel::ValueRole);
             QCOMPARE(mean.isValid(), means.contains(key));
             if (!mean.isValid())
                 continue;

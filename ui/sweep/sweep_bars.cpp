@@ -19,7 +19,7 @@ constexpr int kLeastRow = 18, kMostRow = 30;
 
 QString valueText(const experiment::Bar &bar)
 {
-    return fromStd(experiment::readable(bar.mean, bar.low, bar.high));
+    return fromStd(bar.text.empty() ? experiment::readable(bar.mean, bar.low, bar.high) : bar.text);
 }
 
 double highestOf(const experiment::BarChart &chart)

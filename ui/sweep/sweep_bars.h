@@ -1,5 +1,5 @@
-// One metric of a sweep as bars, in the colours of the suites: mean, 95 % confidence interval, and a dot for each run. The
-// same chart as the saved figures (experiment::BarChart), painted with the palette of the window.
+// One metric of a sweep as bars, in the colours of the suites: mean, 95 % confidence interval, and a dot for each run, or
+// ratios. The same chart as the saved figures (experiment::BarChart), painted with the palette of the window.
 #pragma once
 
 #include "core/experiment/bar_chart.h"

@@ -84,6 +84,22 @@ QString aboutTime(double seconds)
     return whole < 60 ? Text::tr("about %1 s").arg(whole) : Text::tr("about %1 min %2 s").arg(whole / 60).arg(whole % 60);
 }
 
+QString ratioText(const experiment::Contrast &ratio)
+{
+    const auto text = [](double value) { return fromStd(experiment::readable(value)); };
+    return std::isfinite(ratio.low()) && std::isfinite(ratio.high())
+        ? Text::tr("%1 (%2 to %3)").arg(text(ratio.value()), text(ratio.low()), text(ratio.high()))
+        : text(ratio.value());
+}
+
+QString ratiosText(const experiment::Plan &plan)
+{
+    const auto reference = experiment::referenceArm(plan);
+    if (!reference || plan.arms[*reference].suite == crypto::SuiteId::None)
+        return Text::tr("Ratios to plain MAVLink");
+    return Text::tr("Ratios to %1").arg(armText(plan.arms[*reference]));
+}
+
 QString metricText(experiment::Metric metric)
 {
     const experiment::MetricInfo &info = experiment::info(metric);

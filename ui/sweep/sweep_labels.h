@@ -1,7 +1,7 @@
 // Texts for the parts of a sweep.
 #pragma once
 
-#include "core/experiment/results.h"
+#include "core/experiment/contrast.h"
 
 #include <QtCore/QString>
 
@@ -17,6 +17,10 @@ QString linkText(const experiment::Condition &link);
 QString placeText(const experiment::Plan &plan, std::size_t condition, std::size_t load);
 /// "about 2 min 20 s", "about 12 s".
 QString aboutTime(double seconds);
+/// "1.08 (1.05 to 1.11)", with the 95 % interval where there is one.
+QString ratioText(const experiment::Contrast &ratio);
+/// "Ratios to plain MAVLink", or to the first suite where that was not measured.
+QString ratiosText(const experiment::Plan &plan);
 /// "Packets transmitted", "CPU time per frame, station, ns".
 QString metricText(experiment::Metric metric);
 

@@ -2,6 +2,7 @@
 
 #include "core/experiment/analysis.h"
 #include "ui/theme/form_pieces.h"
+#include "ui/sweep/ratio_chart.h"
 #include "ui/sweep/sweep_bars.h"
 #include "ui/sweep/sweep_table_model.h"
 #include "ui/sweep/sweep_labels.h"
@@ -32,6 +33,7 @@ SweepPage::SweepPage(QWidget *parent)
       m_cancel(named(new QPushButton(tr("Cancel"), this), "sweepCancel", tr("Cancel the sweep"))),
       m_save(named(new QPushButton(tr("Save…"), this), "sweepSave", tr("Save the sweep's files"))),
       m_place(named(new QComboBox(this), "sweepPlace", tr("Load and link"))),
+      m_shown(named(new QComboBox(this), "sweepShown", tr("Ratios or means"))),
       m_metric(named(new QComboBox(this), "sweepMetric", tr("Measurement in the bars"))), m_table(new QTableView(this)),
       m_model(new SweepTableModel(this)), m_bars(new SweepBars(this)), m_clock(new QTimer(this))
 {
@@ -39,17 +41,17 @@ SweepPage::SweepPage(QWidget *parent)
     m_bar->setMaximumWidth(20 * kGrid);
     m_bar->setTextVisible(false);
     // The status line takes the remaining width; the lists open as wide as they need.
-    for (QComboBox *choice : {m_place, m_metric}) {
+    for (QComboBox *choice : {m_place, m_shown, m_metric}) {
         choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         choice->setMinimumContentsLength(18);
     }
     auto *top = new QHBoxLayout;
     top->setSpacing(kGrid);
     top->addWidget(m_status, 1);
-    for (QWidget *tool : std::initializer_list<QWidget *>{m_bar, m_place, m_metric, m_cancel, m_save, m_start})
+    for (QWidget *tool : std::initializer_list<QWidget *>{m_bar, m_place, m_shown, m_metric, m_cancel, m_save, m_start})
         top->addWidget(tool);
 
-    named(m_table, "sweepTable", tr("Means of the sweep"))->setModel(m_model);
+    named(m_table, "sweepTable", tr("Results of the sweep"))->setModel(m_model);
     m_table->setFrameShape(QFrame::NoFrame);
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setDefaultSectionSize(kRow);
@@ -82,7 +84,12 @@ SweepPage::SweepPage(QWidget *parent)
     connect(m_save, &QPushButton::clicked, this, &SweepPage::saveRequested);
     connect(m_place, &QComboBox::currentIndexChanged, this, &SweepPage::showResults);
     connect(m_place, &QComboBox::activated, this, [this] { m_follows = false; });
+    connect(m_shown, &QComboBox::currentIndexChanged, this, [this] {
+        fillMetrics();
+        showResults();
+    });
     connect(m_metric, &QComboBox::currentIndexChanged, this, &SweepPage::showResults);
+    connect(m_metric, &QComboBox::activated, this, [this] { m_wasChosen = true; });
     setStatus(tr("No sweep yet. A sweep measures the cost of each suite in turn."));
     showStatus();
     setPossible(false);
@@ -113,7 +120,7 @@ void SweepPage::begin(const experiment::Plan &plan)
 
 void SweepPage::fillChoices()
 {
-    const QSignalBlocker quietPlace(m_place), quietMetric(m_metric);
+    const QSignalBlocker quietPlace(m_place), quietShown(m_shown);
     const experiment::Plan &plan = m_results->plan;
     m_place->clear();
     for (std::size_t condition = 0; condition < plan.conditions.size(); ++condition) {
@@ -121,13 +128,35 @@ void SweepPage::fillChoices()
             m_place->addItem(placeText(plan, condition, load), QPoint(static_cast<int>(condition), static_cast<int>(load)));
         }
     }
+    m_shown->clear();
+    m_shown->addItem(ratiosText(plan));
+    m_shown->addItem(tr("Means"));
+    m_shown->setCurrentIndex(plan.launches * plan.repeats > 1 ? 0 : 1); // a ratio takes two runs of each
+    fillMetrics();
+    for (QComboBox *choice : {m_place, m_shown})
+        choice->view()->setMinimumWidth(choice->view()->sizeHintForColumn(0) + 3 * kGrid);
+}
+
+void SweepPage::fillMetrics()
+{
+    const QSignalBlocker quiet(m_metric);
     const QVariant before = m_metric->currentData();
     m_metric->clear();
-    for (const experiment::MetricInfo &info : experiment::metrics())
-        m_metric->addItem(metricText(info.metric), static_cast<int>(info.metric));
-    m_metric->setCurrentIndex(std::max(0, m_metric->findData(before)));
-    for (QComboBox *choice : {m_place, m_metric})
-        choice->view()->setMinimumWidth(choice->view()->sizeHintForColumn(0) + 3 * kGrid);
+    for (const experiment::MetricInfo &info : experiment::metrics()) {
+        if (!showsRatios())
+            m_metric->addItem(metricText(info.metric), static_cast<int>(info.metric));
+        else if (info.isShownIn(experiment::kDifferences) && !info.isShare() && !info.canBeNegative)
+            m_metric->addItem(fromStd(info.title), static_cast<int>(info.metric));
+    }
+    const int cost = showsRatios() ? m_metric->findData(static_cast<int>(experiment::Metric::CpuPerFrame)) : 0;
+    const int same = m_metric->findData(before);
+    m_metric->setCurrentIndex(same >= 0 && m_wasChosen ? same : std::max(0, cost));
+    m_metric->view()->setMinimumWidth(m_metric->view()->sizeHintForColumn(0) + 3 * kGrid);
+}
+
+bool SweepPage::showsRatios() const
+{
+    return m_shown->currentIndex() == 0;
 }
 
 void SweepPage::showRun(const experiment::Run &run, const SweepProgress &progress)
@@ -203,13 +232,14 @@ void SweepPage::showResults()
         return;
     const QPoint place = m_place->currentData().toPoint();
     const auto condition = static_cast<std::size_t>(place.x()), load = static_cast<std::size_t>(place.y());
-    m_model->show(m_results, condition, load);
+    m_model->show(m_results, condition, load, showsRatios() ? SweepTableModel::Shown::Ratios : SweepTableModel::Shown::Means);
     spanRows();
     QStringList labels;
     for (const experiment::SweepArm &arm : m_results->plan.arms)
         labels << armText(arm);
     const auto metric = static_cast<experiment::Metric>(m_metric->currentData().toInt());
-    experiment::BarChart chart = experiment::chartOf(*m_results, condition, load, metric);
+    experiment::BarChart chart = showsRatios() ? ratioChart(*m_results, condition, load, metric)
+                                               : experiment::chartOf(*m_results, condition, load, metric);
     for (std::size_t arm = 0; arm < chart.bars.size(); ++arm)
         chart.bars[arm].missing = (experiment::exists(m_results->plan.arms[arm])
                                        ? m_running ? tr("not measured yet") : tr("not measured")
@@ -238,6 +268,7 @@ void SweepPage::showStatus()
     m_save->setVisible(!m_running && m_results && !m_results->samples.empty());
     m_save->setEnabled(true);
     m_place->setVisible(m_results && (m_place->count() > 1 || !m_results->plan.conditions.front().clean()));
+    m_shown->setVisible(m_results != nullptr);
     m_metric->setVisible(m_results != nullptr);
     if (!m_running)
         return;

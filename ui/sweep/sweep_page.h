@@ -51,6 +51,8 @@ Q_SIGNALS:
 
 private:
     void fillChoices();
+    void fillMetrics();
+    bool showsRatios() const;
     void showRunningPlace();
     void spanRows();
     void showResults();
@@ -59,13 +61,14 @@ private:
 
     std::shared_ptr<const experiment::Results> m_results;
     bool m_running = false, m_stopping = false;
-    bool m_follows = true; ///< shows the link and load being measured until the operator selects another
+    bool m_follows = true;    ///< shows the link and load being measured until the operator selects another
+    bool m_wasChosen = false; ///< the operator selected the metric of the bars
     std::optional<experiment::Run> m_run;
     SweepProgress m_progress;
     QLabel *m_status;
     QProgressBar *m_bar;
     QPushButton *m_start, *m_cancel, *m_save;
-    QComboBox *m_place, *m_metric;
+    QComboBox *m_place, *m_shown, *m_metric;
     QTableView *m_table;
     SweepTableModel *m_model;
     SweepBars *m_bars;

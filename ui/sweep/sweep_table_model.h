@@ -1,7 +1,8 @@
-// The means of a sweep as a table: a row per suite and framing, a column per metric.
+// The results of a sweep as a table: a row per suite and framing, a column per metric. Ratios to plain MAVLink with their 95 %
+// intervals, or means.
 #pragma once
 
-#include "core/experiment/results.h"
+#include "core/experiment/contrast.h"
 
 #include <QtCore/QAbstractTableModel>
 
@@ -15,12 +16,13 @@ class SweepTableModel : public QAbstractTableModel
 
 public:
     enum Column { SuiteColumn, FramingColumn, FixedColumns };
-    /// The mean as a number; invalid if there is none.
-    static constexpr int MeanRole = Qt::UserRole;
+    enum class Shown { Ratios, Means };
+    /// The ratio or the mean as a number; invalid if there is none.
+    static constexpr int ValueRole = Qt::UserRole;
 
     using QAbstractTableModel::QAbstractTableModel;
 
-    void show(std::shared_ptr<const experiment::Results> results, std::size_t condition, std::size_t load);
+    void show(std::shared_ptr<const experiment::Results> results, std::size_t condition, std::size_t load, Shown shown);
     const std::vector<experiment::Metric> &metrics() const { return m_metrics; }
 
     int rowCount(const QModelIndex &parent = {}) const override;
@@ -29,9 +31,16 @@ public:
     QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
 
 private:
+    void findRatios();
+    const experiment::Contrast *ratio(std::size_t arm, experiment::Metric metric) const;
+    QVariant ratioData(std::size_t arm, experiment::Metric metric, int role) const;
+    QVariant meanData(std::size_t arm, experiment::Metric metric, int role) const;
+
     std::shared_ptr<const experiment::Results> m_results;
     std::size_t m_condition = 0, m_load = 0;
+    Shown m_shown = Shown::Means;
     std::vector<experiment::Metric> m_metrics;
+    std::vector<experiment::Contrast> m_ratios; ///< of arms to the reference
 };
 
 } // namespace skyseal::ui
