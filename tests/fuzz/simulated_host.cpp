@@ -1,6 +1,7 @@
 #include "tests/fuzz/simulated_host.h"
 
 #include <QtCore/QCoreApplication>
+#include <QtCore/QPointer>
 #include <QtCore/QTimer>
 
 #include <chrono>
@@ -26,9 +27,16 @@ namespace skyseal::test {
 
 namespace {
 
-std::map<const QTimer *, TimePoint> &timers()
+/// A timer that was started. It may be deleted since, and another one may have its address.
+struct StartedTimer
 {
-    static std::map<const QTimer *, TimePoint> instance;
+    QPointer<QTimer> timer;
+    TimePoint due;
+};
+
+std::map<const QTimer *, StartedTimer> &timers()
+{
+    static std::map<const QTimer *, StartedTimer> instance;
     return instance;
 }
 
@@ -118,13 +126,14 @@ void SimulatedHost::advance(Duration span)
     const TimePoint end = m_now + span;
     for (int fired = 0; fired < 100'000; ++fired) {
         const auto next = std::min_element(timers().begin(), timers().end(),
-                                           [](const auto &a, const auto &b) { return a.second < b.second; });
-        if (next == timers().end() || next->second > end)
+                                           [](const auto &a, const auto &b) { return a.second.due < b.second.due; });
+        if (next == timers().end() || next->second.due > end)
             break;
-        m_now = std::max(m_now, next->second);
-        auto *timer = const_cast<QTimer *>(next->first);
+        m_now = std::max(m_now, next->second.due);
+        const QPointer<QTimer> timer = next->second.timer;
         timers().erase(next); // All timers of the engines are single-shot.
-        QMetaObject::invokeMethod(timer, "timeout", Qt::DirectConnection);
+        if (timer)
+            QMetaObject::invokeMethod(timer, "timeout", Qt::DirectConnection);
     }
     m_now = std::max(m_now, end);
 }
@@ -184,7 +193,8 @@ std::chrono::steady_clock::time_point __wrap__ZNSt6chrono3_V212steady_clock3nowE
 
 void __wrap__ZN6QTimer5startEi(QTimer *timer, int milliseconds)
 {
-    skyseal::test::timers()[timer] = SimulatedHost::instance().now() + std::chrono::milliseconds(milliseconds);
+    const auto due = SimulatedHost::instance().now() + std::chrono::milliseconds(milliseconds);
+    skyseal::test::timers()[timer] = {timer, due};
 }
 
 void __wrap__ZN6QTimer4stopEv(QTimer *timer)
@@ -194,7 +204,8 @@ void __wrap__ZN6QTimer4stopEv(QTimer *timer)
 
 bool __wrap__ZNK6QTimer8isActiveEv(const QTimer *timer)
 {
-    return skyseal::test::timers().contains(timer);
+    const auto found = skyseal::test::timers().find(timer);
+    return found != skyseal::test::timers().end() && found->second.timer;
 }
 
 void __wrap_randombytes_buf(void *out, std::size_t size)
