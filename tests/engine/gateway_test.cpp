@@ -4,6 +4,7 @@
 #include "core/mavlink/frame_intake.h"
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"
+#include "tests/engine/flown_frames.h"
 #include "tests/engine/served_flight.h"
 #include "tests/support/bare_socket.h"
 #include "tests/support/eventually.h"
@@ -402,7 +403,8 @@ void GatewayTest::denialsOfReconnectingClientsAreReportedOnlySoOften()
     QVERIFY(others.clients + others.frames > 0);
 }
 
-/// Ten clients, one of which does not read and one of which is gone. SKYSEAL_FRAMES of the environment is the number of frames.
+/// Ten clients, one of which does not read and one of which is gone, receive a recorded flight again and again, byte for byte.
+/// SKYSEAL_FRAMES of the environment is the number of frames.
 void GatewayTest::everyFrameReachesEveryClient()
 {
     const int frames = qEnvironmentVariableIsSet("SKYSEAL_FRAMES") ? qEnvironmentVariableIntValue("SKYSEAL_FRAMES") : 20'000;
@@ -440,15 +442,14 @@ void GatewayTest::everyFrameReachesEveryClient()
     again.start(int(engine::Client::kForgetAfter / 6 / std::chrono::milliseconds(1))); // by time: the frames may be slow
     EVENTUALLY_EQUAL(ground.ears->snapshot->clients.size(), std::size_t(10));
 
-    Counted vehicle; // what it sent
-    mavlink::FrameWriter writer(1, 1);
-    constexpr std::size_t kAtOnce = 256; // fits the receive buffer of every client
-    std::array<std::array<std::uint8_t, mavlink::kMaxFrameLength>, kAtOnce> buffers;
-    std::array<ByteView, kAtOnce> batch;
+    const FlownFrames flight;
+    QVERIFY2(flight.kinds.size() > 20 && flight.lengths.size() > 20, flight.text().c_str());
+    Counted vehicle;                 // what it sent
+    std::array<ByteView, 128> batch; // fits the receive buffer of every client
     while (vehicle.count < std::uint64_t(frames)) {
-        for (std::size_t i = 0; i < batch.size(); ++i) {
-            batch[i] = writer.write(mavlink::Attitude{.time_boot_ms = std::uint32_t(vehicle.count)}, buffers[i]);
-            vehicle.note(batch[i]);
+        for (ByteView &frame : batch) {
+            frame = flight.frames[vehicle.count % flight.frames.size()];
+            vehicle.note(frame);
         }
         vehicle.socket.send(portOf(rig.vehicleAddress()), batch);
         const auto arrived = [&] {
@@ -462,6 +463,7 @@ void GatewayTest::everyFrameReachesEveryClient()
         QCOMPARE(client.count, vehicle.count);
         QCOMPARE(client.hash, vehicle.hash);
     }
+    qInfo("%llu frames to each of eight clients: %s", static_cast<unsigned long long>(vehicle.count), flight.text().c_str());
     QCOMPARE(ground.ears->snapshot->channel.rx.lost, std::uint64_t(0));
 }
 
