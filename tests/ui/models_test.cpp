@@ -1,7 +1,10 @@
-// Every item model under QAbstractItemModelTester while it is filled, changed and emptied, and the content of its cells.
+// Item models under QAbstractItemModelTester while they are filled, changed and emptied, and the content of their cells. The
+// models of peers, shortcuts, sweeps and vehicles are tested beside their panels.
 #include "core/engine/text/event_text.h"
 #include "scripted_snapshots.h"
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
+#include "ui/charts/suite_table_model.h"
 #include "ui/refusal_meter.h"
 #include "ui/inspector/field_model.h"
 #include "ui/inspector/inspector_model.h"
@@ -11,8 +14,13 @@
 #include "ui/messages/message_model.h"
 #include "ui/messages/messages_panel.h"
 #include "ui/mission/mission_model.h"
+#include "ui/overlays/overlay_model.h"
 #include "ui/parameters/parameter_model.h"
+#include "ui/replay/recording_model.h"
+#include "ui/values/source_model.h"
 
+#include <QtCore/QFile>
+#include <QtCore/QTemporaryDir>
 #include <QtTest/QAbstractItemModelTester>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
@@ -309,6 +317,76 @@ private Q_SLOTS:
         QCOMPARE(cell(model, 0, LinkModel::State), QStringLiteral("failed: address in use"));
         links.clear();
         model.setLinks(links);
+        QCOMPARE(model.rowCount(), 0);
+    }
+
+    void suitesHaveARowEach()
+    {
+        SampleHistory history;
+        SuiteTableModel model(history, allQuantities());
+        QAbstractItemModelTester tester(&model, kFatal);
+        history.take(samplesOf(0, 0, 10, crypto::SuiteId::Aes256Gcm, 1));
+        model.refresh();
+        QCOMPARE(model.rowCount(), 1);
+        history.take(samplesOf(1000, 10, 20, crypto::SuiteId::ChaCha20, 2));
+        model.refresh();
+        QCOMPARE(model.rowCount(), 2);
+        QVERIFY(cell(model, 0, 0) != cell(model, 1, 0));
+        history.take(samplesOf(0, 0, 5, crypto::SuiteId::Rc4, 1)); // of another station
+        QCOMPARE(cell(model, 1, 0), QString());                    // until the model has heard of it
+        model.refresh();
+        QCOMPARE(model.rowCount(), 1);
+    }
+
+    void sourcesAreFilteredByWords()
+    {
+        SourceModel model;
+        QAbstractItemModelTester tester(&model, kFatal);
+        const int all = model.rowCount();
+        model.filter(QStringLiteral("ATTITUDE roll"));
+        QVERIFY(model.rowCount() > 0 && model.rowCount() < all);
+        model.filter(QStringLiteral("no such field"));
+        QCOMPARE(model.rowCount(), 0);
+        model.filter({});
+        QCOMPARE(model.rowCount(), all);
+    }
+
+    void overlaysAreAddedChangedAndRemoved()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("field.kml"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly)
+                && file.write(
+                       "<kml><Placemark><name>Tree</name><Point><coordinates>8.5,47.4</coordinates></Point></Placemark></kml>")
+                    > 0);
+        file.close();
+        OverlayModel model;
+        QAbstractItemModelTester tester(&model, kFatal);
+        QVERIFY(model.add(path) && model.add(folder.filePath(QStringLiteral("none.kml"))));
+        QCOMPARE(model.rowCount(), 2);
+        EVENTUALLY(model.entries().front().shapes && !model.entries().back().problem.isEmpty());
+        model.setColor(0, OverlayColor::Blue);
+        QVERIFY(model.setData(model.index(0, OverlayModel::File), Qt::Unchecked, Qt::CheckStateRole));
+        model.remove(1);
+        QCOMPARE(model.rowCount(), 1);
+        model.setFiles({});
+        QCOMPARE(model.rowCount(), 0);
+    }
+
+    void recordingsAreDescribedWhereTheyStand()
+    {
+        RecordingModel model;
+        QAbstractItemModelTester tester(&model, kFatal);
+        engine::RecordingInfo one{.path = "/logs/a.tlog", .name = "a.tlog", .bytes = 1000}, other = one;
+        other.path = "/logs/b.tlog";
+        other.name = "b.tlog";
+        model.setRecordings({one, other});
+        other.problem = "permission denied";
+        model.update(other);
+        QCOMPARE(model.readCount(), 1);
+        QVERIFY(cell(model, 1, RecordingModel::Vehicle).contains(QStringLiteral("permission denied")));
+        model.setRecordings({});
         QCOMPARE(model.rowCount(), 0);
     }
 };
