@@ -4,11 +4,14 @@
 #include "core/engine/text/state_text.h"
 #include "tests/support/test_runner.h"
 
+#include <QtCore/QTimer>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QDockWidget>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
+#include <QtWidgets/QMenu>
+#include <QtWidgets/QToolButton>
 #include <QtWidgets/QTreeView>
 
 using namespace skyseal;
@@ -75,6 +78,59 @@ private Q_SLOTS:
         QVERIFY(write.any() && !(write == engine::WriteRights::all()));
         type("tcpin:127.0.0.1:5790");
         QCOMPARE(m_station->served.front().write, engine::WriteRights::all());
+    }
+
+    void classesAreTickedInAMenu()
+    {
+        auto *button = find<QToolButton>("serveClasses");
+        QVERIFY(!button->accessibleName().isEmpty());
+        QVERIFY(!button->isEnabled()); // "Read only" is chosen
+        type("tcpin:127.0.0.1:5790,name=Mission Planner udpin:14551");
+        find<QCheckBox>("serveOn")->click();
+        chooseRights(1);
+        QVERIFY(button->isEnabled());
+        QMenu *menu = button->menu();
+        const auto at = [menu](const char *name) {
+            return menu->actionGeometry(menu->findChild<QAction *>(QLatin1String(name))).center();
+        };
+        // By keys: opened, everything is cleared, missions are ticked. It stays open until Esc.
+        QTimer::singleShot(0, menu, [menu] {
+            if (!menu->activeAction())
+                QTest::keyClick(menu, Qt::Key_Down);
+            QTest::keyClick(menu, Qt::Key_Space);
+            QTest::keyClick(menu, Qt::Key_Down);
+            QTest::keyClick(menu, Qt::Key_Space);
+            QVERIFY(menu->isVisible());
+            QTest::keyClick(menu, Qt::Key_Escape);
+        });
+        QTest::keyClick(button, Qt::Key_Space);
+        QVERIFY(!menu->isVisible());
+        QCOMPARE(find<QComboBox>("serveUrl")->currentText(),
+                 QStringLiteral("tcpin:127.0.0.1:5790,name=Mission Planner,write=mission udpin:14551,write=mission"));
+        QCOMPARE(m_station->served.size(), std::size_t(2));
+        for (const engine::ServeConfig &config : m_station->served)
+            QCOMPARE(config.write.toText(), std::string("mission"));
+        // By the mouse.
+        QTimer::singleShot(0, menu, [menu, at] {
+            QVERIFY(!menu->findChild<QAction *>(QLatin1String("serve-all"))->isChecked());
+            QVERIFY(menu->findChild<QAction *>(QLatin1String("serve-mission"))->isChecked());
+            QTest::mouseClick(menu, Qt::LeftButton, {}, at("serve-param"));
+            QTest::mouseClick(menu, Qt::LeftButton, {}, at("serve-rc"));
+            QTest::mouseClick(menu, Qt::LeftButton, {}, at("serve-mission"));
+            QVERIFY(menu->isVisible());
+            QTest::keyClick(menu, Qt::Key_Escape);
+        });
+        QTest::mouseClick(button, Qt::LeftButton);
+        for (const engine::ServeConfig &config : m_station->served)
+            QCOMPARE(config.write.toText(), std::string("param,rc"));
+        QTimer::singleShot(0, menu, [menu, at] {
+            QTest::mouseClick(menu, Qt::LeftButton, {}, at("serve-all"));
+            QTest::keyClick(menu, Qt::Key_Escape);
+        });
+        QTest::mouseClick(button, Qt::LeftButton);
+        QCOMPARE(m_station->served[0].write, engine::WriteRights::all());
+        QCOMPARE(find<QComboBox>("serveUrl")->currentText(),
+                 QStringLiteral("tcpin:127.0.0.1:5790,name=Mission Planner udpin:14551"));
     }
 
     void severalAddressesHaveTheirOwnRights()

@@ -14,6 +14,7 @@
 #include <QtWidgets/QHeaderView>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
+#include <QtWidgets/QToolButton>
 #include <QtWidgets/QTreeView>
 
 #include <algorithm>
@@ -34,6 +35,21 @@ QStringList addressesIn(const QString &text)
 {
     static const QRegularExpression kBetween(QStringLiteral("\\s+(?=[A-Za-z]+:)"));
     return text.trimmed().split(kBetween);
+}
+
+/// An address with these rights; all are those without write=.
+QString withRights(const QString &address, const engine::WriteRights &rights)
+{
+    QStringList kept;
+    bool isOfWrite = false;
+    for (const QString &part : address.split(QLatin1Char(','))) {
+        isOfWrite = part.startsWith(QLatin1String("write=")) || (isOfWrite && !part.contains(QLatin1Char('=')));
+        if (!isOfWrite)
+            kept.append(part);
+    }
+    if (rights != engine::WriteRights::all())
+        kept.append(QLatin1String("write=") + fromStd(rights.toText()));
+    return kept.join(QLatin1Char(','));
 }
 
 /// The link that best describes all of them: one with a problem, or else one that is not ready yet.
@@ -83,6 +99,16 @@ GatewaySection::GatewaySection(StationInterface &station, QWidget *parent) : QWi
         tr("They can command vehicles, like this station; while they are connected, their heartbeats keep the vehicle's "
            "GCS failsafe from triggering"),
         Qt::ToolTipRole);
+    m_classes = new RightsMenu(this);
+    m_classesButton = new QToolButton(this);
+    m_classesButton->setObjectName(QStringLiteral("serveClasses"));
+    m_classesButton->setText(tr("May write"));
+    m_classesButton->setAccessibleName(tr("What other stations may write"));
+    m_classesButton->setToolTip(tr("What stations may write at the addresses beside, while \"Read and write\" is chosen"));
+    m_classesButton->setPopupMode(QToolButton::InstantPopup);
+    m_classesButton->setFocusPolicy(Qt::StrongFocus);
+    m_classesButton->setMenu(m_classes);
+    m_classesButton->setEnabled(false);
     m_state = new QLabel(this);
     m_state->setObjectName(QStringLiteral("serveState"));
     m_state->setAccessibleName(tr("State of the gateway"));
@@ -106,6 +132,7 @@ GatewaySection::GatewaySection(StationInterface &station, QWidget *parent) : QWi
     line->addWidget(m_on);
     line->addWidget(m_url);
     line->addWidget(m_rights);
+    line->addWidget(m_classesButton);
     line->addWidget(m_state, 1);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -117,6 +144,12 @@ GatewaySection::GatewaySection(StationInterface &station, QWidget *parent) : QWi
     connect(m_url, &QComboBox::activated, this, &GatewaySection::choose);
     connect(m_url->lineEdit(), &QLineEdit::editingFinished, this, &GatewaySection::choose);
     connect(m_rights, &QComboBox::activated, this, &GatewaySection::choose);
+    connect(m_classes, &QMenu::aboutToShow, this, [this] {
+        const auto first = engine::ServeConfig::parse(addressesIn(m_url->currentText()).front().toStdString(),
+                                                      engine::WriteRights::all());
+        m_classes->setRights(first ? first->write : engine::WriteRights::all());
+    });
+    connect(m_classes, &RightsMenu::rightsChosen, this, &GatewaySection::chooseRights);
     showState(tr("off"), stateColors(palette()).dim);
 }
 
@@ -140,8 +173,19 @@ void GatewaySection::choose()
     Q_EMIT servingChanged(m_serving);
 }
 
+/// Of all addresses.
+void GatewaySection::chooseRights(const engine::WriteRights &rights)
+{
+    QStringList addresses = addressesIn(m_url->currentText());
+    for (QString &address : addresses)
+        address = withRights(address, rights);
+    m_url->setEditText(addresses.join(QLatin1Char(' ')));
+    choose();
+}
+
 void GatewaySection::set(const Serving &serving)
 {
+    m_classesButton->setEnabled(serving.write);
     const bool changesService = serving.on || m_serving.on;
     m_serving = serving;
     if (changesService)

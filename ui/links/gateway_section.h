@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/links/client_model.h"
+#include "ui/links/rights_menu.h"
 #include "ui/settings.h"
 #include "ui/station_interface.h"
 
@@ -11,6 +12,7 @@
 class QCheckBox;
 class QComboBox;
 class QLabel;
+class QToolButton;
 class QTreeView;
 
 namespace skyseal::ui {
@@ -32,6 +34,7 @@ Q_SIGNALS:
 
 private:
     void choose();
+    void chooseRights(const engine::WriteRights &rights);
     void set(const Serving &serving);
     void serve();
     void showState(const QString &text, const QColor &color);
@@ -43,6 +46,8 @@ private:
     QCheckBox *m_on;
     QComboBox *m_url;
     QComboBox *m_rights;
+    RightsMenu *m_classes;
+    QToolButton *m_classesButton;
     QLabel *m_state;
     QTreeView *m_view;
 };
