@@ -26,6 +26,7 @@
 #include <QtGui/QPainter>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QDialog>
+#include <QtWidgets/QDockWidget>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QTreeView>
@@ -517,7 +518,7 @@ int main(int argc, char **argv)
                 settings.theme = theme == QLatin1String("dark") ? Theme::Dark
                     : theme == QLatin1String("contrast")        ? Theme::HighContrast
                                                                 : Theme::Light;
-                settings.serving.on = state == QLatin1String("served");
+                settings.serving.on = settings.serving.write = state == QLatin1String("served");
                 settings.coordinates = state == QLatin1String("utm") || state == QLatin1String("measure")
                     ? CoordinateFormat::Utm
                     : state == QLatin1String("mgrs") ? CoordinateFormat::Mgrs
@@ -546,6 +547,8 @@ int main(int argc, char **argv)
                 window.findChild<QAction *>(QStringLiteral("workspace_") + shown.section(QLatin1Char('-'), -1))->trigger();
                 play(station, window, state);
                 window.findChild<DiagnosticsPanel *>()->refresh();
+                if (state == QLatin1String("served"))
+                    window.findChild<QDockWidget *>(QStringLiteral("dockLinks"))->raise();
                 if (state == QLatin1String("tiles"))
                     waitForTiles(*window.findChild<MapView *>());
                 if (state == QLatin1String("overlays"))

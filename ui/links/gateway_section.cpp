@@ -133,11 +133,12 @@ GatewaySection::GatewaySection(StationInterface &station, QWidget *parent) : QWi
     line->addWidget(m_url);
     line->addWidget(m_rights);
     line->addWidget(m_classesButton);
-    line->addWidget(m_state, 1);
+    line->addStretch(1);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(kGrid);
     column->addLayout(line);
+    column->addWidget(m_state);
     column->addWidget(m_view, 1);
 
     connect(m_on, &QCheckBox::toggled, this, &GatewaySection::choose);
