@@ -157,11 +157,24 @@ void FileCommandsTest::changedFileIsReadAnew()
     const QByteArray content = noise(5000);
     QCOMPARE(run(QStringLiteral("ftp put ") + m_vehicle.write("changed", content) + QStringLiteral(" /changed")).status, 0);
     const QString target = path("changed.copy");
-    {
+    const auto keepOldPart = [&target] {
         PartFile part(target.toStdString(), "vehicle 1 file /changed");
         part.begin(5000, 0);
-        part.append(0, skyseal::Bytes(239, 1)); // of the old file
-    }
+        part.append(0, skyseal::Bytes(239, 1));
+    };
+    keepOldPart();
+    const RunResult told = run(QStringLiteral("ftp get /changed ") + target + QStringLiteral(" --json"));
+    QVERIFY2(told.status == 0, told.err.constData());
+    const auto resumed = eventsIn(told, QStringLiteral("resumed")), restarted = eventsIn(told, QStringLiteral("restarted"));
+    QCOMPARE(resumed.size(), std::size_t(1));
+    QCOMPARE(resumed[0][QLatin1String("bytes")].toInt(), 239);
+    QCOMPARE(restarted.size(), std::size_t(1));
+    QCOMPARE(restarted[0][QLatin1String("reason")].toString(), QStringLiteral("the checksums of both ends differ"));
+    for (const QJsonObject &event : {resumed[0], restarted[0]})
+        QCOMPARE(event[QLatin1String("file")].toString(), target + QStringLiteral(".part"));
+    QCOMPARE(contentOf(target), content);
+    QVERIFY(QFile::remove(target));
+    keepOldPart();
     const RunResult got = run(QStringLiteral("ftp get /changed ") + target);
     QVERIFY2(got.status == 0, got.err.constData());
     QVERIFY2(got.err.contains("goes on from 239 bytes"), got.err.constData());

@@ -264,6 +264,20 @@ void VehicleSweepTest::staysOnTheGround()
                       + words("--suites none,chacha20-poly1305 --launches 1 --seconds 1 --warm-up 0.3 --no-noise"));
     QVERIFY2(sweep.waitForExit(2 * kDeadlineMs) == 0, sweep.errors().constData());
     QCOMPARE(int(sweep.events(QStringLiteral("run")).size()), 2);
+    QJsonObject begun; // Other instruments learn of a run before it begins.
+    for (const QJsonObject &event : sweep.events()) {
+        const QString kind = event[QLatin1String("event")].toString();
+        if (kind == QLatin1String("begin")) {
+            QVERIFY(begun.isEmpty());
+            begun = event;
+        } else if (kind == QLatin1String("run")) {
+            for (const char *key : {"suite", "load", "condition", "order"}) {
+                QVERIFY2(begun.contains(QLatin1String(key)), key);
+                QCOMPARE(event[QLatin1String(key)], begun[QLatin1String(key)]);
+            }
+            begun = {};
+        }
+    }
     QVERIFY(vehicle.isDown());
     QCOMPARE(vehicle.landings(), 0);
 }
