@@ -52,7 +52,7 @@ Settings loadSettings(const QSettings &store)
     Settings s;
     s.language = storedLanguage(store);
     s.theme = static_cast<Theme>(inRange(store, "view/theme", 0, 3, static_cast<int>(s.theme)));
-    s.units = static_cast<UnitSystem>(inRange(store, "view/units", 0, 1, static_cast<int>(s.units)));
+    s.units = static_cast<UnitSystem>(inRange(store, "view/units", 0, 2, static_cast<int>(s.units)));
     s.coordinates = static_cast<CoordinateFormat>(inRange(store, "view/coordinates", 0, 3, static_cast<int>(s.coordinates)));
     s.speakAlerts = store.value(QStringLiteral("view/speakAlerts"), s.speakAlerts).toBool();
     s.systemId = inRange(store, "station/systemId", 1, 255, s.systemId);

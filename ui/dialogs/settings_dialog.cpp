@@ -86,6 +86,7 @@ QWidget *SettingsDialog::makeView()
     m_units->setCurrentIndex(m_units->findData(static_cast<int>(m_start.units)));
     m_coordinates = named(new QComboBox(box), "settingCoordinates", tr("Coordinates"));
     m_coordinates->addItem(tr("decimal degrees"), static_cast<int>(CoordinateFormat::Decimal));
+    m_units->addItem(tr("aviation (ft, kt, NM)"), static_cast<int>(UnitSystem::Aviation));
     m_coordinates->addItem(tr("degrees, minutes, seconds"), static_cast<int>(CoordinateFormat::DegreesMinutesSeconds));
     m_coordinates->addItem(tr("UTM (metres in a zone)"), static_cast<int>(CoordinateFormat::Utm));
     m_coordinates->addItem(tr("MGRS (grid reference)"), static_cast<int>(CoordinateFormat::Mgrs));

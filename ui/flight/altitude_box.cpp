@@ -11,7 +11,7 @@ namespace {
 
 double metresPerUnit(UnitSystem units)
 {
-    return units == UnitSystem::Metric ? 1 : 0.3048;
+    return 1 / altitudeScale(units).factor;
 }
 
 } // namespace
@@ -49,7 +49,7 @@ void AltitudeBox::show()
 {
     const QSignalBlocker quiet(this);
     const double unit = metresPerUnit(m_units);
-    setSuffix(m_units == UnitSystem::Metric ? tr(" m") : tr(" ft"));
+    setSuffix(QLatin1Char(' ') + QLatin1String(altitudeScale(m_units).name));
     setRange(std::ceil(kLowestTakeOff / unit), std::floor(m_highest / unit));
     setSingleStep(m_units == UnitSystem::Metric ? 1 : 5);
     setValue(m_metres / unit);

@@ -43,9 +43,12 @@ QMessageBox *confirmCommand(VehicleCommands &commands, const vehicle::VehicleCom
     const QString text = commands.isOneOfSeveral() ? Text::tr("Vehicle %1: %2").arg(systemId).arg(question) : question;
     if (QMessageBox *open = openQuestion(*window, text)) // as by a key that is held
         return open;
-    return askToConfirm(
-        {.objectName = kQuestion, .title = Text::tr("Confirm"), .text = text, .details = details, .yes = commandText(command)},
-        window, &commands, [&commands, systemId, command] { commands.send(systemId, command); });
+    return askToConfirm({.objectName = kQuestion,
+                         .title = Text::tr("Confirm"),
+                         .text = text,
+                         .details = details,
+                         .yes = commandText(command, commands.units())},
+                        window, &commands, [&commands, systemId, command] { commands.send(systemId, command); });
 }
 
 QString openItemsText(VehicleCommands &commands)

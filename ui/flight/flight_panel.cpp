@@ -39,12 +39,11 @@ void FlightPanel::onSnapshot(const ViewState &view)
     HorizonValues values;
     if (view.vehicle) {
         const auto &state = view.vehicle->state;
-        const bool metric = m_units == UnitSystem::Metric;
         values.roll = degrees(state.roll);
         values.pitch = degrees(state.pitch);
         values.heading = state.heading;
-        values.speed = state.groundSpeed * (metric ? 1 : kMilesPerHourPerMetreASecond);
-        values.altitude = state.altitudeRelative * (metric ? 1 : kFeetPerMetre);
+        values.speed = state.groundSpeed * speedScale(m_units).factor;
+        values.altitude = state.altitudeRelative * altitudeScale(m_units).factor;
         values.climb = state.climb;
         values.stale = view.stale();
     }

@@ -75,17 +75,17 @@ void Horizon::paintEvent(QPaintEvent *)
     const TapeStyle style{colors.panel, ink, colors.dim, palette().color(QPalette::Base)};
     const QRectF left(0, 0, kTape, height() - kCompass);
     const QRectF right(width() - kTape, 0, kTape, height() - kCompass);
+    const UnitScale altitudes = altitudeScale(m_units);
     const double altitudeStep = m_units == UnitSystem::Metric ? 5 : 20;
     paintVerticalTape(painter, left, m_values.speed, 2, 11, 1, true, style);
-    paintVerticalTape(painter, right, m_values.altitude, altitudeStep, 22.0 / altitudeStep,
-                      m_units == UnitSystem::Metric ? 1 : 0, false, style);
+    paintVerticalTape(painter, right, m_values.altitude, altitudeStep, 22.0 / altitudeStep, altitudes.decimals, false, style);
     painter.fillRect(QRectF(0, height() - kCompass, width(), kCompass), colors.panel);
     paintCompassTape(painter, QRectF(kTape, height() - kCompass, width() - 2 * kTape, kCompass), m_values.heading, style);
 
     painter.setPen(colors.dim);
-    const QString speedUnit = speedFigure(0, m_units).unit, altitudeUnit = altitudeFigure(0, m_units).unit;
-    painter.drawText(QRectF(0, height() - kCompass, kTape, kCompass), Qt::AlignCenter, speedUnit);
-    painter.drawText(QRectF(width() - kTape, height() - kCompass, kTape, kCompass), Qt::AlignCenter, altitudeUnit);
+    painter.drawText(QRectF(0, height() - kCompass, kTape, kCompass), Qt::AlignCenter, QLatin1String(speedScale(m_units).name));
+    painter.drawText(QRectF(width() - kTape, height() - kCompass, kTape, kCompass), Qt::AlignCenter,
+                     QLatin1String(altitudes.name));
     painter.setPen(colors.line);
     painter.drawLine(QPointF(0, height() - kCompass + 0.5), QPointF(width(), height() - kCompass + 0.5));
 }

@@ -42,7 +42,7 @@ void VehicleCommands::showViewState(const ViewState &view)
 
 void VehicleCommands::send(std::uint8_t systemId, const vehicle::VehicleCommand &command)
 {
-    const QString text = commandText(command);
+    const QString text = commandText(command, m_units);
     if (maySend(systemId, text))
         request(systemId, command, text);
 }

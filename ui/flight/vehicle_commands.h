@@ -42,6 +42,10 @@ public:
     double takeOffAltitude() const { return m_takeOffAltitude; }
     void setTakeOffAltitude(double metres);
 
+    /// In which the names of commands give altitudes.
+    UnitSystem units() const { return m_units; }
+    void setUnits(UnitSystem units) { m_units = units; }
+
 Q_SIGNALS:
     void takeOffAltitudeChanged(double metres);
     void disabledReasonChanged(const QString &reason);
@@ -62,6 +66,7 @@ private:
     std::optional<vehicle::MissionItem> m_home; ///< item 0 of a mission that is empty so far, if home belongs there
     QString m_disabledReason;
     double m_takeOffAltitude = 10;
+    UnitSystem m_units = UnitSystem::Metric;
     QHash<quint32, QString> m_asked;
 };
 

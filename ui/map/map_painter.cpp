@@ -3,8 +3,8 @@
 #include "ui/map/fence_painter.h"
 #include "ui/map/map_text.h"
 #include "ui/map/mission_painter.h"
-#include "ui/map/nice_step.h"
 #include "ui/map/overlay_painter.h"
+#include "ui/map/scale_bar.h"
 #include "ui/map/tile_painter.h"
 #include "ui/text/figures.h"
 #include "ui/text/units.h"
@@ -23,27 +23,6 @@ namespace skyseal::ui {
 namespace {
 
 constexpr double kNameOffset = 16; ///< pixels below the middle of a vehicle
-
-/// A length for the scale bar: its text and its metres.
-struct ScaleBar
-{
-    QString text;
-    double metres;
-};
-
-/// The shortest round length of at least `least` metres.
-ScaleBar scaleBar(double least, UnitSystem units)
-{
-    constexpr double kMetresPerFoot = 0.3048, kFeetPerMile = 5280;
-    if (units == UnitSystem::Metric) {
-        const double metres = niceStep(least);
-        return {metres >= 1000 ? QStringLiteral("%1 km").arg(metres / 1000) : QStringLiteral("%1 m").arg(metres), metres};
-    }
-    if (const double feet = niceStep(least / kMetresPerFoot); feet < kFeetPerMile)
-        return {QStringLiteral("%1 ft").arg(feet), feet * kMetresPerFoot};
-    const double miles = niceStep(least / kMetresPerFoot / kFeetPerMile);
-    return {QStringLiteral("%1 mi").arg(miles), miles * kFeetPerMile * kMetresPerFoot};
-}
 
 } // namespace
 

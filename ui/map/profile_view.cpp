@@ -109,19 +109,23 @@ void ProfileView::paintGrid(QPainter &painter, const QRectF &area, const Range &
         painter.setPen(colors.dim);
     };
     const double rise = range.highest - range.lowest;
-    const double step = niceStep(rise * kRowHeight / area.height());
+    const auto roundStep = [](double least, const UnitScale &scale) { return niceStep(least * scale.factor) / scale.factor; };
+    const double step = roundStep(rise * kRowHeight / area.height(), altitudeScale(m_units));
     for (double altitude = std::ceil(range.lowest / step) * step; altitude <= range.highest; altitude += step) {
         const double y = std::floor(area.bottom() - area.height() * (altitude - range.lowest) / rise) + 0.5;
         line({area.left(), y}, {area.right(), y});
         painter.drawText(QRectF(0, y - height / 2, area.left() - kRadius - kHalfGrid, height),
                          Qt::AlignRight | Qt::AlignVCenter, altitudeFigure(altitude, m_units).text());
     }
-    const double way = niceStep(range.length * kColumnWidth / area.width());
+    UnitScale ways = distanceScale(range.length, m_units); // one unit along the axis
+    const double way = roundStep(range.length * kColumnWidth / area.width(), ways);
+    if (way * ways.factor >= 1)
+        ways.decimals = 0;
     for (double distance = 0; distance <= range.length; distance += way) {
         const double x = std::floor(area.left() + area.width() * distance / range.length) + 0.5;
         line({x, area.top()}, {x, area.bottom()});
         painter.drawText(QRectF(x - kColumnWidth / 2, area.bottom() + kHalfGrid, kColumnWidth, height), Qt::AlignCenter,
-                         distanceFigure(distance, m_units).text());
+                         figureIn(ways, distance).text());
     }
 }
 

@@ -37,6 +37,13 @@ void MissionModel::setMission(const Mission &mission, int current)
     }
 }
 
+void MissionModel::setUnits(UnitSystem units)
+{
+    m_units = units;
+    if (rowCount() > 0)
+        Q_EMIT dataChanged(index(0, Altitude), index(rowCount() - 1, Altitude));
+}
+
 int MissionModel::rowCount(const QModelIndex &parent) const
 {
     return parent.isValid() || !m_mission ? 0 : static_cast<int>(m_mission->size());
@@ -70,7 +77,7 @@ QVariant MissionModel::data(const QModelIndex &index, int role) const
     }
     case Latitude: return number(item.latitude, 7);
     case Longitude: return number(item.longitude, 7);
-    case Altitude: return number(static_cast<double>(item.altitude), 1) + QStringLiteral(" m");
+    case Altitude: return altitudeFigure(static_cast<double>(item.altitude), m_units).text();
     default: return {};
     }
 }

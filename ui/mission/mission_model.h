@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/vehicle/mission.h"
+#include "ui/text/units.h"
 
 #include <QtCore/QAbstractTableModel>
 
@@ -23,6 +24,8 @@ public:
     /// `current` is the item that the vehicle flies to, −1 for none.
     void setMission(const Mission &mission, int current);
 
+    void setUnits(UnitSystem units);
+
     int rowCount(const QModelIndex &parent = {}) const override;
     int columnCount(const QModelIndex &parent = {}) const override;
     QVariant data(const QModelIndex &index, int role) const override;
@@ -31,6 +34,7 @@ public:
 private:
     Mission m_mission;
     int m_current = -1;
+    UnitSystem m_units = UnitSystem::Metric;
 };
 
 } // namespace skyseal::ui

@@ -5,6 +5,7 @@
 #include "core/engine/text/event_text.h"
 #include "core/vehicle/mission_file.h"
 #include "ui/result_label.h"
+#include "ui/settings.h"
 #include "ui/text/command_permits.h"
 #include "ui/text/vehicle_name.h"
 #include "ui/text/vehicle_text.h"
@@ -176,6 +177,11 @@ void MissionPanel::showName(int vehicle)
         button->setText(commandOfVehicle(word, vehicle));
         button->setAccessibleName(spokenCommand(word, vehicle));
     }
+}
+
+void MissionPanel::applySettings(const Settings &settings)
+{
+    m_model.setUnits(settings.units);
 }
 
 void MissionPanel::handleEvent(const engine::Event &event)

@@ -23,6 +23,7 @@ public:
     explicit MissionPanel(StationInterface &station, QWidget *parent = nullptr);
 
     void showViewState(const ViewState &view) override;
+    void applySettings(const Settings &settings) override;
     void handleEvent(const engine::Event &event);
     /// Sends the mission of a file to the vehicle that was selected when the dialog opened. Shows the reason if the file is
     /// invalid, another vehicle is selected or nothing can be sent.

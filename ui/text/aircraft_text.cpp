@@ -17,6 +17,14 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::AircraftText)
 };
 
+/// As exact as aircraft report their altitude.
+UnitScale wholeAltitudes(UnitSystem units)
+{
+    UnitScale scale = altitudeScale(units);
+    scale.decimals = 0;
+    return scale;
+}
+
 } // namespace
 
 AircraftSight sightOf(const vehicle::Aircraft &aircraft, const vehicle::Position &own)
@@ -47,7 +55,7 @@ QString aircraftText(const AircraftSight &sight, UnitSystem units)
 {
     const QString sign = sight.metresAbove >= 0 ? QStringLiteral("+") : QString();
     const QString height = std::isnan(sight.metresAbove) ? Text::tr("altitude unknown")
-                                                         : sign + distanceFigure(sight.metresAbove, units).text();
+                                                         : sign + figureIn(wholeAltitudes(units), sight.metresAbove).text();
     const QString text = QStringLiteral("%1 · %2").arg(sight.name, height);
     return sight.isNear ? Text::tr("%1 · near").arg(text) : text;
 }

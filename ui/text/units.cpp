@@ -9,6 +9,9 @@ namespace {
 const QChar kThinSpace(0x2009);
 const QChar kMinus(0x2212);
 
+// Of the international foot, mile and nautical mile.
+constexpr double kFeetPerMetre = 1 / 0.3048, kMetresPerMile = 1609.344, kMetresPerNauticalMile = 1852;
+
 QString scaled(double value, const char *const (&names)[4])
 {
     std::size_t step = 0;
@@ -45,34 +48,72 @@ QString grouped(std::uint64_t value)
     return text;
 }
 
+UnitScale altitudeScale(UnitSystem units)
+{
+    return units == UnitSystem::Metric ? UnitScale{1, "m", 1} : UnitScale{kFeetPerMetre, "ft", 0};
+}
+
+UnitScale speedScale(UnitSystem units)
+{
+    switch (units) {
+    case UnitSystem::Imperial: return {3600 / kMetresPerMile, "mph", 1};
+    case UnitSystem::Aviation: return {3600 / kMetresPerNauticalMile, "kt", 1};
+    case UnitSystem::Metric: break;
+    }
+    return {1, "m/s", 1};
+}
+
+UnitScale climbScale(UnitSystem units)
+{
+    return units == UnitSystem::Metric ? UnitScale{1, "m/s", 1} : UnitScale{60 * kFeetPerMetre, "ft/min", 0};
+}
+
+UnitScale smallDistanceScale(UnitSystem units)
+{
+    return units == UnitSystem::Metric ? UnitScale{1, "m", 0} : UnitScale{kFeetPerMetre, "ft", 0};
+}
+
+UnitScale largeDistanceScale(UnitSystem units)
+{
+    switch (units) {
+    case UnitSystem::Imperial: return {1 / kMetresPerMile, "mi", 2};
+    case UnitSystem::Aviation: return {1 / kMetresPerNauticalMile, "NM", 2};
+    case UnitSystem::Metric: break;
+    }
+    return {0.001, "km", 1};
+}
+
+UnitScale distanceScale(double metres, UnitSystem units)
+{
+    const double longest = units == UnitSystem::Metric ? 9999.5
+        : units == UnitSystem::Imperial                ? kMetresPerMile
+                                                       : kMetresPerNauticalMile / 2;
+    return std::abs(metres) >= longest ? largeDistanceScale(units) : smallDistanceScale(units);
+}
+
+Figure figureIn(const UnitScale &scale, double value)
+{
+    return {number(value * scale.factor, scale.decimals), QString::fromLatin1(scale.name)};
+}
+
 Figure altitudeFigure(double metres, UnitSystem units)
 {
-    if (units == UnitSystem::Imperial)
-        return {number(metres * kFeetPerMetre, 0), QStringLiteral("ft")};
-    return {number(metres, 1), QStringLiteral("m")};
+    return figureIn(altitudeScale(units), metres);
 }
 
 Figure distanceFigure(double metres, UnitSystem units)
 {
-    if (units == UnitSystem::Imperial)
-        return {number(metres * kFeetPerMetre, 0), QStringLiteral("ft")};
-    if (metres >= 9999.5)
-        return {number(metres / 1000, 1), QStringLiteral("km")};
-    return {number(metres, 0), QStringLiteral("m")};
+    return figureIn(distanceScale(metres, units), metres);
 }
 
 Figure speedFigure(double metresPerSecond, UnitSystem units)
 {
-    if (units == UnitSystem::Imperial)
-        return {number(metresPerSecond * kMilesPerHourPerMetreASecond, 1), QStringLiteral("mph")};
-    return {number(metresPerSecond, 1), QStringLiteral("m/s")};
+    return figureIn(speedScale(units), metresPerSecond);
 }
 
 Figure climbFigure(double metresPerSecond, UnitSystem units)
 {
-    if (units == UnitSystem::Imperial)
-        return {number(metresPerSecond * kFeetPerMinutePerMetreASecond, 0), QStringLiteral("ft/min")};
-    return {number(metresPerSecond, 1), QStringLiteral("m/s")};
+    return figureIn(climbScale(units), metresPerSecond);
 }
 
 Figure headingFigure(double degrees)

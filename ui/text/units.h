@@ -7,11 +7,26 @@
 
 namespace skyseal::ui {
 
-enum class UnitSystem : int { Metric, Imperial };
+/// Aviation: altitudes in feet, speeds in knots, climb rates in feet per minute, distances in nautical miles. Distances below
+/// half a nautical mile are in feet, so that no display needs a third unit of length.
+enum class UnitSystem : int { Metric, Imperial, Aviation };
 
-inline constexpr double kFeetPerMetre = 3.280839895;
-inline constexpr double kMilesPerHourPerMetreASecond = 2.236936292;
-inline constexpr double kFeetPerMinutePerMetreASecond = 196.8503937;
+/// A unit in which people read values of SI.
+struct UnitScale
+{
+    double factor;    ///< from the number in SI
+    const char *name; ///< "ft"
+    int decimals;     ///< of a value beside others, as in the grid of values
+};
+
+/// Units of altitudes, speeds and climb rates.
+UnitScale altitudeScale(UnitSystem units);
+UnitScale speedScale(UnitSystem units);
+UnitScale climbScale(UnitSystem units);
+/// Unit of a distance of about this many metres, and the units it is one of: the small one, and the large one for long distances.
+UnitScale distanceScale(double metres, UnitSystem units);
+UnitScale smallDistanceScale(UnitSystem units);
+UnitScale largeDistanceScale(UnitSystem units);
 
 /// A value and its unit, apart, because units are drawn dimmed.
 struct Figure
@@ -28,6 +43,8 @@ QString number(double value, int decimals);
 /// Digits in groups of three, separated by a thin space.
 QString grouped(std::uint64_t value);
 
+/// `value` of SI in this unit.
+Figure figureIn(const UnitScale &scale, double value);
 Figure altitudeFigure(double metres, UnitSystem units);
 Figure distanceFigure(double metres, UnitSystem units);
 Figure speedFigure(double metresPerSecond, UnitSystem units);

@@ -1,6 +1,7 @@
 #include "ui/text/value_unit.h"
 
 #include <numbers>
+#include <optional>
 
 namespace skyseal::ui {
 
@@ -54,6 +55,18 @@ constexpr Rule kRules[] = {
     {"us", 1, "µs", 0},
 };
 
+/// The one unit for numbers with chosen decimals and for limits; nullopt where it is the same for all.
+std::optional<UnitScale> scaleOf(Measure measure, UnitSystem units)
+{
+    switch (measure) {
+    case Measure::Length: return altitudeScale(units);
+    case Measure::Distance: return smallDistanceScale(units);
+    case Measure::Speed: return speedScale(units);
+    case Measure::Climb: return climbScale(units);
+    default: return std::nullopt;
+    }
+}
+
 } // namespace
 
 ValueUnit valueUnit(std::string_view sourceUnit, bool wholeNumber)
@@ -73,7 +86,7 @@ Figure valueFigure(double metric, const ValueUnit &unit, int decimals, UnitSyste
     if (decimals < 0) {
         switch (unit.measure) {
         case Measure::Length:
-            if (unit.decimals > 0 || units == UnitSystem::Imperial)
+            if (unit.decimals > 0 || units != UnitSystem::Metric)
                 return altitudeFigure(metric, units);
             break;
         case Measure::Distance: return distanceFigure(metric, units);
@@ -90,28 +103,14 @@ Figure valueFigure(double metric, const ValueUnit &unit, int decimals, UnitSyste
 
 QString unitName(const ValueUnit &unit, UnitSystem units)
 {
-    if (units == UnitSystem::Metric)
-        return unit.name;
-    switch (unit.measure) {
-    case Measure::Length:
-    case Measure::Distance: return QStringLiteral("ft");
-    case Measure::Speed: return QStringLiteral("mph");
-    case Measure::Climb: return QStringLiteral("ft/min");
-    default: return unit.name;
-    }
+    const auto scale = scaleOf(unit.measure, units);
+    return scale ? QString::fromLatin1(scale->name) : unit.name;
 }
 
 double unitFactor(const ValueUnit &unit, UnitSystem units)
 {
-    if (units == UnitSystem::Metric)
-        return 1;
-    switch (unit.measure) {
-    case Measure::Length:
-    case Measure::Distance: return kFeetPerMetre;
-    case Measure::Speed: return kMilesPerHourPerMetreASecond;
-    case Measure::Climb: return kFeetPerMinutePerMetreASecond;
-    default: return 1;
-    }
+    const auto scale = scaleOf(unit.measure, units);
+    return scale ? scale->factor : 1;
 }
 
 } // namespace skyseal::ui

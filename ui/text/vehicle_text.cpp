@@ -48,24 +48,31 @@ QString severityText(std::uint8_t severity)
     }
 }
 
-QString commandText(const vehicle::VehicleCommand &command)
+QString commandText(const vehicle::VehicleCommand &command, UnitSystem units)
 {
+    const auto altitude = [units](double metres) {
+        UnitScale scale = altitudeScale(units);
+        scale.decimals = 0;
+        return figureIn(scale, metres).text();
+    };
     return std::visit(
         Overloaded{[](const vehicle::Arm &) { return Text::tr("Arm"); },
                    [](const vehicle::Disarm &c) { return c.force ? Text::tr("Emergency stop") : Text::tr("Disarm"); },
-                   [](const vehicle::TakeOff &c) { return Text::tr("Take off to %1 m").arg(number(c.altitude, 0)); },
+                   [&](const vehicle::TakeOff &c) { return Text::tr("Take off to %1").arg(altitude(c.altitude)); },
                    [](const vehicle::Land &) { return Text::tr("Land"); },
                    [](const vehicle::ReturnToLaunch &) { return Text::tr("RTL"); },
                    [](const vehicle::SetMode &c) { return Text::tr("Mode %1").arg(fromStd(c.mode)); },
                    [](const vehicle::GoTo &) { return Text::tr("Go here"); },
-                   [](const vehicle::ChangeAltitude &c) {
-                       return Text::tr("Change altitude to %1 m").arg(number(c.altitudeRelative, 0));
+                   [&](const vehicle::ChangeAltitude &c) {
+                       return Text::tr("Change altitude to %1").arg(altitude(c.altitudeRelative));
                    },
                    [](const vehicle::Loiter &) { return Text::tr("Loiter"); },
                    [](const vehicle::PointAt &) { return Text::tr("Point camera here"); },
                    [](const vehicle::StopPointing &) { return Text::tr("Stop pointing camera"); },
                    [](const vehicle::SetHome &) { return Text::tr("Set home here"); },
-                   [](const vehicle::ChangeSpeed &c) { return Text::tr("Speed %1 m/s").arg(number(c.metresPerSecond, 1)); },
+                   [&](const vehicle::ChangeSpeed &c) {
+                       return Text::tr("Speed %1").arg(speedFigure(c.metresPerSecond, units).text());
+                   },
                    [](const vehicle::SetCurrentMissionItem &c) { return Text::tr("Mission item %1").arg(c.index); },
                    [](const vehicle::StartMission &) { return Text::tr("Start mission"); },
                    [](const vehicle::Reboot &) { return Text::tr("Restart the autopilot"); },

@@ -4,6 +4,7 @@
 #include "core/channel/events.h"
 #include "core/engine/text/qt_text.h"
 #include "core/vehicle/vehicle_command.h"
+#include "ui/text/units.h"
 
 #include <QtCore/QString>
 
@@ -16,6 +17,6 @@ QString fixText(int gpsFixType);
 /// MAV_SEVERITY: "error", "warning", …
 QString severityText(std::uint8_t severity);
 /// The name of a command: "Arm", "Take off to 10 m", …
-QString commandText(const vehicle::VehicleCommand &command);
+QString commandText(const vehicle::VehicleCommand &command, UnitSystem units);
 
 } // namespace skyseal::ui

@@ -354,6 +354,7 @@ void MainWindow::applySettings(const Settings &settings)
     const bool changed = !(settings == m_settings);
     m_settings = settings;
     applyTheme(settings.theme);
+    m_commands->setUnits(settings.units);
     m_map->setUnits(settings.units);
     m_map->setCoordinateFormat(settings.coordinates);
     m_map->setSource(settings.map);
