@@ -57,6 +57,13 @@ tl::expected<ValueChoice, QString> readChoice(const QJsonValue &value)
 
 } // namespace
 
+LimitSide ValueChoice::sideOf(double number) const
+{
+    if (low && number < *low)
+        return LimitSide::Low;
+    return high && number > *high ? LimitSide::High : LimitSide::Within;
+}
+
 bool ValueChoice::operator==(const ValueChoice &other) const
 {
     return source.id() == other.source.id() && caption == other.caption && decimals == other.decimals && low == other.low

@@ -10,6 +10,9 @@
 
 namespace skyseal::ui {
 
+/// Where a number lies between the limits of its value.
+enum class LimitSide : std::uint8_t { Within, Low, High };
+
 /// One value of the grid. Limits are in the metric unit in which the value is shown, whatever the operator's units are.
 struct ValueChoice
 {
@@ -21,6 +24,8 @@ struct ValueChoice
     bool line = false; ///< of the last minute
 
     QString shownCaption() const { return caption.isEmpty() ? source.caption() : caption; }
+    /// Within for NaN.
+    LimitSide sideOf(double number) const;
     bool operator==(const ValueChoice &other) const;
 };
 

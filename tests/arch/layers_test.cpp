@@ -63,7 +63,7 @@ const QHash<QString, QStringList> &allowedInUi()
         {QString(), kBottom}, // the base files
         {kTheme, {}},
         {kText, {kTheme}},
-        {QStringLiteral("alerts"), kBottom},
+        {QStringLiteral("alerts"), kBottom + QStringList{QStringLiteral("values")}}, // their limits raise alerts
         {QStringLiteral("dialogs"),
          kBottom + QStringList{QStringLiteral("alerts")}},                           // the settings say whether these can speak
         {QStringLiteral("flight"), kBottom + QStringList{QStringLiteral("values")}}, // they stand below the horizon

@@ -321,6 +321,100 @@ private Q_SLOTS:
         QVERIFY(m_list.alerts().empty());
     }
 
+    void limitsRaiseAlerts()
+    {
+        ValueChoice altitude{.source = *findValueSource(QStringLiteral("alt_rel"))};
+        altitude.low = 5;
+        altitude.high = 120;
+        ValueChoice rolling{.source = *findValueSource(QStringLiteral("ATTITUDE.roll")), .caption = QStringLiteral("bank")};
+        rolling.high = 30;
+        m_list.setValues({altitude, rolling}, UnitSystem::Metric);
+        const auto at = [](double metres, double ageOfValues = 0.1) {
+            return [=](engine::Snapshot &snapshot) {
+                snapshot.vehicles.front().state.altitudeRelative = metres;
+                snapshot.vehicles.front().state.messageAge = ageOfValues;
+            };
+        };
+        show(0, at(119));
+        show(1, at(121)); // one outlier
+        show(1.5, at(119));
+        show(2.6, at(119));
+        QVERIFY(m_list.alerts().empty());
+        show(10, at(121));
+        QVERIFY(m_list.alerts().empty());
+        show(11, at(122.5));
+        QCOMPARE(texts(), QStringList{QStringLiteral("alt high: 122.5 m")});
+        QCOMPARE(m_list.alerts().front().severity, AlertSeverity::Warning);
+        QCOMPARE(m_list.alerts().front().details, QStringLiteral("The high limit is 120.0 m."));
+        QCOMPARE(m_list.takeRaised().size(), std::size_t(1));
+        for (double t = 12; t < 40; t += 1) // it swings
+            show(t, at(int(t) % 2 == 0 ? 119 : 121));
+        QCOMPARE(m_list.alerts().size(), std::size_t(1));
+        QVERIFY(m_list.takeRaised().empty());
+        show(40, at(119));
+        show(42.9, at(119));
+        QCOMPARE(m_list.alerts().size(), std::size_t(1));
+        show(43.2, at(119));
+        QVERIFY(m_list.alerts().empty());
+        show(50, at(4));
+        show(51, at(4));
+        QCOMPARE(texts(), QStringList{QStringLiteral("alt low: 4.0 m")});
+        QVERIFY(m_list.alerts().front().details.endsWith(QStringLiteral("Passed 2 times.")));
+        show(60, at(50, 4)); // old: nothing is known
+        QVERIFY(texts().contains(QStringLiteral("alt low: 4.0 m")));
+        show(61, at(50));
+        show(63, at(50));
+        QCOMPARE(m_list.alerts().size(), std::size_t(1));
+        show(64, at(50));
+        QVERIFY(m_list.alerts().empty());
+    }
+
+    void dismissedLimitComesBackAfterItEnded()
+    {
+        ValueChoice altitude{.source = *findValueSource(QStringLiteral("alt_rel"))};
+        altitude.high = 120;
+        m_list.setValues({altitude}, UnitSystem::Aviation);
+        const auto at = [](double metres) {
+            return [=](engine::Snapshot &snapshot) { snapshot.vehicles.front().state.altitudeRelative = metres; };
+        };
+        show(0, at(130));
+        show(1, at(130));
+        QCOMPARE(texts(), QStringList{QStringLiteral("alt high: 427 ft")});
+        m_list.dismiss(m_list.alerts().front().id);
+        show(100, at(140));
+        QVERIFY(m_list.alerts().empty());
+        show(101, at(100));
+        show(104, at(100));
+        show(110, at(130));
+        show(111, at(130));
+        QCOMPARE(m_list.alerts().size(), std::size_t(1));
+        m_number = 0; // another station, with the same limits
+        show(112, at(130));
+        QVERIFY(m_list.alerts().empty());
+        show(113, at(130));
+        QCOMPARE(m_list.alerts().size(), std::size_t(1));
+        m_list.setValues({}, UnitSystem::Aviation);
+        show(114, at(130));
+        QVERIFY(m_list.alerts().empty());
+    }
+
+    void limitsOfAllVehiclesAreWatched()
+    {
+        ValueChoice altitude{.source = *findValueSource(QStringLiteral("alt_rel"))};
+        altitude.high = 120;
+        m_list.setValues({altitude}, UnitSystem::Metric);
+        const auto two = [](engine::Snapshot &snapshot) {
+            snapshot.vehicles.push_back(snapshot.vehicles.front());
+            snapshot.vehicles[1].state.systemId = 2;
+            snapshot.vehicles[1].state.altitudeRelative = 150;
+        };
+        show(0, two);
+        show(1, two);
+        QCOMPARE(texts(), QStringList{QStringLiteral("Vehicle 2: alt high: 150.0 m")});
+        show(2); // it is gone
+        QVERIFY(m_list.alerts().empty());
+    }
+
     void fullDisksAreNamed()
     {
         show(1, [](engine::Snapshot &snapshot) {

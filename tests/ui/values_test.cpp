@@ -3,6 +3,7 @@
 #include "scripted_snapshots.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
+#include "ui/alerts/alert_row.h"
 #include "ui/values/cell_area.h"
 #include "ui/values/sparkline.h"
 #include "ui/values/value_cell.h"
@@ -110,6 +111,27 @@ private Q_SLOTS:
         QCOMPARE(noteAt(5.1), QString());
         QCOMPARE(noteAt(4.9), QStringLiteral("▼ low"));
         QCOMPARE(noteAt(vehicle::kUnknown), QString());
+    }
+
+    void limitRaisesAnAlertOverTheMap()
+    {
+        openEditorByKeys();
+        press(Qt::Key_H);
+        QTest::keyClicks(editor()->focusWidget(), QStringLiteral("120"));
+        pressButton(Qt::Key_P, "editorApply");
+        auto snapshot = sealedSnapshot(1);
+        const auto alertAt = [&](double altitude) {
+            snapshot.time += 0.1;
+            snapshot.vehicles.front().state.altitudeRelative = altitude;
+            m_station->show(snapshot);
+            const auto &first = find<AlertRow>("alertRow0")->alert();
+            return first ? first->text : QString();
+        };
+        QCOMPARE(alertAt(130), QString()); // it may be an outlier
+        EVENTUALLY_EQUAL(alertAt(130), QStringLiteral("alt high: 130.0 m"));
+        m_window->activateWindow();
+        QTest::mouseClick(find<AlertRow>("alertRow0")->button(), Qt::LeftButton);
+        QCOMPARE(alertAt(131), QString()); // dismissed
     }
 
     void limitsAreInTheUnitsOfTheOperator()

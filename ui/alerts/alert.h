@@ -13,6 +13,7 @@ enum class AlertKind : std::uint8_t {
     Failsafe,
     AircraftNear,
     LowBattery,
+    ValueLimit,
     ForgedFrames,
     ReplayedFrames,
     NotRecording,
@@ -26,11 +27,12 @@ enum class AlertKind : std::uint8_t {
 
 enum class AlertSeverity : std::uint8_t { Information, Warning, Severe };
 
-/// There is one alert of each kind and vehicle.
+/// There is one alert of each kind and vehicle; for limits, of each value.
 struct AlertId
 {
     AlertKind kind{};
     std::uint8_t systemId = 0; ///< 0: of no vehicle
+    std::uint16_t value = 0;   ///< number of the value in the grid, for its limits
     auto operator<=>(const AlertId &) const = default;
 };
 

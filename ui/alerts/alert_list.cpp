@@ -55,15 +55,28 @@ void AlertList::showView(const ViewState &live, double now)
     ++m_round;
     for (const engine::VehicleSnapshot &vehicle : m_snapshot->vehicles)
         showVehicle(vehicle, now);
+    for (const Alert &alert : m_limits.check(live, now))
+        raiseState(alert, now);
     showAttacks(*m_snapshot, now);
     showStorage(*m_snapshot, now);
     std::erase_if(m_entries, [this](const auto &one) { return one.second.alert.ongoing && one.second.round != m_round; });
     expire(now);
 }
 
+void AlertList::setValues(const ValueChoices &choices, UnitSystem units)
+{
+    m_units = units;
+    m_limits.setChoices(choices, units);
+}
+
 void AlertList::startOver()
 {
+    LimitWatch limits = std::move(m_limits);
+    const UnitSystem units = m_units;
     *this = AlertList();
+    m_limits = std::move(limits);
+    m_limits.startOver();
+    m_units = units;
 }
 
 void AlertList::showVehicle(const engine::VehicleSnapshot &vehicle, double now)
@@ -95,11 +108,13 @@ void AlertList::showVehicle(const engine::VehicleSnapshot &vehicle, double now)
         m_failsafeTexts.erase(said);
     }
     if (const auto near = nearestOf(state); near && state.messageAge <= kStaleAfterSeconds) {
-        Alert aircraft{{AlertKind::AircraftNear, id},
-                       AlertSeverity::Severe,
-                       Text::tr("Aircraft near: %1").arg(near->name),
-                       Text::tr("Within 500 m of the vehicle, and less than 150 m above or below it or at an unknown altitude. "
-                                "The map shows it.")};
+        Alert aircraft{
+            {AlertKind::AircraftNear, id},
+            AlertSeverity::Severe,
+            Text::tr("Aircraft near: %1").arg(near->name),
+            Text::tr("Within %1 of the vehicle, and less than %2 above or below it or at an unknown altitude. "
+                     "The map shows it.")
+                .arg(distanceFigure(kNearMetres, m_units).text(), distanceFigure(kNearMetresInHeight, m_units).text())};
         aircraft.subject = near->address;
         raiseState(std::move(aircraft), now);
     }

@@ -4,6 +4,7 @@
 
 #include "core/engine/common/peer_names.h"
 #include "ui/alerts/alert.h"
+#include "ui/alerts/limit_watch.h"
 #include "ui/refusal_meter.h"
 #include "ui/view_state.h"
 
@@ -23,6 +24,8 @@ public:
     /// Seconds after which a dismissed report of the same content counts as a new one: the station repeats it each minute.
     static constexpr double kReportsRepeat = 120;
 
+    /// Whose limits raise alerts, and the units of their texts.
+    void setValues(const ValueChoices &choices, UnitSystem units);
     /// Takes the view of the station, never that of a replay. Call for each snapshot.
     void showView(const ViewState &live, double now);
     /// Takes the next event of the station.
@@ -95,6 +98,8 @@ private:
     std::map<std::uint8_t, FailsafeText> m_failsafeTexts;
     std::set<channel::SessionId> m_notStoring; ///< agents that cannot store their counters
     RefusalMeter m_refusals;
+    LimitWatch m_limits;
+    UnitSystem m_units = UnitSystem::Metric;
     engine::PeerNames m_names;
     SnapshotPtr m_snapshot;
     std::uint64_t m_round = 0;

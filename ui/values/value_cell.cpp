@@ -28,25 +28,18 @@ ValueCell::ValueCell(const ValueChoice &choice, QWidget *parent)
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored); // the grid places it
 }
 
-ValueCell::Limit ValueCell::limitOf(double number) const
-{
-    if (m_choice.low && number < *m_choice.low)
-        return Limit::Low;
-    return m_choice.high && number > *m_choice.high ? Limit::High : Limit::Within;
-}
-
 void ValueCell::showReading(const ValueReading &reading, UnitSystem units)
 {
     const Figure figure = m_choice.source.isNumber() && reading.word.isEmpty()
         ? valueFigure(reading.number, m_shown, m_choice.decimals, units)
         : Figure{!reading.word.isEmpty() ? reading.word : number(reading.number, 0), {}};
     const bool stale = reading.age > kStaleAfterSeconds;
-    const Limit limit = limitOf(reading.number);
-    QString note = limit == Limit::Low ? tr("▼ low") : limit == Limit::High ? tr("▲ high") : QString();
+    const LimitSide limit = m_choice.sideOf(reading.number);
+    QString note = limit == LimitSide::Low ? tr("▼ low") : limit == LimitSide::High ? tr("▲ high") : QString();
     // The age of the derived quantities is that of the vehicle, which stands below the grid once.
     if (stale && m_choice.source.field)
         note = note.isEmpty() ? durationText(reading.age) : tr("%1, %2").arg(note, durationText(reading.age));
-    const bool bad = limit != Limit::Within || reading.isBad;
+    const bool bad = limit != LimitSide::Within || reading.isBad;
     if (figure.value == m_value && figure.unit == m_unit && note == m_note && stale == m_stale && bad == m_bad)
         return;
     m_value = figure.value;

@@ -15,8 +15,6 @@ class ValueCell : public QLabel
     Q_OBJECT
 
 public:
-    enum class Limit { Within, Low, High };
-
     ValueCell(const ValueChoice &choice, QWidget *parent);
 
     const ValueChoice &choice() const { return m_choice; }
@@ -45,7 +43,6 @@ protected:
     void paintEvent(QPaintEvent *) override;
 
 private:
-    Limit limitOf(double number) const;
     QFont captionFont() const;
 
     ValueChoice m_choice;

@@ -29,6 +29,7 @@ MapAlerts::MapAlerts(StationInterface &station, ViewSelection &selection, Window
 {
     m_clock.start();
     m_speech.setOn(settings.speakAlerts);
+    m_list.setValues(settings.values.list, settings.units);
     m_tick.setInterval(kTickMs);
     m_goTo->setObjectName(QStringLiteral("actionAlerts"));
     m_goTo->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_A);
@@ -53,8 +54,10 @@ MapAlerts::MapAlerts(StationInterface &station, ViewSelection &selection, Window
         m_list.dismiss(id);
         refresh();
     });
-    connect(&dialogs, &WindowDialogs::settingsAccepted, this,
-            [this](const Settings &changed) { m_speech.setOn(changed.speakAlerts); });
+    connect(&dialogs, &WindowDialogs::settingsAccepted, this, [this](const Settings &changed) {
+        m_speech.setOn(changed.speakAlerts);
+        m_list.setValues(changed.values.list, changed.units);
+    });
 }
 
 double MapAlerts::now() const
