@@ -73,6 +73,7 @@ Settings loadSettings(const QSettings &store)
     if (!served.isEmpty())
         s.serving.url = served;
     s.map = loadMapSource(store);
+    s.rotateMap = store.value(QStringLiteral("map/rotate"), s.rotateMap).toBool();
     s.values = loadValues(store);
     s.serving.write = store.value(QStringLiteral("gateway/write"), s.serving.write).toBool();
     return s;
@@ -104,6 +105,7 @@ void storeSettings(QSettings &store, const Settings &settings)
     store.setValue(QStringLiteral("map/file"), settings.map.file);
     store.setValue(QStringLiteral("map/attribution"), settings.map.attribution);
     store.setValue(QStringLiteral("map/deepest"), settings.map.deepest);
+    store.setValue(QStringLiteral("map/rotate"), settings.rotateMap);
     if (settings.values.problem.isEmpty()) // else what cannot be read stays until the operator has chosen again
         store.setValue(QStringLiteral("view/values"), toText(settings.values.list));
 }

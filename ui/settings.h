@@ -62,7 +62,8 @@ struct Settings
     QString defaultLink = QStringLiteral("udpin:0.0.0.0:14550");
     Serving serving;
     MapSource map;
-    ChosenValues values; ///< of the grid in Fly
+    bool rotateMap = false; ///< with the vehicle
+    ChosenValues values;    ///< of the grid in Fly
 
     bool operator==(const Settings &) const = default;
 };

@@ -33,16 +33,20 @@ Graticule graticuleOf(const MapViewport &viewport)
     for (auto i = static_cast<qint64>(std::ceil(west / step)); static_cast<double>(i) * step <= east; ++i) {
         const double degrees = static_cast<double>(i) * step;
         const double around = degrees - 360 * std::floor((degrees + 180) / 360);
-        out.meridians.push_back({viewport.toPixels({degrees * mercator::kMetresPerDegree, 0}).x(),
-                                 label(around, decimals, QLatin1Char('E'), QLatin1Char('W')), i % 5 == 0});
+        const double x = degrees * mercator::kMetresPerDegree;
+        out.meridians.push_back({{viewport.toPixels({x, shown.bottom()}), viewport.toPixels({x, shown.top()})},
+                                 label(around, decimals, QLatin1Char('E'), QLatin1Char('W')),
+                                 i % 5 == 0});
     }
     const double south = mercator::unproject({0, shown.top()}).latitude,
                  north = mercator::unproject({0, shown.bottom()}).latitude;
     for (auto i = static_cast<qint64>(std::ceil(south / step)); static_cast<double>(i) * step <= north; ++i) {
         const double degrees = static_cast<double>(i) * step;
+        const double y = mercator::project({degrees, 0}).y();
         if (std::abs(degrees) <= mercator::kLastLatitude)
-            out.parallels.push_back({viewport.toPixels(mercator::project({degrees, 0})).y(),
-                                     label(degrees, decimals, QLatin1Char('N'), QLatin1Char('S')), i % 5 == 0});
+            out.parallels.push_back({{viewport.toPixels({shown.left(), y}), viewport.toPixels({shown.right(), y})},
+                                     label(degrees, decimals, QLatin1Char('N'), QLatin1Char('S')),
+                                     i % 5 == 0});
     }
     return out;
 }

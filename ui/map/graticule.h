@@ -3,6 +3,7 @@
 
 #include "ui/map/map_viewport.h"
 
+#include <QtCore/QLineF>
 #include <QtCore/QString>
 
 #include <vector>
@@ -11,8 +12,8 @@ namespace skyseal::ui {
 
 struct GraticuleLine
 {
-    double pixel = 0; ///< x of a meridian, y of a parallel
-    QString label;    ///< "47.397° N"
+    QLineF line;   ///< pixels, through the whole picture; a meridian begins in the north, a parallel in the west
+    QString label; ///< "47.397° N"
     bool strong = false;
 };
 

@@ -24,8 +24,16 @@ void MapMotion::pan(const QPointF &pixels)
     start();
 }
 
+void MapMotion::turn(const QPointF &pixel, double heading)
+{
+    m_pivot = pixel;
+    m_heading = heading;
+    start();
+}
+
 void MapMotion::stop()
 {
+    m_heading.reset();
     m_zoomLeft = 0;
     m_panLeft = {};
     if (!isMoving())
@@ -49,7 +57,8 @@ void MapMotion::start()
 void MapMotion::tick()
 {
     const double passed = static_cast<double>(m_since.restart());
-    const bool last = std::abs(m_zoomLeft) < 0.005 && m_panLeft.manhattanLength() < 0.5;
+    const double turn = m_heading ? MapViewport::turnBetween(m_viewport.heading(), *m_heading) : 0;
+    const bool last = std::abs(m_zoomLeft) < 0.005 && m_panLeft.manhattanLength() < 0.5 && std::abs(turn) < 0.2;
     advance(last ? 1 : 1 - std::exp2(-passed / kHalfLifeMs));
     Q_EMIT moved();
     if (last)
@@ -65,6 +74,15 @@ void MapMotion::advance(double fraction)
     if (zoom != 0)
         m_viewport.zoomAt(m_anchor, std::exp2(zoom));
     m_viewport.pan(pan);
+    if (!m_heading)
+        return;
+    if (fraction < 1) {
+        const double turn = MapViewport::turnBetween(m_viewport.heading(), *m_heading);
+        m_viewport.turnAt(m_pivot, m_viewport.heading() + turn * fraction);
+    } else {
+        m_viewport.turnAt(m_pivot, *m_heading); // exactly
+        m_heading.reset();
+    }
 }
 
 } // namespace skyseal::ui

@@ -7,6 +7,8 @@
 #include <QtCore/QPointF>
 #include <QtCore/QTimer>
 
+#include <optional>
+
 namespace skyseal::ui {
 
 class MapViewport;
@@ -23,6 +25,8 @@ public:
     void zoom(const QPointF &pixel, double factor);
     /// Moves the picture to the right and down.
     void pan(const QPointF &pixels);
+    /// Lets `heading` point up, by the shorter way around this pixel.
+    void turn(const QPointF &pixel, double heading);
     void stop();
     bool isMoving() const { return m_ticker.isActive(); }
     /// Without animation, everything happens at once.
@@ -46,9 +50,11 @@ private:
     QTimer m_ticker;
     QElapsedTimer m_since;
     bool m_animated = true;
-    QPointF m_anchor;      ///< of the zoom, in pixels
-    double m_zoomLeft = 0; ///< binary logarithm of the factor
-    QPointF m_panLeft;     ///< pixels
+    QPointF m_anchor;                ///< of the zoom, in pixels
+    double m_zoomLeft = 0;           ///< binary logarithm of the factor
+    QPointF m_panLeft;               ///< pixels
+    QPointF m_pivot;                 ///< of the turn, in pixels
+    std::optional<double> m_heading; ///< at the end of the turn, degrees
 };
 
 } // namespace skyseal::ui

@@ -1,5 +1,6 @@
 #include "ui/map/map_painter.h"
 
+#include "ui/map/clip.h"
 #include "ui/map/fence_painter.h"
 #include "ui/map/map_text.h"
 #include "ui/map/mission_painter.h"
@@ -55,35 +56,48 @@ void MapPainter::paintGround(const TileLayer &tiles, const OverlayModel &overlay
 void MapPainter::paintGraticule(const Graticule &graticule)
 {
     const StateColors &colors = stateColors(m_palette);
-    const double width = m_viewport.size().width(), height = m_viewport.size().height();
-    for (const GraticuleLine &meridian : graticule.meridians) {
-        const double x = std::floor(meridian.pixel) + 0.5;
-        m_painter.setPen(meridian.strong ? colors.line : colors.grid);
-        m_painter.drawLine(QPointF(x, 0), QPointF(x, height));
+    m_painter.setRenderHint(QPainter::Antialiasing, m_viewport.isRotated());
+    for (const auto *lines : {&graticule.meridians, &graticule.parallels}) {
+        for (const GraticuleLine &one : *lines) {
+            QLineF line = one.line;
+            if (!m_viewport.isRotated()) // on whole pixels
+                line.translate(std::floor(line.x1()) + 0.5 - line.x1(), std::floor(line.y1()) + 0.5 - line.y1());
+            m_painter.setPen(one.strong ? colors.line : colors.grid);
+            m_painter.drawLine(line);
+        }
     }
-    for (const GraticuleLine &parallel : graticule.parallels) {
-        const double y = std::floor(parallel.pixel) + 0.5;
-        m_painter.setPen(parallel.strong ? colors.line : colors.grid);
-        m_painter.drawLine(QPointF(0, y), QPointF(width, y));
-    }
+    m_painter.setRenderHint(QPainter::Antialiasing, false);
 }
 
-/// Along the upper and the left edge, where nothing else stands.
+/// Upright, where the meridians enter the picture in the north and the parallels in the west: with north up along the upper and
+/// the left edge, where nothing else stands.
 void MapPainter::paintLabels(const Graticule &graticule)
 {
     const QFontMetricsF metrics(m_painter.font());
+    const QRectF picture = QRectF(QPointF(), m_viewport.size());
+    const QRectF inner = picture.adjusted(kHalfGrid, kHalfGrid, -kHalfGrid, -kHalfGrid);
+    constexpr QSizeF kScaleBar(26 * kGrid, 5 * kGrid); // in the lower right corner
+    std::vector<QRectF> taken{QRectF(picture.bottomRight() - QPointF(kScaleBar.width(), kScaleBar.height()), kScaleBar)};
     m_painter.setPen(stateColors(m_palette).dim);
-    double free = 0;
-    for (const GraticuleLine &meridian : graticule.meridians) {
-        const double left = meridian.pixel + kHalfGrid;
-        if (left < free)
-            continue;
-        m_painter.drawText(QPointF(left, metrics.ascent() + kHalfGrid), meridian.label);
-        free = left + metrics.horizontalAdvance(meridian.label) + kGrid;
-    }
+    const auto paint = [&](const GraticuleLine &line, bool above) {
+        const auto pieces = clipLine(QPolygonF{line.line.p1(), line.line.p2()}, picture);
+        if (pieces.empty())
+            return;
+        const QPointF at = pieces.front().front();
+        QRectF place(at.x() + kHalfGrid, at.y() + (above ? -kHalfGrid - metrics.ascent() : kHalfGrid),
+                     metrics.horizontalAdvance(line.label), metrics.height());
+        place.moveLeft(std::clamp(place.left(), inner.left(), std::max(inner.left(), inner.right() - place.width())));
+        place.moveTop(std::clamp(place.top(), inner.top(), std::max(inner.top(), inner.bottom() - place.height())));
+        const QRectF room = place.adjusted(-kHalfGrid, 0, kHalfGrid, 0);
+        if (std::ranges::any_of(taken, [&room](const QRectF &other) { return other.intersects(room); }))
+            return;
+        taken.push_back(room);
+        m_painter.drawText(QPointF(place.left(), place.top() + metrics.ascent()), line.label);
+    };
+    for (const GraticuleLine &meridian : graticule.meridians)
+        paint(meridian, false);
     for (const GraticuleLine &parallel : graticule.parallels)
-        if (parallel.pixel > 4 * kGrid)
-            m_painter.drawText(QPointF(kHalfGrid, parallel.pixel - kHalfGrid), parallel.label);
+        paint(parallel, true);
 }
 
 void MapPainter::paintTrack()
@@ -179,7 +193,7 @@ void MapPainter::paintArrow(const QPointF &at, double heading, double size, cons
     m_painter.scale(size, size);
     QPainterPath arrow;
     if (std::isfinite(heading))
-        m_painter.rotate(heading);
+        m_painter.rotate(heading - m_viewport.heading());
     else
         arrow.addEllipse(QPointF(), 10, 10);
     if (arrow.isEmpty()) {
@@ -242,21 +256,33 @@ void MapPainter::paintCoordinates(const QString &text)
     drawFigures(m_painter, {place.left() + kGrid, place.top() + kHalfGrid / 2.0 + metrics.ascent()}, text);
 }
 
+QRectF MapPainter::placeOfNorth(const MapViewport &viewport)
+{
+    constexpr double kSide = 44; // pixels
+    return {viewport.size().width() - 3.0 * kGrid - kSide / 2, 5.0 * kGrid - kSide / 2, kSide, kSide};
+}
+
+/// The needle turns, the letter stays upright. A rotated map shows it as the button that it then is.
 void MapPainter::paintNorth()
 {
     const QColor ink = m_palette.color(QPalette::WindowText);
-    const QPointF north(m_viewport.size().width() - 3.0 * kGrid, 5.0 * kGrid);
-    QPainterPath needle;
-    needle.moveTo(north + QPointF(0, -12));
-    needle.lineTo(north + QPointF(5, 4));
-    needle.lineTo(north + QPointF(0, 1));
-    needle.lineTo(north + QPointF(-5, 4));
-    needle.closeSubpath();
+    const QPointF north = placeOfNorth(m_viewport).center();
+    constexpr double kRadius = 18;
+    if (m_viewport.isRotated()) {
+        m_painter.setPen(QPen(stateColors(m_palette).edge, 1));
+        m_painter.setBrush(m_palette.color(QPalette::Base));
+        m_painter.drawEllipse(north, kRadius, kRadius);
+    }
+    QTransform turn;
+    turn.rotate(-m_viewport.heading());
+    const double up = m_viewport.isRotated() ? 3 : 0; // pixels, so that both have room in the circle
+    const QPolygonF needle{{0, -12 - up}, {5, 4 - up}, {0, 1 - up}, {-5, 4 - up}};
     m_painter.setPen(Qt::NoPen);
     m_painter.setBrush(ink);
-    m_painter.drawPath(needle);
+    m_painter.drawPolygon(turn.map(needle).translated(north));
     m_painter.setPen(ink);
-    m_painter.drawText(QRectF(north.x() - 12, north.y() + 4, 24, 18), Qt::AlignCenter, tr("N"));
+    const QPointF letter = north + turn.map(QPointF(0, 13 - up));
+    m_painter.drawText(QRectF(letter.x() - 12, letter.y() - 9, 24, 18), Qt::AlignCenter, tr("N"));
 }
 
 /// Where the pictures come from, and why they do not.

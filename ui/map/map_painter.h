@@ -38,6 +38,8 @@ public:
     void paintCoordinates(const QString &text);
     /// The most that paintCoordinates() covers with a text as wide as `widest`, in pixels.
     static QRectF placeOfCoordinates(const MapViewport &viewport, const QFontMetricsF &metrics, const QString &widest);
+    /// The arrow to the north, in pixels; a click on it turns a rotated map back.
+    static QRectF placeOfNorth(const MapViewport &viewport);
 
 private:
     void paintGraticule(const Graticule &graticule);

@@ -40,6 +40,7 @@ MapView::MapView(const TileConfig &tiles, QWidget *parent) : QWidget(parent), m_
     connect(&m_motion, &MapMotion::settled, this, &MapView::markGroundDirty); // finely
     connect(&m_tiles, &TileLayer::changed, this, &MapView::markGroundDirty);
     connect(&m_overlays, &OverlayModel::pictureChanged, this, &MapView::markGroundDirty);
+    connect(&m_rotation, &MapRotation::toggled, this, &MapView::turn);
     connect(&m_measure, &MeasureTool::changed, this, &MapView::showMeasurement);
     connect(m_measure.action(), &QAction::triggered, this, [this] { setFocus(Qt::ShortcutFocusReason); }); // for its keys
 }
@@ -56,7 +57,9 @@ void MapView::describe()
 
 void MapView::showCursor()
 {
-    if (m_measure.isOn())
+    if (m_pointer && isOnNorth(*m_pointer))
+        setCursor(Qt::PointingHandCursor);
+    else if (m_measure.isOn())
         setCursor(Qt::CrossCursor);
     else
         unsetCursor();
@@ -79,14 +82,36 @@ void MapView::showViewState(const ViewState &view)
         showFirst(*m_content.vehicle());
     if (changes.moved && m_follow && !m_drag) {
         // Follow in steps: the ground is redrawn only when the vehicle leaves the middle of the picture.
-        const QPointF off = (*m_content.vehicle() - m_viewport.centre()) / m_viewport.metresPerPixel();
+        const QPointF off = m_viewport.toPixels(*m_content.vehicle()) - QPointF(width() / 2.0, height() / 2.0);
         if (std::abs(off.x()) > width() / 4.0 || std::abs(off.y()) > height() / 4.0) {
             m_viewport.setCentre(*m_content.vehicle());
             m_groundDirty = true;
         }
     }
+    if (view.vehicle && !view.stale()) {
+        m_rotation.showHeading(view.vehicle->state.heading, view.vehicle->state.groundSpeed);
+        if (m_follow)
+            turn();
+    }
     if (changes.vehicle || trafficChanged || m_groundDirty)
         update();
+}
+
+/// Around the vehicle, if the map follows it. A map that the operator has moved stays as it is, until it follows again or north
+/// is to point up.
+void MapView::turn()
+{
+    if (m_drag || (m_rotation.isOn() && !m_follow))
+        return;
+    const QPointF middle(width() / 2.0, height() / 2.0);
+    if (m_rotation.target() != m_viewport.heading())
+        m_motion.turn(m_follow && m_content.vehicle() ? m_viewport.toPixels(*m_content.vehicle()) : middle,
+                      m_rotation.target());
+}
+
+bool MapView::isOnNorth(const QPointF &pixel) const
+{
+    return m_viewport.isRotated() && MapPainter::placeOfNorth(m_viewport).contains(pixel);
 }
 
 void MapView::showFirst(const QPointF &vehicle)
@@ -165,6 +190,8 @@ std::optional<LatLong> MapView::pointedPlace() const
 void MapView::setPointer(const std::optional<QPointF> &pixel)
 {
     m_pointer = pixel;
+    if (!m_drag)
+        showCursor();
     if (m_measure.isOn())
         update();
     else
@@ -177,6 +204,7 @@ void MapView::followVehicle()
     m_motion.stop();
     if (m_content.vehicle())
         m_viewport.setCentre(*m_content.vehicle());
+    turn();
     markGroundDirty();
 }
 
@@ -280,7 +308,9 @@ void MapView::mouseReleaseEvent(QMouseEvent *event)
 
 void MapView::click(const QPointF &pixel)
 {
-    if (m_measure.isOn())
+    if (isOnNorth(pixel))
+        m_rotation.action()->setChecked(false);
+    else if (m_measure.isOn())
         m_measure.add(placeAt(pixel));
     else if (const auto clicked = otherVehicleAt(pixel))
         Q_EMIT vehicleClicked(*clicked);

@@ -1,4 +1,4 @@
-// The map: north is up, tiles of the chosen source or a graticule, a scale bar, home, fence, mission, the track coloured by
+// The map: north is up unless it turns with the vehicle, tiles of the chosen source or a graticule, a scale bar, home, fence, mission, the track coloured by
 // suite, the overlays of the operator, and all vehicles. A click selects another one. Drag or the arrow keys move the map, the
 // wheel or + and − zoom, Home follows the vehicle again; while the operator measures, clicks and keys go to MeasureTool. Holds
 // the content, the viewport and a picture of the ground; MapPainter paints.
@@ -7,6 +7,7 @@
 #include "ui/map/fence.h"
 #include "ui/map/map_content.h"
 #include "ui/map/map_motion.h"
+#include "ui/map/map_rotation.h"
 #include "ui/map/map_viewport.h"
 #include "ui/map/measure_tool.h"
 #include "ui/map/tile_layer.h"
@@ -48,6 +49,7 @@ public:
     const MapViewport &viewport() const { return m_viewport; }
     TileLayer &tiles() { return m_tiles; }
     MeasureTool &measure() { return m_measure; }
+    MapRotation &rotation() { return m_rotation; }
     OverlayModel &overlays() { return m_overlays; }
     UnitSystem units() const { return m_units; }
     CoordinateFormat coordinateFormat() const { return m_coordinates; }
@@ -82,6 +84,8 @@ protected:
 private:
     void zoomAt(const QPointF &pixel, double factor);
     void leaveVehicle();
+    void turn();
+    bool isOnNorth(const QPointF &pixel) const;
     void showFirst(const QPointF &vehicle);
     void markGroundDirty();
     std::optional<std::uint8_t> otherVehicleAt(const QPointF &pixel) const;
@@ -100,6 +104,7 @@ private:
     MapMotion m_motion{m_viewport};
     TileLayer m_tiles;
     MeasureTool m_measure;
+    MapRotation m_rotation;
     OverlayModel m_overlays;
     UnitSystem m_units = UnitSystem::Metric;
     CoordinateFormat m_coordinates = CoordinateFormat::Decimal;

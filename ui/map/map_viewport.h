@@ -1,5 +1,5 @@
-// The part of the map that is shown: its centre, scale and size. North is up. Positions are in metres of the projection (see
-// mercator.h).
+// The part of the map that is shown: its centre, scale, size and the direction that points up. Positions are in metres of the
+// projection (see mercator.h).
 #pragma once
 
 #include "ui/tiles/mercator.h"
@@ -33,10 +33,23 @@ public:
     /// Pixels.
     const QSizeF &size() const { return m_size; }
     void setSize(const QSizeF &size) { m_size = size; }
-    /// The shown part in metres; its top is the southern edge.
+    /// The direction that points up, in degrees clockwise from north, from 0 to below 360.
+    double heading() const { return m_heading; }
+    void setHeading(double degrees)
+    {
+        m_heading = degrees - 360 * std::floor(degrees / 360);
+        m_cos = std::cos(m_heading * mercator::kRadians);
+        m_sin = std::sin(m_heading * mercator::kRadians);
+    }
+    bool isRotated() const { return m_heading != 0; }
+    /// The shorter turn between two directions, from −180 to below 180 degrees; positive: clockwise.
+    static double turnBetween(double from, double to) { return to - from - 360 * std::floor((to - from) / 360 + 0.5); }
+    /// The shown part in metres, and of a rotated picture all of its corners; its top is the southern edge.
     QRectF visible() const
     {
-        const QSizeF extent = m_size * m_metresPerPixel;
+        const double c = std::abs(m_cos), s = std::abs(m_sin);
+        const QSizeF extent = QSizeF(m_size.width() * c + m_size.height() * s, m_size.width() * s + m_size.height() * c)
+            * m_metresPerPixel;
         return {m_centre.x() - extent.width() / 2, m_centre.y() - extent.height() / 2, extent.width(), extent.height()};
     }
 
@@ -44,31 +57,45 @@ public:
     QPointF toPixels(const QPointF &metres) const
     {
         const QPointF from = (metres - m_centre) / m_metresPerPixel;
-        return {m_size.width() / 2 + from.x(), m_size.height() / 2 - from.y()};
+        const double right = from.x() * m_cos - from.y() * m_sin, up = from.x() * m_sin + from.y() * m_cos;
+        return {m_size.width() / 2 + right, m_size.height() / 2 - up};
     }
-    QPointF toMetres(const QPointF &pixel) const
-    {
-        return m_centre + QPointF(pixel.x() - m_size.width() / 2, m_size.height() / 2 - pixel.y()) * m_metresPerPixel;
-    }
+    QPointF toMetres(const QPointF &pixel) const { return m_centre + toGround(fromMiddle(pixel)) * m_metresPerPixel; }
 
     /// Enlarges by `factor` and keeps the position under this pixel where it is.
     void zoomAt(const QPointF &pixel, double factor)
     {
         const double next = std::clamp(m_metresPerPixel / factor, kNearest, kFarthest);
-        const QPointF from(pixel.x() - m_size.width() / 2, m_size.height() / 2 - pixel.y());
-        setCentre(m_centre + from * (m_metresPerPixel - next));
+        setCentre(m_centre + toGround(fromMiddle(pixel)) * (m_metresPerPixel - next));
         m_metresPerPixel = next;
     }
 
+    /// Lets `heading` point up, and keeps the position under this pixel where it is.
+    void turnAt(const QPointF &pixel, double heading)
+    {
+        const QPointF kept = toMetres(pixel);
+        setHeading(heading);
+        setCentre(m_centre + kept - toMetres(pixel));
+    }
+
     /// Moves the picture to the right and down.
-    void pan(const QPointF &pixels) { setCentre(m_centre + QPointF(-pixels.x(), pixels.y()) * m_metresPerPixel); }
+    void pan(const QPointF &pixels) { setCentre(m_centre + toGround({-pixels.x(), pixels.y()}) * m_metresPerPixel); }
 
     bool operator==(const MapViewport &) const = default;
 
 private:
+    /// To the right and up.
+    QPointF fromMiddle(const QPointF &pixel) const { return {pixel.x() - m_size.width() / 2, m_size.height() / 2 - pixel.y()}; }
+    /// From a way on the picture, to the right and up, to one to the east and north.
+    QPointF toGround(const QPointF &way) const
+    {
+        return {way.x() * m_cos + way.y() * m_sin, way.y() * m_cos - way.x() * m_sin};
+    }
+
     QPointF m_centre;
     double m_metresPerPixel = 0.5;
     QSizeF m_size;
+    double m_heading = 0, m_cos = 1, m_sin = 0;
 };
 
 } // namespace skyseal::ui

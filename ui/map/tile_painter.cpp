@@ -11,19 +11,26 @@ constexpr int kCoarsest = 6; ///< levels above a tile that may stand in for it
 void TilePainter::paint()
 {
     const TileRange &range = m_tiles.range();
+    m_painter.save();
+    const QSizeF middle = m_viewport.size() / 2;
+    m_painter.translate(middle.width(), middle.height());
+    m_painter.rotate(-m_heading);
+    m_painter.translate(-middle.width(), -middle.height());
     for (int row = range.top; row <= range.bottom; ++row)
         for (int column = range.left; column <= range.right; ++column)
             paintTile(column, row);
+    m_painter.restore();
 }
 
-/// In whole pixels: neighbours share their edges.
+/// In whole pixels: neighbours share their edges. Rotated ones overlap by a pixel, since their edges lie between pixels.
 QRect TilePainter::placeOf(int level, int column, int row) const
 {
     const double side = 2 * mercator::kHalfWorld / (1 << level);
     const auto corner = [&](int c, int r) {
         return m_viewport.toPixels({c * side - mercator::kHalfWorld, mercator::kHalfWorld - r * side}).toPoint();
     };
-    return {corner(column, row), corner(column + 1, row + 1) - QPoint(1, 1)};
+    const QPoint end = corner(column + 1, row + 1);
+    return {corner(column, row), m_heading == 0 ? end - QPoint(1, 1) : end};
 }
 
 void TilePainter::paintTile(int column, int row)

@@ -12,8 +12,10 @@ class TilePainter
 {
 public:
     TilePainter(QPainter &painter, const TileLayer &tiles, const MapViewport &viewport)
-        : m_painter(painter), m_tiles(tiles), m_viewport(viewport)
-    {}
+        : m_painter(painter), m_tiles(tiles), m_viewport(viewport), m_heading(viewport.heading())
+    {
+        m_viewport.setHeading(0);
+    }
 
     void paint();
 
@@ -25,7 +27,8 @@ private:
 
     QPainter &m_painter;
     const TileLayer &m_tiles;
-    const MapViewport &m_viewport;
+    MapViewport m_viewport; ///< with north up
+    const double m_heading; ///< degrees, by which the painter turns
 };
 
 } // namespace skyseal::ui

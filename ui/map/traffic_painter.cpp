@@ -47,7 +47,7 @@ void TrafficPainter::paintAircraft(const AircraftMark &mark, UnitSystem units)
     const QPointF at = m_viewport.toPixels(mark.at);
     QPainterPath shape;
     if (std::isfinite(mark.heading))
-        shape = QTransform().rotate(mark.heading).map(aeroplane());
+        shape = QTransform().rotate(mark.heading - m_viewport.heading()).map(aeroplane());
     else
         shape.addPolygon(QPolygonF{{0, -10}, {10, 0}, {0, 10}, {-10, 0}, {0, -10}});
     shape.translate(at);

@@ -38,6 +38,7 @@
 
 #include <QtCore/QFileInfo>
 #include <QtCore/QSettings>
+#include <QtGui/QAction>
 #include <QtGui/QCloseEvent>
 #include <QtGui/QScreen>
 #include <QtWidgets/QDialog>
@@ -227,6 +228,10 @@ void MainWindow::connectParts()
         storeSettings(m_store, m_settings);
         m_map->setSource(source);
     });
+    connect(&m_map->rotation(), &MapRotation::toggled, this, [this](bool on) {
+        m_settings.rotateMap = on;
+        storeSettings(m_store, m_settings);
+    });
     connect(&m_map->overlays(), &OverlayModel::filesChanged, this,
             [this] { storeOverlays(m_store, m_map->overlays().files()); });
     connect(m_problems, &ProblemReports::linkRequested, this, &MainWindow::addLink);
@@ -358,6 +363,7 @@ void MainWindow::applySettings(const Settings &settings)
     m_map->setUnits(settings.units);
     m_map->setCoordinateFormat(settings.coordinates);
     m_map->setSource(settings.map);
+    m_map->rotation().action()->setChecked(settings.rotateMap);
     m_docks->applySettings(settings);
     m_suites->setResearchAllowed(settings.allowResearch);
     m_suites->setWeakest(settings.weakestSuite);

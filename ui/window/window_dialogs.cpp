@@ -77,6 +77,7 @@ void WindowDialogs::openSettings()
         changed.takeOffAltitude = m_settings.takeOffAltitude; // set in the panels, perhaps while the dialog was open
         changed.serving = m_settings.serving;
         changed.map = m_settings.map;
+        changed.rotateMap = m_settings.rotateMap;
         changed.values = m_settings.values;
         Q_EMIT settingsAccepted(changed);
     });

@@ -205,6 +205,7 @@ Menu viewMenu(const MenuTargets &on)
          .text = Text::tr("&Follow the vehicle"),
          .trigger = [on] { on.map.followVehicle(); },
          .shortcut = Qt::CTRL | Qt::Key_Home},
+        {.action = on.map.rotation().action()},
         {.action = on.goToAlerts},
         {.id = QStringLiteral("actionZoomIn"),
          .text = Text::tr("Zoom &in"),
