@@ -10,6 +10,7 @@
 #include "ui/text/pre_arm_text.h"
 #include "window_rig.h"
 
+#include <QtGui/QAction>
 #include <QtTest/QSignalSpy>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QCheckBox>
@@ -228,6 +229,30 @@ private Q_SLOTS:
         }
     }
 
+    /// Beside the instruments of Fly; the map has what a second row would take.
+    void oneRowOnAScreenOf1366Pixels()
+    {
+        m_window->findChild<QAction *>(QStringLiteral("actionResetView"))->trigger();
+        const auto rows = [this](int width, int height) {
+            m_window->resize(width, height);
+            auto *bar = find<ActionBar>("actionBar");
+            EVENTUALLY(m_window->size() == QSize(width, height));
+            QCoreApplication::processEvents();
+            const QRect arm = find<HoldButton>("armButton")->geometry();
+            const QRect result = find<QLabel>("commandResult")->geometry();
+            m_apart = result.top() >= arm.bottom();
+            m_barHeight = bar->height();
+        };
+        rows(1366, 768);
+        QVERIFY(!m_apart);
+        QVERIFY2(m_barHeight <= 80, qPrintable(QString::number(m_barHeight)));
+        m_station->show(withSecondVehicle(sealedSnapshot(1)));
+        for (const HoldButton *button : find<ActionBar>("actionBar")->findChildren<HoldButton *>())
+            QVERIFY2(button->width() >= button->sizeHint().width(), qPrintable(button->objectName()));
+        rows(1024, 700);
+        QVERIFY(m_apart);
+    }
+
     void preArmStateIsThatOfTheVehicle_data()
     {
         QTest::addColumn<int>("ok"); // -1: the vehicle does not say
@@ -356,6 +381,8 @@ private:
     }
 
     double m_time = 0;
+    int m_barHeight = 0;
+    bool m_apart = false;
 };
 
 SKYSEAL_TEST_WIDGETS(ActionBarTest)

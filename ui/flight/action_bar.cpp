@@ -23,7 +23,7 @@
 namespace skyseal::ui {
 
 namespace {
-constexpr int kResultWidth = 22 * kGrid; ///< pixels, the least
+constexpr int kResultWidth = 22 * kGrid, kBriefResultWidth = 18 * kGrid; ///< pixels, the least
 }
 
 ActionBar::ActionBar(VehicleCommands &commands, QWidget *parent)
@@ -101,19 +101,19 @@ std::vector<HoldButton *> ActionBar::holdButtons() const
 
 std::vector<std::vector<ActionBar::Piece>> ActionBar::rowsOf(Shape shape) const
 {
-    const bool brief = shape == Shape::ThreeRows, stacked = shape == Shape::OneRow;
+    const bool brief = isBrief(shape), narrow = shape == Shape::BriefRow, stacked = shape == Shape::OneRow || narrow;
     const QString vehicle = nameOf(kAnyVehicle, brief);
     const Piece gap{nullptr, kGrid};
     const std::vector<Piece> arming{
         {m_arm, std::max({m_arm->roomFor(tr("Arm")), m_arm->roomFor(tr("Disarm")), m_arm->roomFor(vehicle)})},
-        {m_preArm, m_preArm->leastWidth()}};
+        {m_preArm, m_preArm->leastWidth(narrow)}};
     std::vector<Piece> flight{{m_altitude, m_altitude->sizeHint().width()}};
     for (const Target &target : m_targets) {
         const int word = target.button->roomFor(brief ? target.brief : target.word);
         flight.push_back({target.button, std::max(word, target.button->roomFor(vehicle)), 1});
     }
-    const Piece mode{m_mode, m_mode->leastWidth(stacked)}, stop{m_stop, m_stop->leastWidth(stacked)};
-    const Piece result{m_result, kResultWidth, 1};
+    const Piece mode{m_mode, m_mode->leastWidth(stacked)}, stop{m_stop, m_stop->leastWidth(stacked, narrow)};
+    const Piece result{m_result, narrow ? kBriefResultWidth : kResultWidth, 1};
     const auto join = [](std::initializer_list<std::vector<Piece>> parts) {
         std::vector<Piece> row;
         for (const auto &part : parts)
@@ -121,7 +121,8 @@ std::vector<std::vector<ActionBar::Piece>> ActionBar::rowsOf(Shape shape) const
         return row;
     };
     switch (shape) {
-    case Shape::OneRow: return {join({arming, {gap}, flight, {gap, mode, gap, stop, gap, result}})};
+    case Shape::OneRow:
+    case Shape::BriefRow: return {join({arming, {gap}, flight, {gap, mode, gap, stop, gap, result}})};
     case Shape::TwoRows: return {join({arming, {gap}, flight}), {mode, gap, stop, gap, result}};
     case Shape::ThreeRows: break;
     }
@@ -147,17 +148,20 @@ int ActionBar::leastWidth(Shape shape) const
 
 void ActionBar::arrange()
 {
-    const Shape shape = width() >= leastWidth(Shape::OneRow) ? Shape::OneRow
-        : width() >= leastWidth(Shape::TwoRows)              ? Shape::TwoRows
-                                                             : Shape::ThreeRows;
+    Shape shape = Shape::ThreeRows;
+    for (const Shape wider : {Shape::TwoRows, Shape::BriefRow, Shape::OneRow})
+        if (width() >= leastWidth(wider))
+            shape = wider;
     if (shape == m_shape)
         return;
     m_shape = shape;
     for (QHBoxLayout *row : m_rows)
         while (const QLayoutItem *item = row->takeAt(0))
             delete item;
-    m_mode->setStacked(shape == Shape::OneRow);
-    m_stop->setStacked(shape == Shape::OneRow);
+    const bool narrow = shape == Shape::BriefRow, stacked = shape == Shape::OneRow || narrow;
+    m_preArm->setOnTwoLines(narrow);
+    m_mode->setStacked(stacked);
+    m_stop->setStacked(stacked, narrow);
     const auto rows = rowsOf(shape);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         for (const Piece &piece : rows[i]) {
@@ -192,10 +196,14 @@ void ActionBar::resizeEvent(QResizeEvent *event)
 void ActionBar::changeEvent(QEvent *event)
 {
     QWidget::changeEvent(event);
-    if ((event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) && m_shape) {
+    if ((event->type() != QEvent::FontChange && event->type() != QEvent::StyleChange) || !m_shape)
+        return;
+    const auto again = [this] {
         m_shape.reset();
         arrange();
-    }
+    };
+    again();
+    QMetaObject::invokeMethod(this, again, Qt::QueuedConnection); // the widgets in it take over the change after this one
 }
 
 void ActionBar::paintEvent(QPaintEvent *)
@@ -242,7 +250,7 @@ void ActionBar::endHolds(const std::vector<HoldButton *> &buttons, const QString
 void ActionBar::showNames()
 {
     const int named = m_several ? m_systemId : 0;
-    const bool brief = m_shape == Shape::ThreeRows;
+    const bool brief = m_shape && isBrief(*m_shape);
     const auto name = [named, brief](HoldButton &button, const QString &text, const QString &word) {
         const QString line = named == 0 ? text : text + QLatin1Char('\n') + nameOf(named, brief);
         button.setCommand(line, spokenCommand(word, named));

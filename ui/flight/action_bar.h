@@ -47,7 +47,9 @@ protected:
     void paintEvent(QPaintEvent *event) override;
 
 private:
-    enum class Shape : std::uint8_t { OneRow, TwoRows, ThreeRows };
+    /// BriefRow: one row with short words and texts on two lines, as on a screen of 1366 pixels.
+    enum class Shape : std::uint8_t { OneRow, BriefRow, TwoRows, ThreeRows };
+    static bool isBrief(Shape shape) { return shape == Shape::BriefRow || shape == Shape::ThreeRows; }
     /// A flight action.
     struct Target
     {

@@ -76,22 +76,31 @@ void EmergencyStop::showLock()
     m_stop->setPalette(colors);
 }
 
-void EmergencyStop::setStacked(bool stacked)
+QString EmergencyStop::word(bool onTwoLines)
 {
-    m_box->setDirection(stacked ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
-    m_stop->setMinimumWidth(m_stop->roomFor(commandOfVehicle(tr("Emergency stop"), kAnyVehicle)));
+    QString text = tr("Emergency stop");
+    return onTwoLines ? text.replace(QLatin1Char(' '), QLatin1Char('\n')) : text;
 }
 
-int EmergencyStop::leastWidth(bool stacked) const
+void EmergencyStop::setStacked(bool stacked, bool onTwoLines)
+{
+    m_onTwoLines = onTwoLines;
+    nameVehicle(m_named);
+    m_box->setDirection(stacked ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    m_stop->setMinimumWidth(m_stop->roomFor(commandOfVehicle(word(onTwoLines), kAnyVehicle)));
+}
+
+int EmergencyStop::leastWidth(bool stacked, bool onTwoLines) const
 {
     const int lock = m_unlock->sizeHint().width();
-    const int stop = m_stop->roomFor(commandOfVehicle(tr("Emergency stop"), kAnyVehicle));
+    const int stop = m_stop->roomFor(commandOfVehicle(word(onTwoLines), kAnyVehicle));
     return stacked ? std::max(lock, stop) : lock + kHalfGrid + stop;
 }
 
 void EmergencyStop::nameVehicle(int systemId)
 {
-    m_stop->setCommand(commandOfVehicle(tr("Emergency stop"), systemId), spokenCommand(tr("Emergency stop"), systemId));
+    m_named = systemId;
+    m_stop->setCommand(commandOfVehicle(word(m_onTwoLines), systemId), spokenCommand(tr("Emergency stop"), systemId));
 }
 
 } // namespace skyseal::ui

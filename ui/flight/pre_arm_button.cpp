@@ -18,17 +18,29 @@ PreArmButton::PreArmButton(VehicleCommands &commands, QWidget *parent) : QPushBu
     showViewState({});
 }
 
-int PreArmButton::leastWidth() const
+QString PreArmButton::lines(QString text, bool onTwoLines)
 {
-    return fontMetrics().horizontalAdvance(widestPreArmText()) + 2 * kGrid;
+    return onTwoLines ? text.replace(QStringLiteral(": "), QStringLiteral(":\n")) : text;
+}
+
+int PreArmButton::leastWidth(bool onTwoLines) const
+{
+    return fontMetrics().size(0, lines(widestPreArmText(), onTwoLines)).width() + 2 * kGrid;
+}
+
+void PreArmButton::setOnTwoLines(bool on)
+{
+    m_onTwoLines = on;
+    showViewState(m_view);
 }
 
 void PreArmButton::showViewState(const ViewState &view)
 {
-    m_view = view;
-    const QString text = preArmText(view);
-    if (this->text() != text) {
-        setText(text);
+    if (&view != &m_view)
+        m_view = view;
+    const QString text = preArmText(view), shown = lines(text, m_onTwoLines);
+    if (this->text() != shown) {
+        setText(shown);
         setAccessibleName(text);
     }
     const auto open = view.vehicle && !view.isReplay() ? m_commands.preflight().open(view.vehicle->state.systemId).size() : 0;

@@ -17,8 +17,9 @@ public:
     explicit PreArmButton(VehicleCommands &commands, QWidget *parent = nullptr);
 
     void showViewState(const ViewState &view);
-    /// Width in pixels for every state.
-    int leastWidth() const;
+    /// Width in pixels for every state, on one line or two.
+    int leastWidth(bool onTwoLines) const;
+    void setOnTwoLines(bool on);
 
 Q_SIGNALS:
     /// For the list, if it is open.
@@ -26,9 +27,11 @@ Q_SIGNALS:
 
 private:
     void openList();
+    static QString lines(QString text, bool onTwoLines);
 
     VehicleCommands &m_commands;
     ViewState m_view;
+    bool m_onTwoLines = false;
 };
 
 } // namespace skyseal::ui
