@@ -150,6 +150,18 @@
         <source>the autopilot sets its own rates</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ratios to plain MAVLink</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ratios to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::app::Application</name>
@@ -1125,10 +1137,6 @@ Hold the button for half a second. The waypoint becomes the last item of the mis
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Within 500 m of the vehicle, and less than 150 m above or below it or at an unknown altitude. The map shows it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Battery very low: %1 %</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1224,6 +1232,10 @@ Hold the button for half a second. The waypoint becomes the last item of the mis
         <source>%1. To pair with it, open Security → Keys and peers</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Within %1 of the vehicle, and less than %2 above or below it or at an unknown altitude. The map shows it.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::AlertRow</name>
@@ -1304,14 +1316,6 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
     <name>skyseal::ui::AltitudeBox</name>
     <message>
         <source>Take-off altitude</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> ft</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2217,6 +2221,18 @@ No link is sealed until this is resolved. Plain MAVLink is shown, but not sealed
         <source>They can command vehicles, like this station; while they are connected, their heartbeats keep the vehicle&apos;s GCS failsafe from triggering</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>May write</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What other stations may write</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What stations may write at the addresses beside, while &quot;Read and write&quot; is chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::HelpDialog</name>
@@ -2408,6 +2424,29 @@ Pair with the agent of your vehicle, or add its public key, which skyseal-cli ke
     <message>
         <source>en</source>
         <comment>code of this language, as in the name of this file</comment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::LimitWatch</name>
+    <message>
+        <source>The low limit is %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The high limit is %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 low: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 high: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 Passed %2 times.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3056,6 +3095,13 @@ Fingerprint %3</source>
     </message>
     <message>
         <source>Map: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::MapRotation</name>
+    <message>
+        <source>&amp;Rotate the map with the vehicle</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4961,6 +5007,45 @@ with a pre-shared key</source>
     </message>
 </context>
 <context>
+    <name>skyseal::ui::RightsMenu</name>
+    <message>
+        <source>&amp;Everything</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Also messages of no class, and of other dialects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Missions, fences and rally points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not the choice of the item to fly next</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Commands and flight modes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They command vehicles like this station</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Files and logs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Sticks and manual control</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>skyseal::ui::SecureLinkPanel</name>
     <message>
         <source>Session to show</source>
@@ -5342,6 +5427,10 @@ with a pre-shared key</source>
         <source>IDs, link and folder take effect at the next start.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>aviation (ft, kt, NM)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::ShortcutDialog</name>
@@ -5653,19 +5742,11 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Take off to %1 m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Land</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Mode %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Speed %1 m/s</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5686,10 +5767,6 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>Go here</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change altitude to %1 m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5718,6 +5795,18 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>Start mission</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take off to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change altitude to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6114,10 +6203,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Means of the sweep</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>One run in %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6187,6 +6272,18 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>Bars of the sweep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ratios or means</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Results of the sweep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Means</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

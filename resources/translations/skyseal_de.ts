@@ -150,6 +150,18 @@
         <source>the autopilot sets its own rates</source>
         <translation>der Autopilot bestimmt seine Raten selbst</translation>
     </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1 (%2 bis %3)</translation>
+    </message>
+    <message>
+        <source>Ratios to plain MAVLink</source>
+        <translation>Verhältnisse zu ungeschütztem MAVLink</translation>
+    </message>
+    <message>
+        <source>Ratios to %1</source>
+        <translation>Verhältnisse zu %1</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::app::Application</name>
@@ -1127,10 +1139,6 @@ Den Knopf eine halbe Sekunde halten. Der Wegpunkt wird der letzte Punkt der Miss
         <translation>Luftfahrzeug nahe: %1</translation>
     </message>
     <message>
-        <source>Within 500 m of the vehicle, and less than 150 m above or below it or at an unknown altitude. The map shows it.</source>
-        <translation>Weniger als 500 m vom Fahrzeug entfernt, und weniger als 150 m darüber oder darunter oder in unbekannter Höhe. Die Karte zeigt es.</translation>
-    </message>
-    <message>
         <source>Battery very low: %1 %</source>
         <translation>Akku sehr schwach: %1 %</translation>
     </message>
@@ -1226,6 +1234,10 @@ Den Knopf eine halbe Sekunde halten. Der Wegpunkt wird der letzte Punkt der Miss
         <source>%1. To pair with it, open Security → Keys and peers</source>
         <translation>%1. Zum Koppeln Sicherheit → Schlüssel und Gegenstellen öffnen</translation>
     </message>
+    <message>
+        <source>Within %1 of the vehicle, and less than %2 above or below it or at an unknown altitude. The map shows it.</source>
+        <translation>Weniger als %1 vom Fahrzeug und weniger als %2 darüber oder darunter oder in unbekannter Höhe. Die Karte zeigt es.</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::AlertRow</name>
@@ -1309,14 +1321,6 @@ Sollte dies das Fahrzeug von %3 sein, Abbrechen wählen: Dessen versiegelte Verb
     <message>
         <source>Take-off altitude</source>
         <translation>Starthöhe</translation>
-    </message>
-    <message>
-        <source> m</source>
-        <translation> m</translation>
-    </message>
-    <message>
-        <source> ft</source>
-        <translation> ft</translation>
     </message>
     <message>
         <source>Above home, %1 to %2%3</source>
@@ -2232,6 +2236,18 @@ Bis das behoben ist, wird keine Verbindung versiegelt. Ungeschütztes MAVLink wi
         <source>They can command vehicles, like this station; while they are connected, their heartbeats keep the vehicle&apos;s GCS failsafe from triggering</source>
         <translation>Können Fahrzeuge steuern wie diese Station; solange sie verbunden sind, verhindern ihre Heartbeats den GCS-Failsafe des Fahrzeugs</translation>
     </message>
+    <message>
+        <source>May write</source>
+        <translation>Schreibrechte</translation>
+    </message>
+    <message>
+        <source>What other stations may write</source>
+        <translation>Was andere Stationen schreiben dürfen</translation>
+    </message>
+    <message>
+        <source>What stations may write at the addresses beside, while &quot;Read and write&quot; is chosen</source>
+        <translation>Was Stationen an den Adressen daneben schreiben dürfen, solange „Lesen und schreiben“ gewählt ist</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::HelpDialog</name>
@@ -2428,6 +2444,29 @@ Mit dem Agenten des eigenen Fahrzeugs koppeln oder seinen öffentlichen Schlüss
         <source>en</source>
         <comment>code of this language, as in the name of this file</comment>
         <translation>de</translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::LimitWatch</name>
+    <message>
+        <source>The low limit is %1.</source>
+        <translation>Die untere Grenze ist %1.</translation>
+    </message>
+    <message>
+        <source>The high limit is %1.</source>
+        <translation>Die obere Grenze ist %1.</translation>
+    </message>
+    <message>
+        <source>%1 low: %2</source>
+        <translation>%1 niedrig: %2</translation>
+    </message>
+    <message>
+        <source>%1 high: %2</source>
+        <translation>%1 hoch: %2</translation>
+    </message>
+    <message>
+        <source>%1 Passed %2 times.</source>
+        <translation>%1 %2-mal verletzt.</translation>
     </message>
 </context>
 <context>
@@ -3084,6 +3123,13 @@ Fingerabdruck %3</translation>
     <message>
         <source>Map: %1</source>
         <translation>Karte: %1</translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::MapRotation</name>
+    <message>
+        <source>&amp;Rotate the map with the vehicle</source>
+        <translation>Karte mit dem Fahrzeug d&amp;rehen</translation>
     </message>
 </context>
 <context>
@@ -4994,6 +5040,45 @@ mit PSK</translation>
     </message>
 </context>
 <context>
+    <name>skyseal::ui::RightsMenu</name>
+    <message>
+        <source>&amp;Everything</source>
+        <translation>&amp;Alles</translation>
+    </message>
+    <message>
+        <source>Also messages of no class, and of other dialects</source>
+        <translation>Auch Nachrichten ohne Klasse und aus anderen Dialekten</translation>
+    </message>
+    <message>
+        <source>&amp;Missions, fences and rally points</source>
+        <translation>&amp;Missionen, Geofences und Rally-Punkte</translation>
+    </message>
+    <message>
+        <source>Not the choice of the item to fly next</source>
+        <translation>Nicht die Wahl des nächsten Missionspunkts</translation>
+    </message>
+    <message>
+        <source>&amp;Parameters</source>
+        <translation>&amp;Parameter</translation>
+    </message>
+    <message>
+        <source>&amp;Commands and flight modes</source>
+        <translation>&amp;Befehle und Flugmodi</translation>
+    </message>
+    <message>
+        <source>They command vehicles like this station</source>
+        <translation>Sie geben Fahrzeugen Befehle wie diese Station</translation>
+    </message>
+    <message>
+        <source>&amp;Files and logs</source>
+        <translation>&amp;Dateien und Logs</translation>
+    </message>
+    <message>
+        <source>&amp;Sticks and manual control</source>
+        <translation>&amp;Steuerknüppel und manuelle Steuerung</translation>
+    </message>
+</context>
+<context>
     <name>skyseal::ui::SecureLinkPanel</name>
     <message>
         <source>Session to show</source>
@@ -5376,6 +5461,10 @@ mit PSK</translation>
         <source>IDs, link and folder take effect at the next start.</source>
         <translation>IDs, Verbindung und Ordner gelten ab dem nächsten Start.</translation>
     </message>
+    <message>
+        <source>aviation (ft, kt, NM)</source>
+        <translation>Luftfahrt (ft, kt, NM)</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::ShortcutDialog</name>
@@ -5687,20 +5776,12 @@ mit PSK</translation>
         <translation>Entschärfen</translation>
     </message>
     <message>
-        <source>Take off to %1 m</source>
-        <translation>Start auf %1 m</translation>
-    </message>
-    <message>
         <source>Land</source>
         <translation>Landen</translation>
     </message>
     <message>
         <source>Mode %1</source>
         <translation>Modus %1</translation>
-    </message>
-    <message>
-        <source>Speed %1 m/s</source>
-        <translation>Geschwindigkeit %1 m/s</translation>
     </message>
     <message>
         <source>Mission item %1</source>
@@ -5721,10 +5802,6 @@ mit PSK</translation>
     <message>
         <source>Go here</source>
         <translation>Ort ansteuern</translation>
-    </message>
-    <message>
-        <source>Change altitude to %1 m</source>
-        <translation>Höhe auf %1 m ändern</translation>
     </message>
     <message>
         <source>Loiter</source>
@@ -5753,6 +5830,18 @@ mit PSK</translation>
     <message>
         <source>Start mission</source>
         <translation>Mission starten</translation>
+    </message>
+    <message>
+        <source>Take off to %1</source>
+        <translation>Start auf %1</translation>
+    </message>
+    <message>
+        <source>Change altitude to %1</source>
+        <translation>Höhe auf %1 ändern</translation>
+    </message>
+    <message>
+        <source>Speed %1</source>
+        <translation>Geschwindigkeit %1</translation>
     </message>
 </context>
 <context>
@@ -6152,10 +6241,6 @@ mit PSK</translation>
         <translation>Messgröße der Balken</translation>
     </message>
     <message>
-        <source>Means of the sweep</source>
-        <translation>Mittelwerte der Messreihe</translation>
-    </message>
-    <message>
         <source>One run in %1</source>
         <translation>Ein Lauf in %1</translation>
     </message>
@@ -6226,6 +6311,18 @@ mit PSK</translation>
     <message>
         <source>Bars of the sweep</source>
         <translation>Balken der Messreihe</translation>
+    </message>
+    <message>
+        <source>Ratios or means</source>
+        <translation>Verhältnisse oder Mittelwerte</translation>
+    </message>
+    <message>
+        <source>Results of the sweep</source>
+        <translation>Ergebnisse der Messreihe</translation>
+    </message>
+    <message>
+        <source>Means</source>
+        <translation>Mittelwerte</translation>
     </message>
 </context>
 <context>
