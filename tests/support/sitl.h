@@ -7,6 +7,7 @@
 #include <QtCore/QDir>
 #include <QtCore/QFile>
 #include <QtCore/QTemporaryDir>
+#include <QtNetwork/QUdpSocket>
 
 #include <memory>
 
@@ -15,7 +16,8 @@ namespace skyseal::test {
 class Sitl
 {
 public:
-    Sitl() : m_program(qEnvironmentVariable("ARDUPILOT_SITL"))
+    /// `more`: further lines of parameters.
+    explicit Sitl(const QByteArray &more = {}) : m_program(qEnvironmentVariable("ARDUPILOT_SITL"))
     {
         // Parameters that let a simulated vehicle arm: frame class, calibrated sensors, centered sticks.
         const char parameters[] =
@@ -28,7 +30,7 @@ public:
             "INS_ACCSCAL_Z 1.001\nINS_ACC2OFFS_X 0.001\nINS_ACC2OFFS_Y 0.001\nINS_ACC2OFFS_Z 0.001\nINS_ACC2SCAL_X 1.001\n"
             "INS_ACC2SCAL_Y 1.001\nINS_ACC2SCAL_Z 1.001\n";
         QFile file(parameterFile());
-        if (!file.open(QIODevice::WriteOnly) || file.write(parameters) < 0)
+        if (!file.open(QIODevice::WriteOnly) || file.write(parameters + more) < 0)
             qFatal("no folder for the parameters");
     }
 
@@ -47,7 +49,16 @@ public:
             QStringList{QStringLiteral("--wipe"), QStringLiteral("--synthetic-clock"), QStringLiteral("--disable-fgview"),
                         QStringLiteral("--home"), QStringLiteral("-35.363261,149.165230,584,353"), QStringLiteral("--model"),
                         QStringLiteral("+"), QStringLiteral("--speedup"), QString::number(speed), QStringLiteral("--defaults"),
-                        parameterFile(), QStringLiteral("--base-port"), QString::number(port), QStringLiteral("-I0")});
+                        parameterFile(), QStringLiteral("--base-port"), QString::number(port), QStringLiteral("--rc-in-port"),
+                        QString::number(m_sticks), QStringLiteral("-I0")});
+    }
+
+    /// The sticks of the pilot's transmitter go to their middle, the throttle too, which is down at first: LOITER descends then.
+    void centreSticks() const
+    {
+        const quint16 channels[8] = {1500, 1500, 1500, 1500, 1800, 1000, 1000, 1800};
+        QUdpSocket().writeDatagram(reinterpret_cast<const char *>(channels), sizeof channels, QHostAddress::LocalHost,
+                                   m_sticks);
     }
 
 private:
@@ -55,6 +66,7 @@ private:
 
     QTemporaryDir m_folder;
     QString m_program;
+    quint16 m_sticks = freeUdpPort();
 };
 
 } // namespace skyseal::test

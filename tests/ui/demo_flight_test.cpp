@@ -12,23 +12,19 @@
 #include "tests/support/free_port.h"
 #include "tests/support/test_runner.h"
 #include "core/vehicle/geodesy.h"
-#include "ui/flight/hold_button.h"
 #include "ui/map/map_view.h"
 #include "ui/window/main_window.h"
 #include "ui/security/suite_actions.h"
 #include "ui/security/suite_row.h"
 #include "ui/status/strip_item.h"
+#include "window_hands.h"
 
-#include <QtCore/QDir>
-#include <QtCore/QPointer>
 #include <QtCore/QSettings>
 #include <QtCore/QTemporaryDir>
-#include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QDoubleSpinBox>
 #include <QtWidgets/QLabel>
-#include <QtWidgets/QMenu>
 #include <QtWidgets/QMessageBox>
 #include <QtWidgets/QPushButton>
 
@@ -60,6 +56,7 @@ private Q_SLOTS:
         m_station = std::make_unique<app::StationAdapter>(std::move(*station));
         m_store = std::make_unique<QSettings>(m_folder.filePath(QStringLiteral("s.ini")), QSettings::IniFormat);
         m_window = std::make_unique<MainWindow>(*m_station, *m_store, ProgramFacts{});
+        m_hands = std::make_unique<WindowHands>(*m_window);
         m_window->resize(1280, 900);
         m_window->show();
 
@@ -81,11 +78,11 @@ private Q_SLOTS:
     {
         auto *modes = find<QComboBox>("modeBox");
         modes->setCurrentIndex(modes->findText(QStringLiteral("GUIDED")));
-        hold("setModeButton");
+        m_hands->hold("setModeButton");
         EVENTUALLY2(strip("stripMode")->text() == QStringLiteral("GUIDED"), qPrintable(find<QLabel>("commandResult")->text()));
-        hold("armButton");
+        m_hands->hold("armButton");
         EVENTUALLY_EQUAL(strip("stripArmed")->text(), QStringLiteral("ARMED"));
-        hold("takeOffButton");
+        m_hands->hold("takeOffButton");
         EVENTUALLY(find<QLabel>("commandResult")->text().endsWith(QStringLiteral("accepted")));
         EVENTUALLY(m_window->view().vehicle->state.altitudeRelative > 2);
     }
@@ -102,7 +99,7 @@ private Q_SLOTS:
         }
         QCOMPARE(m_window->view().session->stats.rx.lost, std::uint64_t(0));
         QCOMPARE(m_window->view().session->stats.rx.forged, std::uint64_t(0));
-        picture("flight");
+        m_hands->picture(QStringLiteral("flight"));
     }
 
     /// By the map's menu: home moves to a place, the copter flies to another one, turns its nose to home, climbs, and loiters.
@@ -116,7 +113,7 @@ private Q_SLOTS:
         };
         const auto result = [this] { return find<QLabel>("commandResult")->text(); };
         const auto confirm = [&](const QPoint &at, const char *action, const QString &expected) {
-            chooseOnMap(*map, at, action);
+            m_hands->chooseOnMap(at, action);
             EVENTUALLY(question());
             QTest::mouseClick(question()->button(QMessageBox::Yes), Qt::LeftButton);
             EVENTUALLY2(result() == expected, qPrintable(result()));
@@ -125,15 +122,15 @@ private Q_SLOTS:
         EVENTUALLY(apart(home, m_window->view().vehicle->state.home) < 1);
         confirm(home, "mapPointAt", QStringLiteral("Point camera here: accepted"));
         confirm(goal, "mapGoHere", QStringLiteral("Go here: accepted"));
-        picture("map-menu-flight");
+        m_hands->picture(QStringLiteral("map-menu-flight"));
         EVENTUALLY(apart(goal, m_window->view().vehicle->state.position) < 2);
         EVENTUALLY(std::abs(m_window->view().vehicle->state.heading - 180) < 10); // home is to the south
-        chooseOnMap(*map, goal, "mapChangeAltitude");
+        m_hands->chooseOnMap(goal, "mapChangeAltitude");
         EVENTUALLY(m_window->findChild<QDialog *>(QStringLiteral("changeAltitudeDialog")));
         const double before = m_window->view().vehicle->state.altitudeRelative;
         auto *altitude = find<QDoubleSpinBox>("changeAltitudeDialogAltitude");
         altitude->setValue(std::round(before) + 5);
-        hold("changeAltitudeDialogGo");
+        m_hands->hold("changeAltitudeDialogGo");
         EVENTUALLY(m_window->view().vehicle->state.altitudeRelative > before + 4);
         confirm(goal, "mapLoiter", QStringLiteral("Loiter: accepted"));
         EVENTUALLY_EQUAL(strip("stripMode")->text(), QStringLiteral("LOITER"));
@@ -151,10 +148,10 @@ private Q_SLOTS:
 
     void lands()
     {
-        hold("landButton");
+        m_hands->hold("landButton");
         EVENTUALLY_EQUAL(strip("stripMode")->text(), QStringLiteral("LAND"));
         EVENTUALLY_EQUAL(strip("stripArmed")->text(), QStringLiteral("DISARMED"));
-        picture("landed");
+        m_hands->picture(QStringLiteral("landed"));
     }
 
     void cleanupTestCase()
@@ -165,50 +162,10 @@ private Q_SLOTS:
     }
 
 private:
-    template<typename W> W *find(const char *name)
-    {
-        W *found = m_window->findChild<W *>(QLatin1String(name));
-        if (!found)
-            qFatal("no %s", name);
-        return found;
-    }
+    template<typename W> W *find(const char *name) { return m_hands->find<W>(name); }
     StripItem *strip(const char *name) { return find<StripItem>(name); }
 
-    /// By a right click as the window system reports it.
-    void chooseOnMap(MapView &map, const QPoint &at, const char *name)
-    {
-        QTest::mouseClick(m_window->windowHandle(), Qt::RightButton, {}, map.mapTo(m_window.get(), at));
-        QMenu *menu = nullptr;
-        const auto shown = [&] {
-            for (QMenu *candidate : map.findChildren<QMenu *>(QStringLiteral("mapMenu")))
-                menu = candidate->isVisible() ? candidate : menu;
-            return menu != nullptr;
-        };
-        EVENTUALLY(shown());
-        auto *entry = menu->findChild<QAction *>(QLatin1String(name));
-        QVERIFY2(entry && entry->isEnabled(), name);
-        QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(entry).center());
-    }
-
     QMessageBox *question() const { return test::shownQuestion(*m_window); }
-
-    void hold(const char *name)
-    {
-        const QPointer<HoldButton> button = find<HoldButton>(name);
-        EVENTUALLY(button->isEnabled());
-        QSignalSpy confirmed(button, &HoldButton::confirmed);
-        QTest::mousePress(button, Qt::LeftButton);
-        EVENTUALLY_EQUAL(confirmed.size(), 1);
-        QWidget *released = button; // a dialog may have closed
-        QTest::mouseRelease(released ? released : m_window.get(), Qt::LeftButton);
-    }
-
-    void picture(const char *name)
-    {
-        const QString folder = qEnvironmentVariable("SKYSEAL_PICTURES");
-        if (!folder.isEmpty())
-            QVERIFY(m_window->grab().save(QDir(folder).filePath(QLatin1String(name) + QStringLiteral(".png"))));
-    }
 
     crypto::SystemRandom m_random;
     QTemporaryDir m_folder;
@@ -216,6 +173,7 @@ private:
     std::unique_ptr<app::Demo> m_demo;
     std::unique_ptr<app::StationAdapter> m_station;
     std::unique_ptr<MainWindow> m_window;
+    std::unique_ptr<WindowHands> m_hands;
 };
 
 SKYSEAL_TEST_WIDGETS(DemoFlightTest)
