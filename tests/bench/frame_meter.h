@@ -10,9 +10,9 @@
 
 namespace skyseal::test {
 
-/// An application that times its events. A frame lasts from the event that begins a busy stretch, or from the end of the frame
-/// before in it, until a top-level window has painted: no update is requested earlier and painted later. A stretch ends when the
-/// thread has nothing to do for 0.2 ms.
+/// An application that times its events. A frame lasts from the event that begins a busy stretch, or from the end of the
+/// frame before in it, until a top-level window has painted: no update is requested earlier and painted later. A stretch ends
+/// when the thread has nothing to do for 0.2 ms.
 class MeteredApplication : public QApplication
 {
 public:

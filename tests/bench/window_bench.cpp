@@ -14,8 +14,10 @@
 #include "ui/map/map_view.h"
 #include "ui/window/main_window.h"
 
+#include <QtCore/QDateTime>
 #include <QtCore/QDir>
 #include <QtCore/QEventLoop>
+#include <QtCore/QFileInfo>
 #include <QtCore/QSettings>
 #include <QtTest/QTest>
 
@@ -105,22 +107,19 @@ void firstWindow()
     Skyseal program;
     for (int i = 0; i < 7; ++i) {
         const QString file = program.path(QStringLiteral("window%1.png").arg(i));
-        QElapsedTimer clock;
-        clock.start();
+        const QDateTime begin = QDateTime::currentDateTimeUtc();
         program.start({QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:0"), QStringLiteral("--screenshot"), file,
                        QStringLiteral("--after"), QStringLiteral("0")});
-        while (!QFile::exists(file) && clock.elapsed() < kDeadlineMs)
-            QThread::usleep(200);
-        times.push_back(static_cast<double>(clock.nsecsElapsed()) / 1e6);
         program.process().waitForFinished();
+        times.push_back(static_cast<double>(begin.msecsTo(QFileInfo(file).lastModified())));
     }
     std::printf("  the very first start, which makes a key                    %8.1f ms\n", times.front());
     std::sort(times.begin() + 1, times.end());
     report("later starts, median of 6", times[4], "ms", kMostStartMs);
 }
 
-/// The program, an agent and the simulator, the link sealed: 50 telemetry messages a second besides the streams that the station
-/// asks for.
+/// The program, an agent and the simulator, the link sealed: 50 telemetry messages a second besides the streams that the
+/// station requests.
 void oneVehicle(const QString &tiles)
 {
     std::printf("One vehicle at 50 Hz, sealed, in Fly with tiles, %d s\n", kSceneSeconds);

@@ -1,4 +1,5 @@
-// What the window of a benchmark shows: fifty vehicles that fly in circles, and a server of map tiles, each on a thread of its own.
+// What the window of a benchmark shows: fifty vehicles that fly in circles, and a server of map tiles, each on a thread of its
+// own.
 #pragma once
 
 #include "core/mavlink/messages.h"

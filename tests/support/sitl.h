@@ -53,7 +53,7 @@ public:
                         QString::number(m_sticks), QStringLiteral("-I0")});
     }
 
-    /// The sticks of the pilot's transmitter go to their middle, the throttle too, which is down at first: LOITER descends then.
+    /// The sticks of the pilot's transmitter go to their middle. The throttle is down before, so that LOITER descends.
     void centreSticks() const
     {
         const quint16 channels[8] = {1500, 1500, 1500, 1500, 1800, 1000, 1000, 1800};

@@ -1,7 +1,7 @@
-// An operator's flight with a real autopilot: the whole window, skyseal-air and an unmodified ArduCopter SITL, by clicks and keys
-// alone. From the link's dialog over the reason against arming, a mission from a file, the flight while the ciphers switch, a
-// pause, a place and an altitude, to RTL and the replay of the recording. Every step leaves a picture in the folder that
-// SKYSEAL_PICTURES names. Without ARDUPILOT_SITL (see Sitl) the test is skipped.
+// An operator's flight with a real autopilot: the whole window, skyseal-air and an unmodified ArduCopter SITL, by clicks and
+// keys alone. From the link's dialog over the reason against arming, a mission from a file, the flight while the ciphers
+// switch, a pause, a place and an altitude, to RTL and the replay of the recording. Every step leaves a picture in the folder
+// that SKYSEAL_PICTURES names. Without ARDUPILOT_SITL (see Sitl) the test is skipped.
 #include "app/skyseal/application.h"
 #include "confirm_question.h"
 #include "core/crypto/init_crypto.h"

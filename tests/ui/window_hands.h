@@ -100,6 +100,7 @@ public:
     void picture(const QString &name, QWidget *widget = nullptr) const
     {
         const QString folder = qEnvironmentVariable("SKYSEAL_PICTURES");
+        QCoreApplication::processEvents(); // what has just been shown is not laid out yet
         if (!folder.isEmpty())
             QVERIFY((widget ? widget : &m_window)->grab().save(QDir(folder).filePath(name + QStringLiteral(".png"))));
     }
