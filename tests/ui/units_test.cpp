@@ -105,6 +105,9 @@ private Q_SLOTS:
         QCOMPARE(dialog->settings().units, UnitSystem::Aviation);
         QTest::mouseClick(dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
 
+        EVENTUALLY(!m_window->findChild<SettingsDialog *>());
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get(), test::kDeadlineMs));
         m_station->show(sealedSnapshot(2));
         EVENTUALLY_EQUAL(find<ValueCell>("value_alt_rel")->unit(), QStringLiteral("ft"));
         QCOMPARE(find<ValueCell>("value_ground_speed")->unit(), QStringLiteral("kt"));
