@@ -52,6 +52,7 @@ Settings loadSettings(const QSettings &store)
     Settings s;
     s.language = storedLanguage(store);
     s.theme = static_cast<Theme>(inRange(store, "view/theme", 0, 3, static_cast<int>(s.theme)));
+    s.touchSized = store.value(QStringLiteral("view/touchSized"), s.touchSized).toBool();
     s.units = static_cast<UnitSystem>(inRange(store, "view/units", 0, 2, static_cast<int>(s.units)));
     s.coordinates = static_cast<CoordinateFormat>(inRange(store, "view/coordinates", 0, 3, static_cast<int>(s.coordinates)));
     s.speakAlerts = store.value(QStringLiteral("view/speakAlerts"), s.speakAlerts).toBool();
@@ -83,6 +84,7 @@ void storeSettings(QSettings &store, const Settings &settings)
 {
     store.setValue(QStringLiteral("view/language"), settings.language);
     store.setValue(QStringLiteral("view/theme"), static_cast<int>(settings.theme));
+    store.setValue(QStringLiteral("view/touchSized"), settings.touchSized);
     store.setValue(QStringLiteral("view/units"), static_cast<int>(settings.units));
     store.setValue(QStringLiteral("view/coordinates"), static_cast<int>(settings.coordinates));
     store.setValue(QStringLiteral("view/speakAlerts"), settings.speakAlerts);

@@ -48,6 +48,7 @@ struct Settings
 {
     QString language; ///< code of one of languages(); else that of the desktop
     Theme theme = Theme::Desktop;
+    bool touchSized = false; ///< controls are large enough for fingers
     UnitSystem units = UnitSystem::Metric;
     CoordinateFormat coordinates = CoordinateFormat::Decimal;
     bool speakAlerts = false;

@@ -1,6 +1,7 @@
 // Draws the window in its states and sizes, and its dialogs, into a folder for people to look at: ui_gallery DIR [STATE SIZE
-// THEME WORKSPACE LANGUAGE], where STATE and the others are lists with commas, "dialogs" among the states being all dialogs,
-// "map" the menu of the map, and the name of one of its entries, such as "mapGoHere", what that opens.
+// THEME WORKSPACE LANGUAGE WITH], where STATE and the others are lists with commas, "dialogs" among the states being all dialogs,
+// "map" the menu of the map, and the name of one of its entries, such as "mapGoHere", what that opens. WITH are settings of all
+// pictures: touch, aviation, rotated.
 #include "fake_station.h"
 #include "gallery_dialogs.h"
 #include "scripted_snapshots.h"
@@ -507,6 +508,7 @@ int main(int argc, char **argv)
         states.removeAt(all);
         states += dialogStates();
     }
+    const QStringList with = args.value(7).split(QLatin1Char(','));
     const QStringList workspaces = args.value(5, QStringLiteral("lab")).split(QLatin1Char(','));
     for (const QString &theme : themes) {
         for (const QString &size : sizes) {
@@ -518,6 +520,9 @@ int main(int argc, char **argv)
                 settings.theme = theme == QLatin1String("dark") ? Theme::Dark
                     : theme == QLatin1String("contrast")        ? Theme::HighContrast
                                                                 : Theme::Light;
+                settings.touchSized = with.contains(QStringLiteral("touch"));
+                settings.rotateMap = with.contains(QStringLiteral("rotated"));
+                settings.units = with.contains(QStringLiteral("aviation")) ? UnitSystem::Aviation : UnitSystem::Metric;
                 settings.serving.on = settings.serving.write = state == QLatin1String("served");
                 settings.coordinates = state == QLatin1String("utm") || state == QLatin1String("measure")
                     ? CoordinateFormat::Utm

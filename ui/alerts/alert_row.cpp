@@ -2,11 +2,14 @@
 
 #include "ui/text/plain_tip.h"
 #include "ui/theme/grid.h"
+#include "ui/theme/instrument_style.h"
 #include "ui/theme/palettes.h"
 
 #include <QtGui/QAccessible>
 #include <QtGui/QPainter>
 #include <QtWidgets/QToolButton>
+
+#include <algorithm>
 
 namespace skyseal::ui {
 
@@ -82,7 +85,8 @@ void AlertRow::setAlert(const std::optional<Alert> &alert, const QString &began)
 
 void AlertRow::resizeEvent(QResizeEvent *)
 {
-    m_dismiss->setGeometry(width() - kButton - kHalfGrid, (height() - kButton) / 2, kButton, kButton);
+    const int side = std::max(kButton, leastTarget(*this));
+    m_dismiss->setGeometry(width() - side - kHalfGrid, (height() - side) / 2, side, side);
 }
 
 void AlertRow::paintEvent(QPaintEvent *)

@@ -3,6 +3,7 @@
 #include "ui/alerts/alert_row.h"
 #include "ui/text/plain_tip.h"
 #include "ui/theme/grid.h"
+#include "ui/theme/instrument_style.h"
 #include "ui/theme/palettes.h"
 
 #include <QtCore/QDateTime>
@@ -20,7 +21,11 @@ namespace {
 
 constexpr int kLeastWidth = 30 * kGrid, kMostWidth = 42 * kGrid;
 constexpr int kRightMargin = 5 * kGrid; ///< leaves the map its north arrow
-constexpr int kLine = 3 * kGrid + kHalfGrid;
+
+int lineHeight(const QWidget &widget)
+{
+    return std::max(3 * kGrid + kHalfGrid, leastTarget(widget));
+}
 
 } // namespace
 
@@ -68,7 +73,7 @@ bool AlertStack::hasInnerFocus() const
 
 int AlertStack::mostShown() const
 {
-    const int lines = m_ground.height() / 2 / kLine - 1; // the last one is that of the number of the others
+    const int lines = m_ground.height() / 2 / lineHeight(m_ground) - 1; // the last one is that of the number of the others
     return std::clamp(lines, 1, kMostShown);
 }
 
@@ -140,12 +145,13 @@ void AlertStack::place()
 {
     const int wanted = std::clamp(m_ground.width() * 2 / 3, kLeastWidth, kMostWidth);
     const int wide = std::clamp(m_ground.width() - kRightMargin - kGrid, 0, wanted);
+    const int line = lineHeight(*this);
     int y = 1;
-    for (std::size_t i = 0; i < m_lines.size(); ++i, y += kLine)
-        m_rows[i]->setGeometry(1, y, wide - 2, kLine);
+    for (std::size_t i = 0; i < m_lines.size(); ++i, y += line)
+        m_rows[i]->setGeometry(1, y, wide - 2, line);
     if (!m_more->isHidden()) {
-        m_more->setGeometry(1, y, wide - 2, kLine);
-        y += kLine;
+        m_more->setGeometry(1, y, wide - 2, line);
+        y += line;
     }
     setGeometry(m_ground.x() + m_ground.width() - wide - kRightMargin, m_ground.y() + kGrid, wide, y + 1);
 }
@@ -272,7 +278,8 @@ void AlertStack::paintEvent(QPaintEvent *)
     QPainter painter(this);
     painter.fillRect(rect(), colors.panel);
     painter.setPen(colors.line);
-    for (int y = kLine; y < height() - kGrid; y += kLine)
+    const int line = lineHeight(*this);
+    for (int y = line; y < height() - kGrid; y += line)
         painter.drawLine(0, y, width(), y);
     painter.setPen(colors.edge);
     painter.drawRect(rect().adjusted(0, 0, -1, -1));

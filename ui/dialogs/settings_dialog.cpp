@@ -47,8 +47,11 @@ SettingsDialog::SettingsDialog(const Settings &settings, QWidget *parent) : QDia
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(2 * kGrid, 2 * kGrid, 2 * kGrid, 2 * kGrid);
     column->setSpacing(2 * kGrid);
-    column->addWidget(makeView());
-    column->addWidget(makeStation());
+    auto *beside = new QHBoxLayout; // touch-sized, all of them below each other would be higher than many screens
+    beside->setSpacing(2 * kGrid);
+    beside->addWidget(makeView(), 1);
+    beside->addWidget(makeStation(), 1);
+    column->addLayout(beside);
     column->addWidget(makeSecurity());
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     column->addWidget(buttons);
@@ -61,7 +64,7 @@ SettingsDialog::SettingsDialog(const Settings &settings, QWidget *parent) : QDia
         m_link->setToolTip(parsed ? QString() : QString::fromStdString(parsed.error().message));
     });
     // A layout's smallest height is that of its texts on one line, while they wrap at this width.
-    constexpr int kWidth = 64 * kGrid;
+    constexpr int kWidth = 100 * kGrid;
     setMinimumSize(kWidth, column->totalHeightForWidth(kWidth));
 }
 
@@ -83,10 +86,10 @@ QWidget *SettingsDialog::makeView()
     m_units = named(new QComboBox(box), "settingUnits", tr("Units"));
     m_units->addItem(tr("metric (m, m/s)"), static_cast<int>(UnitSystem::Metric));
     m_units->addItem(tr("imperial (ft, mph)"), static_cast<int>(UnitSystem::Imperial));
+    m_units->addItem(tr("aviation (ft, kt, NM)"), static_cast<int>(UnitSystem::Aviation));
     m_units->setCurrentIndex(m_units->findData(static_cast<int>(m_start.units)));
     m_coordinates = named(new QComboBox(box), "settingCoordinates", tr("Coordinates"));
     m_coordinates->addItem(tr("decimal degrees"), static_cast<int>(CoordinateFormat::Decimal));
-    m_units->addItem(tr("aviation (ft, kt, NM)"), static_cast<int>(UnitSystem::Aviation));
     m_coordinates->addItem(tr("degrees, minutes, seconds"), static_cast<int>(CoordinateFormat::DegreesMinutesSeconds));
     m_coordinates->addItem(tr("UTM (metres in a zone)"), static_cast<int>(CoordinateFormat::Utm));
     m_coordinates->addItem(tr("MGRS (grid reference)"), static_cast<int>(CoordinateFormat::Mgrs));
@@ -96,6 +99,10 @@ QWidget *SettingsDialog::makeView()
     form->addRow(tr("&Colours"), m_theme);
     form->addRow(tr("&Units"), m_units);
     form->addRow(tr("Coordi&nates"), m_coordinates);
+    m_touch = named(new QCheckBox(tr("&Touch-sized controls"), box), "settingTouch", tr("Touch-sized controls"));
+    m_touch->setToolTip(tr("Buttons, menus and lists are large enough for fingers"));
+    m_touch->setChecked(m_start.touchSized);
+    form->addRow(QString(), m_touch);
     m_speak = named(new QCheckBox(tr("Speak &alerts"), box), "settingSpeak", tr("Speak alerts"));
     m_speak->setChecked(m_start.speakAlerts);
     m_speak->setEnabled(isDesktopVoiceBuilt());
@@ -202,6 +209,7 @@ Settings SettingsDialog::settings() const
     Settings out = m_start;
     out.language = m_language->currentData().toString();
     out.theme = static_cast<Theme>(m_theme->currentData().toInt());
+    out.touchSized = m_touch->isChecked();
     out.units = static_cast<UnitSystem>(m_units->currentData().toInt());
     out.coordinates = static_cast<CoordinateFormat>(m_coordinates->currentData().toInt());
     out.speakAlerts = m_speak->isChecked();

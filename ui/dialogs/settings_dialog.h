@@ -31,7 +31,7 @@ private:
     QComboBox *m_language, *m_theme, *m_units, *m_coordinates;
     QSpinBox *m_systemId, *m_componentId;
     QLineEdit *m_link, *m_folder;
-    QCheckBox *m_speak, *m_record, *m_research, *m_required;
+    QCheckBox *m_touch, *m_speak, *m_record, *m_research, *m_required;
     QComboBox *m_weakest;
 };
 

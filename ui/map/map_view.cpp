@@ -9,6 +9,7 @@
 #include <QtGui/QKeyEvent>
 #include <QtGui/QMouseEvent>
 #include <QtGui/QPainter>
+#include <QtGui/QTouchEvent>
 #include <QtGui/QWheelEvent>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QStyle>
@@ -40,6 +41,7 @@ MapView::MapView(const TileConfig &tiles, QWidget *parent) : QWidget(parent), m_
     connect(&m_motion, &MapMotion::settled, this, &MapView::markGroundDirty); // finely
     connect(&m_tiles, &TileLayer::changed, this, &MapView::markGroundDirty);
     connect(&m_overlays, &OverlayModel::pictureChanged, this, &MapView::markGroundDirty);
+    connectTouch();
     connect(&m_rotation, &MapRotation::toggled, this, &MapView::turn);
     connect(&m_measure, &MeasureTool::changed, this, &MapView::showMeasurement);
     connect(m_measure.action(), &QAction::triggered, this, [this] { setFocus(Qt::ShortcutFocusReason); }); // for its keys
@@ -158,11 +160,14 @@ void MapView::setMark(const std::optional<LatLong> &place)
 void MapView::contextMenuEvent(QContextMenuEvent *event)
 {
     event->accept();
-    if (m_measure.isOn())
-        return;
     const bool byKey = event->reason() == QContextMenuEvent::Keyboard;
-    const QPoint pixel = byKey ? rect().center() : event->pos();
-    Q_EMIT menuRequested(placeAt(pixel), mapToGlobal(pixel));
+    openMenu(byKey ? rect().center() : event->pos());
+}
+
+void MapView::openMenu(const QPoint &pixel)
+{
+    if (!m_measure.isOn())
+        Q_EMIT menuRequested(placeAt(pixel), mapToGlobal(pixel));
 }
 
 void MapView::setUnits(UnitSystem units)
@@ -277,33 +282,83 @@ void MapView::changeEvent(QEvent *event)
     QWidget::changeEvent(event);
 }
 
+void MapView::connectTouch()
+{
+    setAttribute(Qt::WA_AcceptTouchEvents);
+    connect(&m_touch, &MapTouch::pressed, this, &MapView::beginDrag);
+    connect(&m_touch, &MapTouch::dragged, this, &MapView::dragTo);
+    connect(&m_touch, &MapTouch::released, this, &MapView::endDrag);
+    connect(&m_touch, &MapTouch::held, this, [this](const QPointF &pixel) { openMenu(pixel.toPoint()); });
+    connect(&m_touch, &MapTouch::pinched, this, [this](const QPointF &from, const QPointF &to, double factor) {
+        leaveVehicle();
+        m_motion.stop();
+        m_viewport.pan(to - from);
+        m_viewport.zoomAt(to, factor);
+        markGroundDirty();
+    });
+}
+
+/// Fingers are read here; Qt would make a mouse of the first one only.
+bool MapView::event(QEvent *event)
+{
+    switch (event->type()) {
+    case QEvent::TouchBegin:
+    case QEvent::TouchUpdate:
+    case QEvent::TouchEnd:
+    case QEvent::TouchCancel:
+        if (m_touch.handle(*static_cast<QTouchEvent *>(event), *this)) {
+            event->accept();
+            return true;
+        }
+        break;
+    default: break;
+    }
+    return QWidget::event(event);
+}
+
+void MapView::beginDrag(const QPointF &pixel)
+{
+    m_drag = Drag{pixel, pixel};
+    m_motion.stop();
+}
+
+void MapView::dragTo(const QPointF &pixel)
+{
+    if (!m_drag)
+        return;
+    leaveVehicle();
+    m_viewport.pan(pixel - m_drag->last);
+    m_drag->last = pixel;
+    markGroundDirty();
+}
+
+void MapView::endDrag(const QPointF &pixel, bool isClick)
+{
+    const bool dragged = std::exchange(m_drag, std::nullopt).has_value();
+    showCursor();
+    markGroundDirty(); // finely
+    if (dragged && isClick)
+        click(pixel);
+}
+
 void MapView::mousePressEvent(QMouseEvent *event)
 {
-    if (event->button() == Qt::LeftButton) {
-        m_drag = Drag{event->position(), event->position()};
-        m_motion.stop();
-        setCursor(Qt::ClosedHandCursor);
-    }
+    if (event->button() != Qt::LeftButton)
+        return;
+    beginDrag(event->position());
+    setCursor(Qt::ClosedHandCursor);
 }
 
 void MapView::mouseMoveEvent(QMouseEvent *event)
 {
     setPointer(event->position());
-    if (m_drag) {
-        leaveVehicle();
-        m_viewport.pan(event->position() - m_drag->last);
-        m_drag->last = event->position();
-        markGroundDirty();
-    }
+    dragTo(event->position());
 }
 
 void MapView::mouseReleaseEvent(QMouseEvent *event)
 {
-    const auto drag = std::exchange(m_drag, std::nullopt);
-    showCursor();
-    markGroundDirty(); // finely
-    if (drag && (event->position() - drag->begin).manhattanLength() < QApplication::startDragDistance())
-        click(event->position());
+    const bool isClick = m_drag && (event->position() - m_drag->begin).manhattanLength() < QApplication::startDragDistance();
+    endDrag(event->position(), isClick);
 }
 
 void MapView::click(const QPointF &pixel)

@@ -8,6 +8,7 @@
 #include "ui/map/map_content.h"
 #include "ui/map/map_motion.h"
 #include "ui/map/map_rotation.h"
+#include "ui/map/map_touch.h"
 #include "ui/map/map_viewport.h"
 #include "ui/map/measure_tool.h"
 #include "ui/map/tile_layer.h"
@@ -69,6 +70,7 @@ public:
     QSize minimumSizeHint() const override { return {240, 160}; }
 
 protected:
+    bool event(QEvent *event) override;
     void paintEvent(QPaintEvent *) override;
     void resizeEvent(QResizeEvent *) override;
     void changeEvent(QEvent *event) override;
@@ -82,7 +84,12 @@ protected:
     void contextMenuEvent(QContextMenuEvent *event) override;
 
 private:
+    void connectTouch();
     void zoomAt(const QPointF &pixel, double factor);
+    void beginDrag(const QPointF &pixel);
+    void dragTo(const QPointF &pixel);
+    void endDrag(const QPointF &pixel, bool isClick);
+    void openMenu(const QPoint &pixel);
     void leaveVehicle();
     void turn();
     bool isOnNorth(const QPointF &pixel) const;
@@ -105,6 +112,7 @@ private:
     TileLayer m_tiles;
     MeasureTool m_measure;
     MapRotation m_rotation;
+    MapTouch m_touch;
     OverlayModel m_overlays;
     UnitSystem m_units = UnitSystem::Metric;
     CoordinateFormat m_coordinates = CoordinateFormat::Decimal;

@@ -6,6 +6,7 @@
 #include "ui/text/units.h"
 #include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
+#include "ui/theme/instrument_style.h"
 #include "ui/theme/palettes.h"
 #include "ui/theme/suite_style.h"
 
@@ -189,12 +190,12 @@ QString ReplayTimeline::textAt(int x) const
 
 QSize ReplayTimeline::sizeHint() const
 {
-    return {400, kHeight};
+    return {400, std::max(kHeight, leastTarget(*this))};
 }
 
 QSize ReplayTimeline::minimumSizeHint() const
 {
-    return {120, kHeight};
+    return {120, std::max(kHeight, leastTarget(*this))};
 }
 
 void ReplayTimeline::seekTo(int place)

@@ -9,12 +9,14 @@
 #include "ui/text/units.h"
 #include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
+#include "ui/theme/instrument_style.h"
 #include "ui/theme/palettes.h"
 #include "ui/theme/suite_style.h"
 
 #include <QtCore/QEvent>
 #include <QtGui/QPainter>
 
+#include <algorithm>
 #include <cmath>
 
 namespace skyseal::ui {
@@ -218,12 +220,12 @@ void StatusStrip::arrange()
 
 QSize StatusStrip::sizeHint() const
 {
-    return {640, 5 * kGrid};
+    return {640, std::max(5 * kGrid, leastTarget(*this))};
 }
 
 QSize StatusStrip::minimumSizeHint() const
 {
-    return {320, 5 * kGrid};
+    return {320, std::max(5 * kGrid, leastTarget(*this))};
 }
 
 void StatusStrip::resizeEvent(QResizeEvent *)

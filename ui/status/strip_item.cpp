@@ -3,6 +3,7 @@
 #include "ui/text/figures.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/icons.h"
+#include "ui/theme/instrument_style.h"
 #include "ui/theme/palettes.h"
 
 #include <QtGui/QPainter>
@@ -107,7 +108,7 @@ void StripItem::setVariant(int variant)
 
 QSize StripItem::sizeHint() const
 {
-    return {widthOf(m_variant), 4 * kGrid};
+    return {widthOf(m_variant), std::max(4 * kGrid, leastTarget(*this))};
 }
 
 void StripItem::paintEvent(QPaintEvent *)

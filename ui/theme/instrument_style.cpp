@@ -1,10 +1,16 @@
 #include "ui/theme/instrument_style.h"
 
+#include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
 #include <QtGui/QPainter>
 #include <QtGui/QPainterPath>
+#include <QtWidgets/QAbstractItemView>
+#include <QtWidgets/QGraphicsView>
+#include <QtWidgets/QScroller>
 #include <QtWidgets/QStyleOption>
+
+#include <algorithm>
 
 namespace skyseal::ui {
 
@@ -45,20 +51,113 @@ void drawMark(bool round, const QStyleOption &option, QPainter &painter)
     painter.restore();
 }
 
+constexpr int kFusionSpinButton = 16; ///< pixels: width of the buttons of a spin box
+
+/// The part of a list or a scrolled panel that a finger moves; null for other widgets, and for charts, which have gestures of
+/// their own.
+QWidget *scrolledPart(QWidget *widget)
+{
+    auto *area = qobject_cast<QAbstractScrollArea *>(widget);
+    return area && !qobject_cast<QGraphicsView *>(widget) ? area->viewport() : nullptr;
+}
+
 } // namespace
 
-InstrumentStyle::InstrumentStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
+InstrumentStyle::InstrumentStyle(bool touchSized) : QProxyStyle(QStringLiteral("Fusion")), m_touchSized(touchSized) {}
+
+int leastTarget(const QWidget &widget)
+{
+    const auto *style = qobject_cast<const InstrumentStyle *>(widget.style());
+    return style && style->isTouchSized() ? kTouchTarget : 0;
+}
+
+void InstrumentStyle::polish(QWidget *widget)
+{
+    QProxyStyle::polish(widget);
+    if (QWidget *part = m_touchSized ? scrolledPart(widget) : nullptr)
+        QScroller::grabGesture(part, QScroller::TouchGesture);
+}
+
+void InstrumentStyle::unpolish(QWidget *widget)
+{
+    if (QWidget *part = m_touchSized ? scrolledPart(widget) : nullptr)
+        QScroller::ungrabGesture(part);
+    QProxyStyle::unpolish(widget);
+}
+
+QSize InstrumentStyle::sizeFromContents(ContentsType type, const QStyleOption *option, const QSize &size,
+                                        const QWidget *widget) const
+{
+    const QSize out = QProxyStyle::sizeFromContents(type, option, size, widget);
+    if (!m_touchSized)
+        return out;
+    switch (type) {
+    case CT_PushButton:
+    case CT_ToolButton:
+    case CT_TabBarTab:
+    case CT_MenuBarItem: return out.expandedTo({kTouchTarget, kTouchTarget});
+    case CT_CheckBox:
+    case CT_RadioButton:
+    case CT_ComboBox:
+    case CT_LineEdit:
+    case CT_ItemViewItem:
+    case CT_HeaderSection: return out.expandedTo({0, kTouchTarget});
+    case CT_SpinBox: return out.expandedTo({out.width() + kTouchTarget - kFusionSpinButton, kTouchTarget});
+    case CT_MenuItem: {
+        const auto *item = qstyleoption_cast<const QStyleOptionMenuItem *>(option);
+        const bool isLine = item && item->menuItemType == QStyleOptionMenuItem::Separator && item->text.isEmpty();
+        return isLine ? out : out.expandedTo({0, kTouchTarget});
+    }
+    default: return out;
+    }
+}
+
+/// The buttons of a field with a number are as wide as a finger, and share its height.
+QRect InstrumentStyle::subControlRect(ComplexControl control, const QStyleOptionComplex *option, SubControl part,
+                                      const QWidget *widget) const
+{
+    QRect place = QProxyStyle::subControlRect(control, option, part, widget);
+    const auto *spin = qstyleoption_cast<const QStyleOptionSpinBox *>(option);
+    if (!m_touchSized || control != CC_SpinBox || !spin || spin->buttonSymbols == QAbstractSpinBox::NoButtons)
+        return place;
+    const int wider = kTouchTarget - kFusionSpinButton;
+    const bool isButton = part == SC_SpinBoxUp || part == SC_SpinBoxDown;
+    if (part != SC_SpinBoxEditField && !isButton)
+        return place;
+    if (option->direction == Qt::RightToLeft)
+        return isButton ? place.adjusted(0, 0, wider, 0) : place.adjusted(wider, 0, 0, 0);
+    return isButton ? place.adjusted(-wider, 0, 0, 0) : place.adjusted(0, 0, -wider, 0);
+}
 
 int InstrumentStyle::pixelMetric(PixelMetric metric, const QStyleOption *option, const QWidget *widget) const
 {
     if (metric == PM_ToolBarItemMargin || metric == PM_ToolBarFrameWidth)
         return 0;
-    return QProxyStyle::pixelMetric(metric, option, widget);
+    const int usual = QProxyStyle::pixelMetric(metric, option, widget);
+    if (!m_touchSized)
+        return usual;
+    switch (metric) {
+    case PM_HeaderDefaultSectionSizeVertical:
+    case PM_ScrollBarSliderMin:
+    case PM_SliderThickness:
+    case PM_SliderControlThickness:
+    case PM_SliderLength: return std::max(usual, kTouchTarget);
+    // A finger moves the list itself, and what stands between docks is moved now and then: these would take the room of what is
+    // read.
+    case PM_ScrollBarExtent:
+    case PM_SplitterWidth:
+    case PM_DockWidgetSeparatorExtent: return std::max(usual, kTouchTarget / 2);
+    case PM_DockWidgetTitleBarButtonMargin:
+        return (kTouchTarget + 1 - QProxyStyle::pixelMetric(PM_TitleBarButtonIconSize, option, widget)) / 2;
+    default: return usual;
+    }
 }
 
 int InstrumentStyle::styleHint(StyleHint hint, const QStyleOption *option, const QWidget *widget,
                                QStyleHintReturn *result) const
 {
+    if (hint == SH_ItemView_ScrollMode && m_touchSized)
+        return QAbstractItemView::ScrollPerPixel;
     return hint == SH_DialogButtonBox_ButtonsHaveIcons ? 0 : QProxyStyle::styleHint(hint, option, widget, result);
 }
 

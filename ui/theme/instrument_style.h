@@ -1,6 +1,7 @@
 // Fusion with the few parts redrawn that disappear in our palettes: the marks of radio buttons and check boxes, and the edges
 // of fields, which Fusion makes darker than the window, however dark that is. Tool bars have no margin: the status strip
-// fills its own. Answers have no pictures: a green mark would recommend what may be the dangerous one.
+// fills its own. Answers have no pictures: a green mark would recommend what may be the dangerous one. Touch-sized, everything that
+// is pressed is large enough for a finger, and lists scroll under it.
 #pragma once
 
 #include <QtCore/QHash>
@@ -14,8 +15,17 @@ class InstrumentStyle : public QProxyStyle
     Q_OBJECT
 
 public:
-    InstrumentStyle();
+    explicit InstrumentStyle(bool touchSized = false);
 
+    bool isTouchSized() const { return m_touchSized; }
+    using QProxyStyle::polish;
+    using QProxyStyle::unpolish;
+    void polish(QWidget *widget) override;
+    void unpolish(QWidget *widget) override;
+    QSize sizeFromContents(ContentsType type, const QStyleOption *option, const QSize &size,
+                           const QWidget *widget) const override;
+    QRect subControlRect(ComplexControl control, const QStyleOptionComplex *option, SubControl part,
+                         const QWidget *widget) const override;
     int pixelMetric(PixelMetric metric, const QStyleOption *option, const QWidget *widget) const override;
     int styleHint(StyleHint hint, const QStyleOption *option, const QWidget *widget, QStyleHintReturn *result) const override;
     void drawPrimitive(PrimitiveElement element, const QStyleOption *option, QPainter *painter,
@@ -27,7 +37,11 @@ private:
     /// The palette of a field from which Fusion makes the edge that we want. Kept, since Fusion caches what it drew by palette.
     const QPalette &edged(const QStyleOption &option) const;
 
+    const bool m_touchSized;
     mutable QHash<qint64, QPalette> m_edged, m_edgedDisabled; ///< by the palette that it was made of
 };
+
+/// Least side in pixels of what is pressed in this widget, if it sizes that itself: kTouchTarget, or 0 if the mouse presses it.
+int leastTarget(const QWidget &widget);
 
 } // namespace skyseal::ui

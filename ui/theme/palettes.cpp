@@ -86,11 +86,12 @@ QPalette paletteOf(Theme theme)
     return make(desktopIsDark ? kDark : kLight);
 }
 
-void applyTheme(Theme theme)
+void applyTheme(Theme theme, bool touchSized)
 {
     const QPalette palette = paletteOf(theme);
-    if (!qobject_cast<InstrumentStyle *>(QApplication::style()))
-        QApplication::setStyle(new InstrumentStyle);
+    const auto *style = qobject_cast<InstrumentStyle *>(QApplication::style());
+    if (!style || style->isTouchSized() != touchSized)
+        QApplication::setStyle(new InstrumentStyle(touchSized));
     QApplication::setPalette(palette);
 }
 

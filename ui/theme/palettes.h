@@ -23,8 +23,8 @@ QPalette paletteOf(Theme theme);
 const StateColors &stateColors(const QPalette &palette);
 
 /// Fusion style, the theme's palette and the application's font settings. Remembers the desktop's palette when called
-/// for the first time, so that "Desktop" can be chosen again.
-void applyTheme(Theme theme);
+/// for the first time, so that "Desktop" can be chosen again. `touchSized`: controls are large enough for fingers.
+void applyTheme(Theme theme, bool touchSized = false);
 
 bool isDark(const QPalette &palette);
 

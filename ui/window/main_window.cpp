@@ -358,7 +358,7 @@ void MainWindow::applySettings(const Settings &settings)
 {
     const bool changed = !(settings == m_settings);
     m_settings = settings;
-    applyTheme(settings.theme);
+    applyTheme(settings.theme, settings.touchSized);
     m_commands->setUnits(settings.units);
     m_map->setUnits(settings.units);
     m_map->setCoordinateFormat(settings.coordinates);
