@@ -78,7 +78,12 @@ void MeterShareTest::meterIsNoPartOfTheMeasurement()
         ++all;
         meter += isMeter;
     }
-    const QJsonObject run = QJsonDocument::fromJson(out.split('\n').first()).object();
+    QJsonObject run;
+    for (const QByteArray &line : out.split('\n')) {
+        if (const QJsonObject event = QJsonDocument::fromJson(line).object();
+            event[QLatin1String("event")] == QLatin1String("run"))
+            run = event;
+    }
     const double own = run[QLatin1String("values")][QLatin1String("meter_cpu")].toDouble(100);
     qInfo("perf finds %.2f %% of the I/O thread's CPU time in the meter (%d of %d samples), %d samples of it before and after, "
           "%d of these in probes; meter_cpu is %.2f %%",
