@@ -1,5 +1,5 @@
-// Watches the limits of the values that the operator has chosen for the grid, and makes alerts of values beyond them. No widgets
-// and no clock; times are seconds on any steady clock.
+// Watches the limits of the values that the operator has chosen for the grid, and makes alerts of values beyond them. No
+// widgets and no clock; times are seconds on any steady clock.
 #pragma once
 
 #include "ui/alerts/alert.h"

@@ -1,5 +1,5 @@
-// Reads the fingers on a touch screen as what the map understands: a tap, a drag, a long press, and two fingers that zoom and move.
-// Lives on the GUI thread.
+// Reads the fingers on a touch screen as what the map understands: a tap, a drag, a long press, and two fingers that zoom
+// and move. Lives on the GUI thread.
 #pragma once
 
 #include <QtCore/QObject>

@@ -23,7 +23,8 @@ struct UnitScale
 UnitScale altitudeScale(UnitSystem units);
 UnitScale speedScale(UnitSystem units);
 UnitScale climbScale(UnitSystem units);
-/// Unit of a distance of about this many metres, and the units it is one of: the small one, and the large one for long distances.
+/// Unit of a distance of about this many metres, and the units it is one of: the small one, and the large one for long
+/// distances.
 UnitScale distanceScale(double metres, UnitSystem units);
 UnitScale smallDistanceScale(UnitSystem units);
 UnitScale largeDistanceScale(UnitSystem units);

@@ -1,7 +1,7 @@
 // Fusion with the few parts redrawn that disappear in our palettes: the marks of radio buttons and check boxes, and the edges
 // of fields, which Fusion makes darker than the window, however dark that is. Tool bars have no margin: the status strip
-// fills its own. Answers have no pictures: a green mark would recommend what may be the dangerous one. Touch-sized, everything that
-// is pressed is large enough for a finger, and lists scroll under it.
+// fills its own. Answers have no pictures: a green mark would recommend what may be the dangerous one. Touch-sized, everything
+// that is pressed is large enough for a finger, and lists scroll under it.
 #pragma once
 
 #include <QtCore/QHash>
