@@ -4,6 +4,7 @@
 #include "tests/support/notify_socket.h"
 #include "tests/support/test_runner.h"
 
+#include <QtCore/QDir>
 #include <QtCore/QFileInfo>
 #include <QtCore/QJsonArray>
 #include <QtCore/QJsonDocument>
@@ -64,6 +65,7 @@ private Q_SLOTS:
     void openServiceIsWarnedOf();
     void journalHasTheSeverityOfEachReport();
     void commandLineDecidesOnTheRecording();
+    void recordingHoldsTheFlight();
 };
 
 void GatewayProgramTest::anotherStationFliesWhileSuitesAreSwitched()
@@ -336,6 +338,32 @@ void GatewayProgramTest::commandLineDecidesOnTheRecording()
                                                           QStringLiteral("0.1")});
     QVERIFY2(result.status == 0, result.err.constData());
     QVERIFY2(result.err.contains("recording to " + folder.toUtf8()), result.err.constData());
+}
+
+void GatewayProgramTest::recordingHoldsTheFlight()
+{
+    Flight flight;
+    QVERIFY(flight.ready());
+    QStringList arguments = gatewayArguments(flight, QStringLiteral("udpin:0"));
+    arguments.removeAll(QStringLiteral("--no-record"));
+    arguments.replaceInStrings(QStringLiteral("udpin:127.0.0.1:0"),
+                               QStringLiteral("udpin:127.0.0.1:%1").arg(flight.groundPort));
+    const QDir folder(flight.path(QStringLiteral("logs")));
+    Program gateway(QStringLiteral("skyseal-cli"),
+                    arguments << QStringLiteral("--json") << QStringLiteral("--record") << folder.path());
+    Program agent(QStringLiteral("skyseal-air"), flight.airArguments());
+    Program vehicle(QStringLiteral("skyseal-sim"), flight.simArguments());
+    QVERIFY2(!gateway.waitFor(QStringLiteral("vehicle")).isEmpty(), gateway.errors().constData());
+    QCOMPARE(gateway.terminate(), 0);
+
+    const QStringList recordings = folder.entryList({QStringLiteral("*.tlog")});
+    QCOMPARE(recordings.size(), 1);
+    const RunResult info = runProgram(
+        "skyseal-cli",
+        {QStringLiteral("log"), QStringLiteral("info"), QStringLiteral("--json"), folder.filePath(recordings.front())});
+    const QJsonObject content = QJsonDocument::fromJson(info.out).object();
+    QVERIFY2(content[QLatin1String("sound")].toBool(), info.out.constData());
+    QVERIFY(content[QLatin1String("messages")][QLatin1String("HEARTBEAT")].toInt() > 0);
 }
 
 SKYSEAL_TEST(GatewayProgramTest)
