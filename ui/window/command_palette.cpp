@@ -17,11 +17,13 @@
 #include <QtWidgets/QTreeView>
 #include <QtWidgets/QVBoxLayout>
 
+#include <algorithm>
+
 namespace skyseal::ui {
 
 namespace {
 
-constexpr int kPaletteWidth = 60 * kGrid, kPaletteHeight = 44 * kGrid;
+constexpr int kPaletteWidth = 76 * kGrid, kPaletteHeight = 44 * kGrid;
 
 } // namespace
 
@@ -58,7 +60,7 @@ CommandPalette::CommandPalette(QMainWindow &window) : QDialog(&window)
     m_list->setFocusPolicy(Qt::NoFocus); // the arrows move the selection while one types
     m_list->header()->setStretchLastSection(false);
     m_list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-    m_list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    m_list->header()->setSectionResizeMode(1, QHeaderView::Fixed);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(kGrid, kGrid, kGrid, kGrid);
     column->setSpacing(kGrid);
@@ -68,6 +70,9 @@ CommandPalette::CommandPalette(QMainWindow &window) : QDialog(&window)
     for (QAction *top : window.menuBar()->actions())
         if (QMenu *menu = top->menu())
             collect(*menu, withoutMnemonic(top->text()));
+    // A long reason must not take the room of the name; its tip says all of it.
+    m_list->resizeColumnToContents(1);
+    m_list->header()->resizeSection(1, std::min(m_list->header()->sectionSize(1), kPaletteWidth * 2 / 5));
     filter({});
     m_typed->setFocus();
     connect(m_typed, &QLineEdit::textChanged, this, &CommandPalette::filter);
