@@ -76,7 +76,8 @@ Settings loadSettings(const QSettings &store)
     s.map = loadMapSource(store);
     s.rotateMap = store.value(QStringLiteral("map/rotate"), s.rotateMap).toBool();
     s.values = loadValues(store);
-    s.serving.write = store.value(QStringLiteral("gateway/write"), s.serving.write).toBool();
+    // Rights of a gateway that is off are chosen anew when it is turned on.
+    s.serving.write = s.serving.on && store.value(QStringLiteral("gateway/write"), s.serving.write).toBool();
     return s;
 }
 
