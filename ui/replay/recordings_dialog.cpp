@@ -95,6 +95,7 @@ void RecordingsDialog::showState()
                               "replay another log.")
                                .arg(m_folder)
                          : read < all ? tr("%1 of %2 read in %3").arg(read).arg(all).arg(m_folder)
+                         : all == 1   ? tr("One recording in %1").arg(m_folder)
                                       : tr("%1 recordings in %2").arg(all).arg(m_folder));
     m_replay->setEnabled(m_view->selectionModel()->hasSelection());
 }
