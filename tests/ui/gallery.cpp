@@ -1,7 +1,7 @@
 // Draws the window in its states and sizes, and its dialogs, into a folder for people to look at: ui_gallery DIR [STATE SIZE
 // THEME WORKSPACE LANGUAGE WITH], where STATE and the others are lists with commas, "dialogs" among the states being all
-// dialogs, "map" the menu of the map, and the name of one of its entries, such as "mapGoHere", what that opens. WITH are settings
-// of all pictures: touch, aviation, rotated.
+// dialogs, "map" the menu of the map, and the name of one of its entries, such as "mapGoHere", what that opens. WITH are
+// settings of all pictures: touch, aviation, rotated.
 #include "fake_station.h"
 #include "gallery_dialogs.h"
 #include "scripted_snapshots.h"

@@ -1,7 +1,7 @@
 // The map: north is up unless it turns with the vehicle, tiles of the chosen source or a graticule, a scale bar, home, fence,
-// mission, the track coloured by suite, the overlays of the operator, and all vehicles. A click selects another one. Drag or the arrow keys move the map, the
-// wheel or + and − zoom, Home follows the vehicle again; while the operator measures, clicks and keys go to MeasureTool. Holds
-// the content, the viewport and a picture of the ground; MapPainter paints.
+// mission, the track coloured by suite, the overlays of the operator, and all vehicles. A click selects another one. Drag or
+// the arrow keys move the map, the wheel or + and − zoom, Home follows the vehicle again; while the operator measures, clicks
+// and keys go to MeasureTool. Holds the content, the viewport and a picture of the ground; MapPainter paints.
 #pragma once
 
 #include "ui/map/fence.h"
