@@ -4754,6 +4754,10 @@ with a pre-shared key</source>
         <source>No recordings in %1. Enable recording in File → Settings, or choose &quot;Other file&quot; to replay another log.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>One recording in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::RegionDialog</name>
@@ -5429,6 +5433,18 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>aviation (ft, kt, NM)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Touch-sized controls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch-sized controls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Buttons, menus and lists are large enough for fingers</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -988,7 +988,7 @@
     </message>
     <message>
         <source>Take off</source>
-        <translation>Starten</translation>
+        <translation>Abheben</translation>
     </message>
     <message>
         <source>Start mission</source>
@@ -2154,7 +2154,7 @@ Bis das behoben ist, wird keine Verbindung versiegelt. Ungeschütztes MAVLink wi
     <name>skyseal::ui::GatewaySection</name>
     <message>
         <source>Serve other stations</source>
-        <translation>Andere Stationen bedienen</translation>
+        <translation>Andere Stationen versorgen</translation>
     </message>
     <message>
         <source>Address for other stations</source>
@@ -4787,6 +4787,10 @@ mit PSK</translation>
         <source>No recordings in %1. Enable recording in File → Settings, or choose &quot;Other file&quot; to replay another log.</source>
         <translation>Keine Aufzeichnungen in %1. Das Aufzeichnen in Datei → Einstellungen einschalten oder mit „Andere Datei“ ein anderes Log wiedergeben.</translation>
     </message>
+    <message>
+        <source>One recording in %1</source>
+        <translation>Eine Aufzeichnung in %1</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::RegionDialog</name>
@@ -5464,6 +5468,18 @@ mit PSK</translation>
     <message>
         <source>aviation (ft, kt, NM)</source>
         <translation>Luftfahrt (ft, kt, NM)</translation>
+    </message>
+    <message>
+        <source>&amp;Touch-sized controls</source>
+        <translation>&amp;Touch-große Bedienelemente</translation>
+    </message>
+    <message>
+        <source>Touch-sized controls</source>
+        <translation>Touch-große Bedienelemente</translation>
+    </message>
+    <message>
+        <source>Buttons, menus and lists are large enough for fingers</source>
+        <translation>Knöpfe, Menüs und Listen sind groß genug für Finger</translation>
     </message>
 </context>
 <context>
@@ -6355,7 +6371,7 @@ mit PSK</translation>
     <name>skyseal::ui::TakeOffDialog</name>
     <message>
         <source>Take off</source>
-        <translation>Starten</translation>
+        <translation>Abheben</translation>
     </message>
     <message>
         <source>Hold the button for half a second. The propellers speed up and the vehicle climbs.</source>
@@ -7378,7 +7394,7 @@ GPL-3.0-or-later; erstellt mit Qt %2, Qt Charts, libsodium und OpenSSL.</transla
     </message>
     <message>
         <source>&amp;Take off…</source>
-        <translation>S&amp;tarten…</translation>
+        <translation>A&amp;bheben…</translation>
     </message>
     <message>
         <source>&amp;Land…</source>
