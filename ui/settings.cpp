@@ -74,6 +74,7 @@ Settings loadSettings(const QSettings &store)
     if (!served.isEmpty())
         s.serving.url = served;
     s.map = loadMapSource(store);
+    s.trackColors = static_cast<TrackColors>(inRange(store, "map/track", 0, 3, static_cast<int>(s.trackColors)));
     s.rotateMap = store.value(QStringLiteral("map/rotate"), s.rotateMap).toBool();
     s.values = loadValues(store);
     // Rights of a gateway that is off are chosen anew when it is turned on.
@@ -109,6 +110,7 @@ void storeSettings(QSettings &store, const Settings &settings)
     store.setValue(QStringLiteral("map/attribution"), settings.map.attribution);
     store.setValue(QStringLiteral("map/deepest"), settings.map.deepest);
     store.setValue(QStringLiteral("map/rotate"), settings.rotateMap);
+    store.setValue(QStringLiteral("map/track"), static_cast<int>(settings.trackColors));
     if (settings.values.problem.isEmpty()) // else what cannot be read stays until the operator has chosen again
         store.setValue(QStringLiteral("view/values"), toText(settings.values.list));
 }

@@ -7,6 +7,7 @@
 #include "ui/text/coordinates.h"
 #include "ui/text/units.h"
 #include "ui/theme/palettes.h"
+#include "ui/track_colors.h"
 #include "ui/value_choice.h"
 
 #include <QtCore/QString>
@@ -64,7 +65,8 @@ struct Settings
     Serving serving;
     MapSource map;
     bool rotateMap = false; ///< with the vehicle
-    ChosenValues values;    ///< of the grid in Fly
+    TrackColors trackColors = TrackColors::Suite;
+    ChosenValues values; ///< of the grid in Fly
 
     bool operator==(const Settings &) const = default;
 };

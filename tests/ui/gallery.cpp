@@ -1,7 +1,7 @@
 // Draws the window in its states and sizes, and its dialogs, into a folder for people to look at: ui_gallery DIR [STATE SIZE
 // THEME WORKSPACE LANGUAGE WITH], where STATE and the others are lists with commas, "dialogs" among the states being all
 // dialogs, "map" the menu of the map, and the name of one of its entries, such as "mapGoHere", what that opens. WITH are
-// settings of all pictures: touch, aviation, rotated.
+// settings of all pictures: touch, aviation, rotated, altitude (of the track).
 #include "fake_station.h"
 #include "gallery_dialogs.h"
 #include "scripted_snapshots.h"
@@ -522,6 +522,7 @@ int main(int argc, char **argv)
                                                                 : Theme::Light;
                 settings.touchSized = with.contains(QStringLiteral("touch"));
                 settings.rotateMap = with.contains(QStringLiteral("rotated"));
+                settings.trackColors = with.contains(QStringLiteral("altitude")) ? TrackColors::Altitude : TrackColors::Suite;
                 settings.units = with.contains(QStringLiteral("aviation")) ? UnitSystem::Aviation : UnitSystem::Metric;
                 settings.serving.on = settings.serving.write = state == QLatin1String("served");
                 settings.coordinates = state == QLatin1String("utm") || state == QLatin1String("measure")

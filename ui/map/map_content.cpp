@@ -48,6 +48,17 @@ bool MapContent::isJump(const QPointF &now, double time) const
     return apart > kLeast && apart > kFastest * (time - m_positionAt);
 }
 
+namespace {
+
+TrackValues trackValues(const ViewState &view)
+{
+    const double lost = view.session ? view.session->lossPercent : view.vehicle->lossPercent;
+    const vehicle::VehicleState &state = view.vehicle->state;
+    return {static_cast<float>(100 - lost), static_cast<float>(state.altitudeRelative), static_cast<float>(state.groundSpeed)};
+}
+
+} // namespace
+
 MapContent::Changes MapContent::show(const ViewState &view, double metresPerPixel)
 {
     Changes changes;
@@ -77,7 +88,7 @@ MapContent::Changes MapContent::show(const ViewState &view, double metresPerPixe
         if (!isStale()) {
             m_lastKnown = now;
             m_positionAt = flightSeconds(*view.snapshot);
-            changes.ground |= m_track.append(now, m_suite);
+            changes.ground |= m_track.append(now, m_suite, trackValues(view));
         }
         if (!m_vehicle || (now - *m_vehicle).manhattanLength() > metresPerPixel * 0.5) {
             m_vehicle = now;

@@ -5,6 +5,7 @@
 #include "ui/tiles/mercator.h"
 #include "ui/map/mission_route.h"
 #include "ui/map/track.h"
+#include "ui/track_colors.h"
 #include "ui/map/vehicle_markers.h"
 #include "ui/view_state.h"
 
@@ -39,6 +40,8 @@ public:
     int age() const { return m_age; } ///< see staleAge()
     const std::vector<VehicleMarker> &others() const { return m_others; }
     const Track &track() const { return m_track; }
+    TrackColors trackColors() const { return m_trackColors; }
+    void setTrackColors(TrackColors colors) { m_trackColors = colors; }
     /// Nothing until the mission was read.
     const std::optional<MissionRoute> &route() const { return m_route; }
     int missionCurrent() const { return m_missionCurrent; }
@@ -55,6 +58,7 @@ private:
     crypto::SuiteId m_suite{};
     std::vector<VehicleMarker> m_others;
     Track m_track;
+    TrackColors m_trackColors = TrackColors::Suite;
     QPointF m_lastKnown;
     double m_positionAt = 0; ///< time of the snapshot with the last position, seconds
     std::shared_ptr<const std::vector<vehicle::MissionItem>> m_mission;

@@ -7,6 +7,7 @@
 #include "ui/map/overlay_painter.h"
 #include "ui/map/scale_bar.h"
 #include "ui/map/tile_painter.h"
+#include "ui/map/track_scale.h"
 #include "ui/text/figures.h"
 #include "ui/text/units.h"
 #include "ui/theme/grid.h"
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace skyseal::ui {
 
@@ -50,7 +52,7 @@ void MapPainter::paintGround(const TileLayer &tiles, const OverlayModel &overlay
     paintHome();
     paintScale(units);
     paintNorth();
-    paintAttribution(tiles);
+    paintTrackScale(units, paintAttribution(tiles));
 }
 
 void MapPainter::paintGraticule(const Graticule &graticule)
@@ -103,23 +105,61 @@ void MapPainter::paintLabels(const Graticule &graticule)
 void MapPainter::paintTrack()
 {
     const auto &points = m_content.track().points();
+    std::optional<TrackScale> scale;
+    if (m_content.trackColors() != TrackColors::Suite)
+        scale.emplace(m_content.track(), m_content.trackColors());
+    const auto colorAt = [&](std::size_t i) { return scale ? scale->colorOf(points[i]) : suiteColor(points[i].suite); };
     std::size_t i = 0;
     while (i + 1 < points.size()) {
         QPolygonF line;
-        const crypto::SuiteId suite = points[i].suite;
+        const QColor color = colorAt(i);
         line << m_viewport.toPixels(points[i].metres);
         if (points[i + 1].begins) { // nothing is known of the way between
             ++i;
             continue;
         }
-        while (i + 1 < points.size() && points[i].suite == suite && !points[i + 1].begins) {
+        bool same = true;
+        while (i + 1 < points.size() && same && !points[i + 1].begins) {
             const QPointF next = m_viewport.toPixels(points[++i].metres);
-            if ((next - line.back()).manhattanLength() >= 1.0 || points[i].suite != suite)
+            same = colorAt(i) == color;
+            if ((next - line.back()).manhattanLength() >= 1.0 || !same)
                 line << next;
         }
-        m_painter.setPen(QPen(suiteColor(suite), 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        m_painter.setPen(QPen(color, 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         m_painter.drawPolyline(line);
     }
+}
+
+/// The colours of the track, from the lowest to the highest value, in the lower left corner.
+void MapPainter::paintTrackScale(UnitSystem units, double bottom)
+{
+    const TrackColors colors = m_content.trackColors();
+    if (colors == TrackColors::Suite || m_content.track().points().empty())
+        return;
+    const TrackScale scale(m_content.track(), colors);
+    const auto text = [&](double value) {
+        return colors == TrackColors::Altitude ? altitudeFigure(value, units).text()
+            : colors == TrackColors::Speed     ? speedFigure(value, units).text()
+                                               : number(value, 0) + QStringLiteral(" %");
+    };
+    const QString name = colors == TrackColors::Altitude ? tr("altitude")
+        : colors == TrackColors::Speed                   ? tr("speed")
+                                                         : tr("link quality");
+    const QString low = name + QLatin1Char(' ') + text(scale.low()), high = text(scale.high());
+    constexpr double kStepWidth = 2 * kGrid, kStepHeight = kHalfGrid;
+    const QFontMetricsF metrics(m_painter.font());
+    const double height = metrics.height() + kHalfGrid, top = bottom - height, lowWidth = metrics.horizontalAdvance(low);
+    const double ramp = TrackScale::kSteps * kStepWidth;
+    const QRectF box(kHalfGrid, top, lowWidth + ramp + metrics.horizontalAdvance(high) + 4 * kGrid, height);
+    paintCaption(m_painter, box, {}, m_palette);
+    const QRectF inner = box.adjusted(kGrid, 0, -kGrid, 0);
+    m_painter.setPen(m_palette.color(QPalette::WindowText));
+    m_painter.drawText(inner, Qt::AlignLeft | Qt::AlignVCenter, low);
+    m_painter.drawText(inner, Qt::AlignRight | Qt::AlignVCenter, high);
+    for (int step = 0; step < TrackScale::kSteps; ++step)
+        m_painter.fillRect(QRectF(inner.left() + lowWidth + kGrid + step * kStepWidth, inner.center().y() - kStepHeight / 2,
+                                  kStepWidth, kStepHeight),
+                           scale.colorOfStep(step));
 }
 
 void MapPainter::paintMission()
@@ -286,12 +326,12 @@ void MapPainter::paintNorth()
 }
 
 /// Where the pictures come from, and why they do not.
-void MapPainter::paintAttribution(const TileLayer &tiles)
+double MapPainter::paintAttribution(const TileLayer &tiles)
 {
-    if (!tiles.isOn())
-        return;
-    const QFontMetricsF metrics(m_painter.font());
     double bottom = m_viewport.size().height() - kHalfGrid;
+    if (!tiles.isOn())
+        return bottom;
+    const QFontMetricsF metrics(m_painter.font());
     const double widest = m_viewport.size().width() * 0.6;
     const QString problem = tiles.problem().isEmpty() ? QString() : tr("Map: %1").arg(tiles.problem());
     for (const QString &text : {tiles.attribution(), problem}) {
@@ -303,6 +343,7 @@ void MapPainter::paintAttribution(const TileLayer &tiles)
                      m_palette);
         bottom -= height + kHalfGrid;
     }
+    return bottom;
 }
 
 } // namespace skyseal::ui

@@ -45,12 +45,14 @@ private:
     void paintGraticule(const Graticule &graticule);
     void paintLabels(const Graticule &graticule);
     void paintTrack();
+    void paintTrackScale(UnitSystem units, double bottom);
     void paintMission();
     void paintHome();
     void paintArrow(const QPointF &at, double heading, double size, const QColor &fill);
     void paintScale(UnitSystem units);
     void paintNorth();
-    void paintAttribution(const TileLayer &tiles);
+    /// Returns the height up to which the lower left corner is free.
+    double paintAttribution(const TileLayer &tiles);
     void paintNames(const std::vector<std::pair<QPointF, QString>> &names);
 
     QPainter &m_painter;

@@ -170,6 +170,14 @@ void MapView::openMenu(const QPoint &pixel)
         Q_EMIT menuRequested(placeAt(pixel), mapToGlobal(pixel));
 }
 
+void MapView::setTrackColors(TrackColors colors)
+{
+    if (colors == m_content.trackColors())
+        return;
+    m_content.setTrackColors(colors);
+    markGroundDirty();
+}
+
 void MapView::setUnits(UnitSystem units)
 {
     if (m_units == units)

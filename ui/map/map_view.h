@@ -36,6 +36,7 @@ public:
     /// Forgets what the vehicle flew, and stays where it is.
     void forgetFlight();
     void setUnits(UnitSystem units);
+    void setTrackColors(TrackColors colors);
     void setCoordinateFormat(CoordinateFormat format);
     void setSource(const MapSource &source) { m_tiles.setSource(source); }
     void followVehicle();

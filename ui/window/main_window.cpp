@@ -364,6 +364,7 @@ void MainWindow::applySettings(const Settings &settings)
     m_map->setCoordinateFormat(settings.coordinates);
     m_map->setSource(settings.map);
     m_map->rotation().action()->setChecked(settings.rotateMap);
+    m_map->setTrackColors(settings.trackColors);
     m_docks->applySettings(settings);
     m_suites->setResearchAllowed(settings.allowResearch);
     m_suites->setWeakest(settings.weakestSuite);

@@ -78,6 +78,7 @@ void WindowDialogs::openSettings()
         changed.serving = m_settings.serving;
         changed.map = m_settings.map;
         changed.rotateMap = m_settings.rotateMap;
+        changed.trackColors = m_settings.trackColors;
         changed.values = m_settings.values;
         Q_EMIT settingsAccepted(changed);
     });
@@ -101,6 +102,13 @@ void WindowDialogs::openValues()
         Q_EMIT settingsAccepted(changed);
     });
     showModeless(*dialog);
+}
+
+void WindowDialogs::setTrackColors(TrackColors colors)
+{
+    Settings changed = m_settings;
+    changed.trackColors = colors;
+    Q_EMIT settingsAccepted(changed);
 }
 
 void WindowDialogs::openTakeOff()

@@ -39,6 +39,8 @@ public:
     void openSettings();
     void openShortcuts(Shortcuts &shortcuts);
     void openValues();
+    void setTrackColors(TrackColors colors);
+    TrackColors trackColors() const { return m_settings.trackColors; }
     void openTakeOff();
     /// Offers the present altitude of the vehicle in `view`.
     void openChangeAltitude(const ViewState &view);

@@ -190,6 +190,21 @@ Menu securityMenu(const MenuTargets &on)
     return {QStringLiteral("menuSecurity"), Text::tr("&Security"), std::move(items)};
 }
 
+MenuItems trackColorItems(WindowDialogs &dialogs)
+{
+    const std::pair<TrackColors, QString> all[] = {{TrackColors::Suite, Text::tr("&Cipher suite")},
+                                                   {TrackColors::LinkQuality, Text::tr("Link &quality")},
+                                                   {TrackColors::Altitude, Text::tr("&Altitude")},
+                                                   {TrackColors::Speed, Text::tr("&Speed")}};
+    MenuItems items;
+    for (const auto &[colors, text] : all)
+        items.push_back({.id = QStringLiteral("trackColors%1").arg(static_cast<int>(colors)),
+                         .text = text,
+                         .trigger = [&dialogs, chosen = colors] { dialogs.setTrackColors(chosen); },
+                         .checked = dialogs.trackColors() == colors});
+    return items;
+}
+
 Menu viewMenu(const MenuTargets &on)
 {
     MenuItems items;
@@ -222,6 +237,9 @@ Menu viewMenu(const MenuTargets &on)
          .text = Text::tr("&Edit values…"),
          .trigger = [on] { on.dialogs.openValues(); },
          .shortcut = Qt::CTRL | Qt::Key_E},
+        {.id = QStringLiteral("menuTrackColors"),
+         .text = Text::tr("&Track colours"),
+         .submenu = [on] { return trackColorItems(on.dialogs); }},
         {.id = QStringLiteral("actionClearTrack"),
          .text = Text::tr("&Clear the track"),
          .trigger = [on] { on.map.clearTrack(); },
