@@ -8,8 +8,6 @@
 #include "window_rig.h"
 
 #include <QtCore/QFile>
-#include <QtCore/QTimer>
-#include <QtWidgets/QApplication>
 #include <QtWidgets/QFileDialog>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
@@ -46,20 +44,15 @@ private:
         return path;
     }
 
-    /// By the file dialog, which has an event loop of its own.
+    /// By the file dialog.
     void choose(const QString &file) const
     {
-        QTimer clerk;
-        connect(&clerk, &QTimer::timeout, this, [&] {
-            auto *dialog = qobject_cast<QFileDialog *>(QApplication::activeModalWidget());
-            if (!dialog)
-                return;
-            clerk.stop();
-            dialog->findChild<QLineEdit *>(QStringLiteral("fileNameEdit"))->setText(file);
-            QMetaObject::invokeMethod(dialog, "accept");
-        });
-        clerk.start(1);
         QTest::mouseClick(find<QPushButton>("checklistChoose"), Qt::LeftButton);
+        auto *dialog = m_window->findChild<QFileDialog *>();
+        QVERIFY(dialog);
+        dialog->findChild<QLineEdit *>(QStringLiteral("fileNameEdit"))->setText(file);
+        QMetaObject::invokeMethod(dialog, "accept");
+        EVENTUALLY(!m_window->findChild<QFileDialog *>());
     }
 
     void openList() const { QTest::mouseClick(find<QPushButton>("preArmButton"), Qt::LeftButton); }

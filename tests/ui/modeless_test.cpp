@@ -7,6 +7,7 @@
 #include "ui/flight/hold_button.h"
 #include "window_rig.h"
 
+#include <QtCore/QFile>
 #include <QtGui/QAction>
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
@@ -14,6 +15,10 @@
 #include <QtWidgets/QDialog>
 #include <QtWidgets/QDialogButtonBox>
 #include <QtWidgets/QDoubleSpinBox>
+#include <QtWidgets/QFileDialog>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QMessageBox>
 #include <QtWidgets/QPushButton>
 
 using namespace skyseal;
@@ -47,6 +52,10 @@ private Q_SLOTS:
         QTest::newRow("question") << QKeySequence() << QStringLiteral("actionDisarm");
         QTest::newRow("replay") << QKeySequence(QKeySequence::Open) << QString();
         QTest::newRow("about") << QKeySequence() << QStringLiteral("actionAbout");
+        QTest::newRow("mission file") << QKeySequence() << QStringLiteral("missionSend");
+        QTest::newRow("checklist") << QKeySequence() << QStringLiteral("preArmButton");
+        QTest::newRow("picture of the charts") << QKeySequence() << QStringLiteral("chartPicture");
+        QTest::newRow("file of the charts") << QKeySequence() << QStringLiteral("chartCsv");
     }
 
     void landIsReachable()
@@ -55,8 +64,10 @@ private Q_SLOTS:
         QFETCH(QString, action);
         if (action.isEmpty())
             QTest::keySequence(m_window.get(), keys);
+        else if (auto *entry = m_window->findChild<QAction *>(action))
+            entry->trigger();
         else
-            m_window->findChild<QAction *>(action)->trigger();
+            QTest::mouseClick(find<QWidget>(qPrintable(action)), Qt::LeftButton);
         EVENTUALLY(openDialogs() == 1);
         EVENTUALLY(
             qobject_cast<QDialog *>(QApplication::activeWindow())); // the window loses the focus, which would abort a hold
@@ -66,6 +77,47 @@ private Q_SLOTS:
         EVENTUALLY_EQUAL(m_station->commands.size(), std::size_t(1));
         QTest::mouseRelease(land, Qt::LeftButton);
         QCOMPARE(openDialogs(), 1);
+    }
+
+    void fileIsReplacedOnlyIfConfirmed()
+    {
+        const QString path = m_folder->filePath(QStringLiteral("samples.csv"));
+        const auto content = [&path] {
+            QFile file(path);
+            return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("none");
+        };
+        QFile old(path);
+        QVERIFY(old.open(QIODevice::WriteOnly) && old.write("old") == 3);
+        old.close();
+        for (const auto answer : {QMessageBox::Cancel, QMessageBox::Yes}) {
+            find<QAction>("chartCsv")->trigger();
+            nameFile(path);
+            EVENTUALLY(openDialogs() == 1);
+            QVERIFY(!QApplication::activeModalWidget());
+            auto *box = find<QMessageBox>("replaceFile");
+            QVERIFY(box->text().contains(QStringLiteral("samples.csv")));
+            QCOMPARE(content(), QByteArray("old"));
+            QTest::mouseClick(box->button(answer), Qt::LeftButton);
+            EVENTUALLY(!m_window->findChild<QMessageBox *>());
+            QCOMPARE(content() == "old", answer == QMessageBox::Cancel);
+        }
+    }
+
+    void failureToWriteIsToldBeside()
+    {
+        find<QAction>("chartCsv")->trigger();
+        nameFile(m_folder->filePath(QStringLiteral("no such folder/samples.csv")));
+        EVENTUALLY(m_window->findChild<QMessageBox *>());
+        QVERIFY(!QApplication::activeModalWidget());
+    }
+
+    void missingFileIsToldBeside()
+    {
+        QTest::mouseClick(find<QPushButton>("missionSend"), Qt::LeftButton);
+        nameFile(m_folder->filePath(QStringLiteral("missing.waypoints")));
+        EVENTUALLY(openDialogs() == 0);
+        QVERIFY(m_station->missionWrites.empty());
+        QVERIFY(find<QLabel>("missionResult")->text().contains(QStringLiteral("missing.waypoints")));
     }
 
     void openDialogComesToTheFront()
@@ -90,6 +142,14 @@ private Q_SLOTS:
     }
 
 private:
+    void nameFile(const QString &path) const
+    {
+        auto *dialog = m_window->findChild<QFileDialog *>();
+        QVERIFY(dialog);
+        dialog->findChild<QLineEdit *>(QStringLiteral("fileNameEdit"))->setText(path);
+        QMetaObject::invokeMethod(dialog, "accept");
+    }
+
     int openDialogs() const
     {
         int open = 0;

@@ -9,8 +9,6 @@
 #include "window_rig.h"
 
 #include <QtCore/QFile>
-#include <QtCore/QTimer>
-#include <QtWidgets/QApplication>
 #include <QtWidgets/QFileDialog>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
@@ -193,24 +191,18 @@ private Q_SLOTS:
         out.write("QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t47.4\t8.5\t488\t1\n");
         out.close();
         m_station->show(vehicles(1, {5}));
-        QTimer clerk; // the file dialog has its own event loop
-        connect(&clerk, &QTimer::timeout, this, [&] {
-            auto *dialog = qobject_cast<QFileDialog *>(QApplication::activeModalWidget());
-            if (!dialog)
-                return;
-            clerk.stop();
-            engine::Snapshot then = vehicles(2, {static_cast<std::uint8_t>(shownThen == 0 ? 5 : shownThen)});
-            if (shownThen == 0) {
-                then.sessions.clear();
-                then.vehicles.front().session.reset();
-                then.pendingApproval.push_back({5, "192.0.2.66:40000", "air-1"});
-            }
-            m_station->show(then);
-            dialog->findChild<QLineEdit *>(QStringLiteral("fileNameEdit"))->setText(file);
-            QMetaObject::invokeMethod(dialog, "accept");
-        });
-        clerk.start(1);
         find<QPushButton>("missionSend")->click();
+        auto *dialog = m_window->findChild<QFileDialog *>();
+        QVERIFY(dialog);
+        engine::Snapshot then = vehicles(2, {static_cast<std::uint8_t>(shownThen == 0 ? 5 : shownThen)});
+        if (shownThen == 0) {
+            then.sessions.clear();
+            then.vehicles.front().session.reset();
+            then.pendingApproval.push_back({5, "192.0.2.66:40000", "air-1"});
+        }
+        m_station->show(then);
+        dialog->findChild<QLineEdit *>(QStringLiteral("fileNameEdit"))->setText(file);
+        QMetaObject::invokeMethod(dialog, "accept");
         const QString result = find<QLabel>("missionResult")->text();
         QCOMPARE(m_station->missionWrites.empty(), !refusal.isEmpty());
         if (refusal.isEmpty())

@@ -1,18 +1,19 @@
 #include "ui/charts/diagnostics_panel.h"
 
 #include "core/engine/station/snapshot.h"
+#include "ui/ask_file.h"
 #include "ui/charts/chart_export.h"
 #include "ui/charts/chart_grid.h"
 #include "ui/charts/diagnostics_tools.h"
 #include "ui/charts/samples_csv.h"
 #include "ui/charts/suite_legend.h"
 #include "ui/charts/suite_table_model.h"
+#include "ui/modeless.h"
 #include "ui/sweep/sweep_page.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
 #include <QtGui/QKeyEvent>
-#include <QtWidgets/QFileDialog>
 #include <QtWidgets/QHeaderView>
 #include <QtWidgets/QMessageBox>
 #include <QtWidgets/QStackedWidget>
@@ -267,12 +268,15 @@ QString DiagnosticsPanel::savePicture(const QString &file)
 void DiagnosticsPanel::askAndSave(const QString &title, const QString &name, const QString &filter,
                                   const std::function<QString(const QString &)> &save)
 {
-    const QString file = QFileDialog::getSaveFileName(this, title, name, filter);
-    if (file.isEmpty())
-        return;
-    const QString problem = save(file);
-    if (!problem.isEmpty())
-        QMessageBox::warning(this, title, problem);
+    const auto write = [this, title, save](const QString &file) {
+        const QString problem = save(file);
+        if (problem.isEmpty())
+            return;
+        auto *box = new QMessageBox(QMessageBox::Warning, title, problem, QMessageBox::Ok, this);
+        box->setAttribute(Qt::WA_DeleteOnClose);
+        showModeless(*box);
+    };
+    askFile(*this, {.title = title, .kinds = filter, .start = name, .use = FileQuestion::Use::Write}, write);
 }
 
 void DiagnosticsPanel::exposedChanged(bool seen)

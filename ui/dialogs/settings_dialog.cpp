@@ -3,6 +3,7 @@
 #include "core/base/research.h"
 #include "core/link/link_url.h"
 #include "ui/alerts/speech.h"
+#include "ui/ask_file.h"
 #include "ui/language.h"
 #include "ui/theme/form_pieces.h"
 #include "ui/theme/grid.h"
@@ -11,7 +12,6 @@
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QDialogButtonBox>
-#include <QtWidgets/QFileDialog>
 #include <QtWidgets/QFormLayout>
 #include <QtWidgets/QGroupBox>
 #include <QtWidgets/QLabel>
@@ -130,9 +130,8 @@ QWidget *SettingsDialog::makeStation()
     auto *browse = new QPushButton(tr("Browse…"), box);
     browse->setAccessibleName(tr("Browse for the folder of the recordings"));
     connect(browse, &QPushButton::clicked, this, [this] {
-        const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder of the recordings"), m_folder->text());
-        if (!folder.isEmpty())
-            m_folder->setText(folder);
+        askFile(*this, {.title = tr("Folder of the recordings"), .start = m_folder->text(), .use = FileQuestion::Use::Folder},
+                [this](const QString &folder) { m_folder->setText(folder); });
     });
     auto *where = new QHBoxLayout;
     where->addWidget(m_folder, 1);

@@ -1,6 +1,7 @@
 #include "ui/flight/checklist_box.h"
 
 #include "core/engine/station/vehicle_snapshot.h"
+#include "ui/ask_file.h"
 #include "ui/flight/preflight.h"
 #include "ui/theme/form_pieces.h"
 #include "ui/theme/grid.h"
@@ -8,7 +9,6 @@
 
 #include <QtCore/QFileInfo>
 #include <QtCore/QSignalBlocker>
-#include <QtWidgets/QFileDialog>
 #include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QPushButton>
@@ -66,11 +66,11 @@ void ChecklistBox::showViewState(const ViewState &view)
 void ChecklistBox::choose()
 {
     const std::uint8_t systemId = m_systemId;
-    const QString file = QFileDialog::getOpenFileName(this, tr("Checklist of vehicle %1").arg(systemId),
-                                                      QFileInfo(m_preflight.file(systemId)).path(),
-                                                      tr("Text files (*.txt);;All files (*)"));
-    if (!file.isEmpty())
-        m_preflight.setFile(systemId, file);
+    askFile(*this,
+            {.title = tr("Checklist of vehicle %1").arg(systemId),
+             .kinds = tr("Text files (*.txt);;All files (*)"),
+             .start = m_preflight.file(systemId)},
+            [this, systemId](const QString &file) { m_preflight.setFile(systemId, file); });
 }
 
 void ChecklistBox::refresh()

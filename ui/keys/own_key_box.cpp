@@ -1,6 +1,7 @@
 #include "ui/keys/own_key_box.h"
 
 #include "core/keys/public_key_text.h"
+#include "ui/ask_file.h"
 #include "ui/keys/change_passphrase_dialog.h"
 #include "ui/keys/fingerprint_text.h"
 #include "ui/keys/qr_image.h"
@@ -10,7 +11,6 @@
 
 #include <QtGui/QClipboard>
 #include <QtGui/QGuiApplication>
-#include <QtWidgets/QFileDialog>
 #include <QtWidgets/QGridLayout>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QPushButton>
@@ -119,12 +119,15 @@ void OwnKeyBox::changePassphrase()
 
 void OwnKeyBox::exportKey()
 {
-    const QString file = QFileDialog::getSaveFileName(this, tr("Export the public key"), QStringLiteral("station.pub"),
-                                                      tr("Public keys (*.pub);;All files (*)"));
-    if (file.isEmpty())
-        return;
-    const auto written = m_keyring.exportPublicKey(file);
-    m_result->setText(written ? tr("written to %1").arg(file) : fromStd(written.error().text()));
+    askFile(*this,
+            {.title = tr("Export the public key"),
+             .kinds = tr("Public keys (*.pub);;All files (*)"),
+             .start = QStringLiteral("station.pub"),
+             .use = FileQuestion::Use::Write},
+            [this](const QString &file) {
+                const auto written = m_keyring.exportPublicKey(file);
+                m_result->setText(written ? tr("written to %1").arg(file) : fromStd(written.error().text()));
+            });
 }
 
 } // namespace skyseal::ui

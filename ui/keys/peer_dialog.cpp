@@ -2,6 +2,7 @@
 
 #include "core/keys/peer_line.h"
 #include "core/keys/public_key_text.h"
+#include "ui/ask_file.h"
 #include "ui/keys/changed_key_warning.h"
 #include "ui/keys/fingerprint_text.h"
 #include "ui/keys/peer_model.h"
@@ -10,7 +11,6 @@
 #include "ui/theme/palettes.h"
 
 #include <QtWidgets/QDialogButtonBox>
-#include <QtWidgets/QFileDialog>
 #include <QtWidgets/QFormLayout>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QPushButton>
@@ -108,14 +108,13 @@ PeerDialog::PeerDialog(KeyringInterface &keyring, const KnownPeer *peer, QWidget
 
 void PeerDialog::readKeyFile()
 {
-    const QString file = QFileDialog::getOpenFileName(this, tr("Public key of a peer"), {},
-                                                      tr("Public keys (*.pub);;All files (*)"));
-    if (file.isEmpty())
-        return;
-    const auto text = m_keyring.readKeyText(file);
-    m_key->setText(text ? *text : QString());
-    if (!text)
-        m_problem->setText(fromStd(text.error().text()));
+    askFile(*this, {.title = tr("Public key of a peer"), .kinds = tr("Public keys (*.pub);;All files (*)")},
+            [this](const QString &file) {
+                const auto text = m_keyring.readKeyText(file);
+                m_key->setText(text ? *text : QString());
+                if (!text)
+                    m_problem->setText(fromStd(text.error().text()));
+            });
 }
 
 const KnownPeer *PeerDialog::knownByName(const QString &name) const

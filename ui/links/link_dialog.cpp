@@ -4,6 +4,7 @@
 #include "core/base/hex.h"
 #include "core/base/research.h"
 #include "core/link/link_url.h"
+#include "ui/ask_file.h"
 #include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
@@ -11,7 +12,6 @@
 #include <QtCore/QCoreApplication>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QDialogButtonBox>
-#include <QtWidgets/QFileDialog>
 #include <QtWidgets/QGridLayout>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
@@ -239,17 +239,13 @@ void LinkDialog::check()
 
 void LinkDialog::browseKey()
 {
-    const QString file = QFileDialog::getOpenFileName(this, tr("Key of the stream"));
-    if (!file.isEmpty())
-        m_key->setText(file);
+    askFile(*this, {.title = tr("Key of the stream")}, [this](const QString &file) { m_key->setText(file); });
 }
 
 void LinkDialog::browse()
 {
-    const QString file = QFileDialog::getOpenFileName(this, tr("Replay a log"), {},
-                                                      tr("Telemetry logs (*.tlog);;All files (*)"));
-    if (!file.isEmpty())
-        m_path->setText(file);
+    askFile(*this, {.title = tr("Replay a log"), .kinds = tr("Telemetry logs (*.tlog);;All files (*)")},
+            [this](const QString &file) { m_path->setText(file); });
 }
 
 } // namespace skyseal::ui

@@ -4,6 +4,7 @@
 #include "core/engine/station/vehicle_snapshot.h"
 #include "core/engine/text/event_text.h"
 #include "core/vehicle/mission_file.h"
+#include "ui/ask_file.h"
 #include "ui/result_label.h"
 #include "ui/settings.h"
 #include "ui/text/command_permits.h"
@@ -12,7 +13,6 @@
 #include "ui/theme/grid.h"
 
 #include <QtCore/QFile>
-#include <QtWidgets/QFileDialog>
 #include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QHeaderView>
 #include <QtWidgets/QLabel>
@@ -97,18 +97,20 @@ void MissionPanel::askAndSend()
 {
     const std::uint8_t systemId = m_systemId;
     const QString title = m_name == 0 ? tr("Send a mission") : tr("Send a mission to vehicle %1").arg(m_name);
-    const QString file = QFileDialog::getOpenFileName(this, title, {}, kinds());
-    if (!file.isEmpty())
-        sendFile(file, systemId);
+    askFile(*this, {.title = title, .kinds = kinds()}, [this, systemId](const QString &file) { sendFile(file, systemId); });
 }
 
 void MissionPanel::askAndSave()
 {
     const MissionModel::Mission mission = m_mission;
-    const QString file = QFileDialog::getSaveFileName(this, tr("Save the mission"), QStringLiteral("mission.waypoints"),
-                                                      kinds());
-    if (!file.isEmpty() && mission)
-        saveFile(file, mission);
+    if (!mission)
+        return;
+    askFile(*this,
+            {.title = tr("Save the mission"),
+             .kinds = kinds(),
+             .start = QStringLiteral("mission.waypoints"),
+             .use = FileQuestion::Use::Write},
+            [this, mission](const QString &file) { saveFile(file, mission); });
 }
 
 void MissionPanel::sendFile(const QString &file, std::uint8_t systemId)

@@ -1,12 +1,11 @@
 #include "ui/replay/recordings_dialog.h"
 
-#include "ui/modeless.h"
+#include "ui/ask_file.h"
 #include "ui/text/vehicle_text.h"
 #include "ui/theme/form_pieces.h"
 #include "ui/theme/grid.h"
 
 #include <QtCore/QSortFilterProxyModel>
-#include <QtWidgets/QFileDialog>
 #include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QHeaderView>
 #include <QtWidgets/QLabel>
@@ -109,11 +108,8 @@ void RecordingsDialog::replaySelected()
 
 void RecordingsDialog::chooseOther()
 {
-    auto *dialog = new QFileDialog(this, tr("Replay a log"), m_folder, tr("Telemetry logs (*.tlog);;All files (*)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, this, &RecordingsDialog::choose);
-    showModeless(*dialog);
+    askFile(*this, {.title = tr("Replay a log"), .kinds = tr("Telemetry logs (*.tlog);;All files (*)"), .start = m_folder},
+            [this](const QString &file) { choose(file); });
 }
 
 void RecordingsDialog::choose(const QString &file)

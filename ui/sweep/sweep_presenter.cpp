@@ -1,5 +1,6 @@
 #include "ui/sweep/sweep_presenter.h"
 
+#include "ui/ask_file.h"
 #include "ui/modeless.h"
 #include "ui/security/suite_actions.h"
 #include "ui/sweep/sweep_dialog.h"
@@ -7,7 +8,6 @@
 
 #include <QtCore/QDateTime>
 #include <QtCore/QDir>
-#include <QtWidgets/QFileDialog>
 
 namespace skyseal::ui {
 
@@ -85,10 +85,9 @@ void SweepPresenter::cancel()
 
 void SweepPresenter::askFolder()
 {
-    const QString folder = QFileDialog::getExistingDirectory(&m_window,
-                                                             tr("Choose the folder in which the sweep's folder is created"));
-    if (!folder.isEmpty())
-        saveIn(folder);
+    askFile(m_window,
+            {.title = tr("Choose the folder in which the sweep's folder is created"), .use = FileQuestion::Use::Folder},
+            [this](const QString &folder) { saveIn(folder); });
 }
 
 void SweepPresenter::saveIn(const QString &folder)
