@@ -73,6 +73,20 @@ private Q_SLOTS:
         EVENTUALLY(!palette());
     }
 
+    void commandsThatMakeNoSenseNowSayWhy()
+    {
+        engine::Snapshot snapshot = sealedSnapshot(1);
+        snapshot.vehicles.front().state.armed = false;
+        m_station->show(snapshot);
+        openPalette();
+        const auto *model = qobject_cast<QStandardItemModel *>(list()->model());
+        const auto reason = [&](const char *name) { return model->item(rowOf(QString::fromUtf8(name)), 1)->text(); };
+        QCOMPARE(reason("Vehicle › Start mission…"), QStringLiteral("Not now: the vehicle is disarmed"));
+        QVERIFY2(reason("Vehicle › Take off…").startsWith(QStringLiteral("Not now: ")),
+                 qPrintable(reason("Vehicle › Take off…")));
+        QVERIFY(model->item(rowOf(QStringLiteral("Vehicle › Land…")))->isEnabled());
+    }
+
     void clickOnAnImpossibleEntryDoesNothing()
     {
         m_station->show(sealedSnapshot(1)); // armed

@@ -10,6 +10,7 @@
 #include <QtGui/QActionGroup>
 #include <QtTest/QTest>
 #include <QtWidgets/QComboBox>
+#include <QtWidgets/QDialog>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QMenuBar>
@@ -59,12 +60,54 @@ private Q_SLOTS:
         openVehicleMenu();
         const auto *arm = find<QAction>("actionArm"), *disarm = find<QAction>("actionDisarm");
         QVERIFY(!arm->isEnabled() && disarm->isEnabled());
-        QCOMPARE(arm->toolTip(), QStringLiteral("the vehicle is armed"));
+        QCOMPARE(arm->toolTip(), QStringLiteral("Not now: the vehicle is armed"));
         closeVehicleMenu();
         show("GUIDED", false);
         openVehicleMenu();
         QVERIFY(arm->isEnabled() && disarm->isEnabled()); // an armed vehicle may be shown as disarmed
         closeVehicleMenu();
+    }
+
+    void whatMakesNoSenseIsDisabled_data()
+    {
+        QTest::addColumn<QString>("mode");
+        QTest::addColumn<bool>("armed");
+        QTest::addColumn<QString>("action");
+        QTest::addColumn<QString>("reason");
+        const auto row = [](const char *mode, bool armed, const char *action, const char *reason) {
+            QTest::addRow("%s, %s, %s", action, mode, armed ? "armed" : "disarmed")
+                << QString::fromLatin1(mode) << armed << QString::fromLatin1(action) << QString::fromLatin1(reason);
+        };
+        const char *const disarmed = "Not now: the vehicle is disarmed";
+        for (const char *action : {"actionLoiter", "actionChangeAltitude", "actionStartMission"}) {
+            row("GUIDED", false, action, disarmed);
+            row("GUIDED", true, action, "");
+        }
+        row("GUIDED", false, "actionTakeOff", "Not now: take-off needs an armed vehicle, it is disarmed");
+        row("LOITER", true, "actionTakeOff", "Not now: take-off needs the mode GUIDED, the vehicle is in LOITER");
+        row("GUIDED", true, "actionTakeOff", "");
+        for (const char *action : {"actionDisarm", "actionLand", "actionReturn"}) // anybody can claim that on a plain link
+            row("GUIDED", false, action, "");
+    }
+
+    /// As in the action bar; the shortcut does nothing then either.
+    void whatMakesNoSenseIsDisabled()
+    {
+        QFETCH(QString, mode);
+        QFETCH(bool, armed);
+        QFETCH(QString, action);
+        QFETCH(QString, reason);
+        show(mode.toLatin1().constData(), armed);
+        openVehicleMenu();
+        const auto *entry = find<QAction>(action.toLatin1().constData());
+        QCOMPARE(entry->isEnabled(), reason.isEmpty());
+        if (!reason.isEmpty())
+            QCOMPARE(entry->toolTip(), reason);
+        closeVehicleMenu();
+        const QKeyCombination keys = entry->shortcut()[0];
+        QTest::keyClick(m_window.get(), keys.key(), keys.keyboardModifiers());
+        const auto dialogs = m_window->findChildren<QDialog *>();
+        QCOMPARE(std::ranges::any_of(dialogs, &QDialog::isVisible), reason.isEmpty()); // each of them asks
     }
 
     void modesAreRadioButtons()

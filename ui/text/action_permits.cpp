@@ -27,7 +27,13 @@ public:
     {}
 
     template<typename Command> QString operator()(const Command &) const { return {}; }
+    QString operator()(const vehicle::Arm &) const
+    {
+        return heard() && m_vehicle.state.armed ? Text::tr("the vehicle is armed") : QString();
+    }
+
     QString operator()(const vehicle::Loiter &) const { return movesDisabledReason(m_view); }
+    QString operator()(const vehicle::ChangeAltitude &) const { return climbsDisabledReason(m_view); }
 
     QString operator()(const vehicle::StartMission &) const
     {
@@ -38,11 +44,8 @@ public:
     }
 
 private:
-    QString disarmed() const
-    {
-        const bool heard = m_vehicle.state.heartbeatAge <= kStaleAfterSeconds;
-        return heard && !m_vehicle.state.armed ? Text::tr("the vehicle is disarmed") : QString();
-    }
+    bool heard() const { return m_vehicle.state.heartbeatAge <= kStaleAfterSeconds; }
+    QString disarmed() const { return heard() && !m_vehicle.state.armed ? Text::tr("the vehicle is disarmed") : QString(); }
 
     const ViewState &m_view;
     const engine::VehicleSnapshot &m_vehicle;

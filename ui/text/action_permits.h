@@ -1,4 +1,4 @@
-// Reasons why a command makes no sense for the selected vehicle now, for the buttons of the action bar.
+// Reasons why a command makes no sense for the selected vehicle now, for the action bar and the Vehicle menu.
 #pragma once
 
 #include "core/vehicle/vehicle_command.h"

@@ -6,6 +6,7 @@
 #include "ui/map/map_view.h"
 #include "ui/security/allow_plain.h"
 #include "ui/security/suite_actions.h"
+#include "ui/text/action_permits.h"
 #include "ui/text/command_permits.h"
 #include "ui/text/vehicle_text.h"
 #include "ui/window/command_palette.h"
@@ -97,16 +98,25 @@ MenuItems vehicleItems(const MenuTargets &on)
     return items;
 }
 
+/// A mode that the vehicle has: whether it can be changed does not depend on which.
+vehicle::SetMode anyMode(const MenuTargets &on)
+{
+    const auto *vehicle = on.selection.view().vehicle;
+    return {vehicle && !vehicle->state.modes.empty() ? vehicle->state.modes.front() : std::string()};
+}
+
 Menu vehicleMenu(const MenuTargets &on)
 {
-    const auto commandDisabledReason = [on] { return commandsDisabledReason(on.selection.view()); };
+    const auto permit = [on](const vehicle::VehicleCommand &order) {
+        return [on, order] { return actionDisabledReason(order, on.selection.view()); };
+    };
     const auto command = [&](const QString &text, const QString &id, Qt::Key key, const QString &question,
                              const vehicle::VehicleCommand &order) {
         return MenuItem{.id = id,
                         .text = text,
                         .trigger = [on, question, order] { confirmAndSend(on, question, order); },
                         .shortcut = Qt::CTRL | Qt::SHIFT | key,
-                        .disabledReason = commandDisabledReason};
+                        .disabledReason = permit(order)};
     };
     MenuItem arm = command(Text::tr("&Arm…"), QStringLiteral("actionArm"), Qt::Key_R,
                            Text::tr("Arm the motors? The propellers will turn."), vehicle::Arm{});
@@ -114,14 +124,6 @@ Menu vehicleMenu(const MenuTargets &on)
         confirmCommand(on.commands, vehicle::Arm{}, Text::tr("Arm the motors? The propellers will turn."),
                        openItemsText(on.commands), &on.window);
     };
-    arm.disabledReason = [on, commandDisabledReason] {
-        const auto *vehicle = on.selection.view().vehicle;
-        const QString reason = commandDisabledReason();
-        return reason.isEmpty() && vehicle->state.armed ? Text::tr("the vehicle is armed") : reason;
-    };
-    MenuItem loiter = command(Text::tr("L&oiter…"), QStringLiteral("actionLoiter"), Qt::Key_P,
-                              Text::tr("Stop and loiter at the present position?"), vehicle::Loiter{});
-    loiter.disabledReason = [on] { return movesDisabledReason(on.selection.view()); };
     return {QStringLiteral("menuVehicle"),
             Text::tr("&Vehicle"),
             {arm,
@@ -132,22 +134,23 @@ Menu vehicleMenu(const MenuTargets &on)
               .text = Text::tr("&Take off…"),
               .trigger = [on] { on.dialogs.openTakeOff(); },
               .shortcut = Qt::CTRL | Qt::SHIFT | Qt::Key_T,
-              .disabledReason = commandDisabledReason},
+              .disabledReason = permit(vehicle::TakeOff{on.commands.takeOffAltitude()})},
              command(Text::tr("&Land…"), QStringLiteral("actionLand"), Qt::Key_L, Text::tr("Land here?"), vehicle::Land{}),
              command(Text::tr("&Return to launch (RTL)…"), QStringLiteral("actionReturn"), Qt::Key_H,
                      Text::tr("Return to launch and land there?"), vehicle::ReturnToLaunch{}),
-             loiter,
+             command(Text::tr("L&oiter…"), QStringLiteral("actionLoiter"), Qt::Key_P,
+                     Text::tr("Stop and loiter at the present position?"), vehicle::Loiter{}),
              {.id = QStringLiteral("actionChangeAltitude"),
               .text = Text::tr("&Change altitude…"),
               .trigger = [on] { on.dialogs.openChangeAltitude(on.selection.view()); },
               .shortcut = Qt::CTRL | Qt::SHIFT | Qt::Key_G,
-              .disabledReason = [on] { return climbsDisabledReason(on.selection.view()); }},
+              .disabledReason = permit(vehicle::ChangeAltitude{.altitudeRelative = 0, .changeMode = true})},
              command(Text::tr("&Start mission…"), QStringLiteral("actionStartMission"), Qt::Key_S, Text::tr("Fly the mission?"),
                      vehicle::StartMission{}),
              {},
              {.id = QStringLiteral("menuMode"),
               .text = Text::tr("&Mode"),
-              .disabledReason = commandDisabledReason,
+              .disabledReason = [on] { return actionDisabledReason(anyMode(on), on.selection.view()); },
               .submenu = [on] { return modeItems(on); }},
              {},
              {.id = QStringLiteral("menuChooseVehicle"),
