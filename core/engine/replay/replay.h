@@ -1,7 +1,7 @@
 // The replay of one recording beside the station, with its own picture: plays, pauses, changes the speed, and seeks. A thread
 // of its own reads the file.
 //
-// A seek backward begins anew and takes everything from the beginning up to the new position, since home, mission, parameters
+// A seek backward begins anew and takes everything from the beginning up to the new position, since home, parameters
 // and texts may have been recorded long before it; only so is the picture that of the whole flight. A million frames, those of
 // about two hours, take a few tenths of a second. Until then the picture of before stays; a newer seek replaces one that is
 // under way.
