@@ -125,6 +125,17 @@ private Q_SLOTS:
         QVERIFY(items->index(1, 4).data().toString().endsWith(QStringLiteral(" ft")));
         m_store->sync();
         QCOMPARE(loadSettings(*m_store).units, UnitSystem::Aviation);
+
+        // Looking into the settings again changes nothing.
+        find<QAction>("actionSettings")->trigger();
+        dialog = m_window->findChild<SettingsDialog *>();
+        EVENTUALLY(dialog && dialog->isVisible());
+        QVERIFY(!dialog->findChild<QComboBox *>(QStringLiteral("settingUnits"))->currentText().isEmpty());
+        QTest::mouseClick(dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
+        EVENTUALLY(!m_window->findChild<SettingsDialog *>());
+        QCOMPARE(find<MapView>("map")->units(), UnitSystem::Aviation);
+        m_store->sync();
+        QCOMPARE(loadSettings(*m_store).units, UnitSystem::Aviation);
         tearDown();
     }
 };
