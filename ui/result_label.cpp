@@ -5,6 +5,8 @@
 #include <QtGui/QPainter>
 #include <QtGui/QTextLayout>
 
+#include <algorithm>
+
 namespace skyseal::ui {
 
 ResultLabel::ResultLabel(QWidget *parent) : QLabel(parent)
@@ -31,32 +33,49 @@ QSize ResultLabel::minimumSizeHint() const
     return sizeHint();
 }
 
-void ResultLabel::paintEvent(QPaintEvent *)
+QString ResultLabel::time() const
 {
-    if (text().isEmpty())
-        return;
-    QPainter painter(this);
-    painter.setPen(palette().color(QPalette::PlaceholderText));
-    painter.drawText(0, fontMetrics().ascent(), m_time);
-    const int indent = fontMetrics().horizontalAdvance(m_time + QStringLiteral("  ")); // of the first line
-    painter.setPen(palette().color(foregroundRole()));
+    return m_time + QStringLiteral("  ");
+}
+
+QStringList ResultLabel::shownLines() const
+{
+    const int most = std::max(kLines, height() / fontMetrics().lineSpacing());
     QTextOption wrapping;
     wrapping.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
     QTextLayout layout(text(), font());
     layout.setTextOption(wrapping);
     layout.beginLayout();
-    for (int i = 0; i < kLines; ++i) {
+    QStringList lines;
+    while (lines.size() < most) {
         QTextLine line = layout.createLine();
         if (!line.isValid())
             break;
-        const int left = i == 0 ? indent : 0;
-        line.setLineWidth(width() - left);
-        const int top = i * fontMetrics().lineSpacing();
-        const QString shown = i + 1 < kLines ? text().mid(line.textStart(), line.textLength())
-                                             : fontMetrics().elidedText(text().mid(line.textStart()), Qt::ElideRight, width());
-        painter.drawText(left, top + fontMetrics().ascent(), shown);
+        line.setLineWidth(width() - (lines.isEmpty() ? fontMetrics().horizontalAdvance(time()) : 0));
+        lines << (lines.size() + 1 < most ? text().mid(line.textStart(), line.textLength())
+                                          : fontMetrics().elidedText(text().mid(line.textStart()), Qt::ElideRight, width()));
     }
     layout.endLayout();
+    return lines;
+}
+
+void ResultLabel::paintEvent(QPaintEvent *)
+{
+    if (text().isEmpty())
+        return;
+    const QStringList lines = shownLines();
+    const int spacing = fontMetrics().lineSpacing();
+    int baseline = (height() - std::max<int>(kLines, lines.size()) * spacing) / 2 + fontMetrics().ascent();
+    QPainter painter(this);
+    painter.setPen(palette().color(QPalette::PlaceholderText));
+    painter.drawText(0, baseline, m_time);
+    painter.setPen(palette().color(foregroundRole()));
+    int left = fontMetrics().horizontalAdvance(time());
+    for (const QString &line : lines) {
+        painter.drawText(left, baseline, line);
+        left = 0;
+        baseline += spacing;
+    }
 }
 
 } // namespace skyseal::ui

@@ -7,6 +7,7 @@
 #include "ui/charts/chart_grid.h"
 #include "ui/charts/diagnostics_panel.h"
 #include "ui/fitting_scroll.h"
+#include "ui/result_label.h"
 #include "ui/flight/hold_button.h"
 #include "ui/flight/tape.h"
 #include "ui/flight/vehicle_commands.h"
@@ -249,7 +250,7 @@ private Q_SLOTS:
     void longResultsMoveNothing_data()
     {
         QTest::addColumn<QSize>("size");
-        for (const QSize size : {QSize(1024, 700), QSize(1280, 800)})
+        for (const QSize size : {QSize(1024, 700), QSize(1280, 800), QSize(1366, 768)})
             QTest::addRow("%dx%d", size.width(), size.height()) << size;
     }
 
@@ -281,6 +282,22 @@ private Q_SLOTS:
         QVERIFY(places() == before);
         for (const auto &[name, place] : before)
             QVERIFY2(!m_window->findChild<HoldButton *>(name)->visibleRegion().isEmpty(), qPrintable(name));
+    }
+
+    /// The bar of one row leaves the result little width, but its whole height.
+    void refusalIsReadable()
+    {
+        open(QSize(1366, 768), "fly");
+        m_station->show(sealedSnapshot(1));
+        m_window->findChild<VehicleCommands *>()->send(1, vehicle::TakeOff{10});
+        m_station->notify(vehicle::CommandResult{vehicle::RequestId{1}, 1, vehicle::CommandOutcome::Refused, 4,
+                                                 "PreArm: Battery 1 below minimum arming voltage"});
+        QCoreApplication::processEvents();
+        const auto *result = m_window->findChild<ResultLabel *>(QStringLiteral("commandResult"));
+        const QStringList lines = result->shownLines();
+        QVERIFY2(lines.join(QString()) == result->text(), qPrintable(lines.join(QLatin1Char('\n'))));
+        QVERIFY(lines.size() > ResultLabel::kLines);
+        QVERIFY(lines.size() * result->fontMetrics().lineSpacing() <= result->height());
     }
 
 private:

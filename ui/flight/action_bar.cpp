@@ -49,6 +49,7 @@ ActionBar::ActionBar(VehicleCommands &commands, QWidget *parent)
     m_result = new ResultLabel(this);
     m_result->setObjectName(QStringLiteral("commandResult"));
     m_result->setAccessibleName(tr("Result of the last command"));
+    m_result->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // takes the height of its row
 
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(kGrid, kHalfGrid + 1, kGrid, kHalfGrid);
