@@ -363,10 +363,16 @@ private Q_SLOTS:
     void firstWindowFitsTheScreen()
     {
         QSettings fresh(m_folder->filePath(QStringLiteral("fresh.ini")), QSettings::IniFormat);
-        const MainWindow window(*m_station, fresh, {});
+        MainWindow window(*m_station, fresh, {});
+        const QSize smallest(1024, 700); // the smallest screen that the window is made for
+        const QSize least = window.minimumSizeHint();
+        QVERIFY2(least.boundedTo(smallest) == least,
+                 qPrintable(QStringLiteral("%1×%2").arg(least.width()).arg(least.height())));
         const QSize room = window.screen()->availableSize();
-        QVERIFY(window.width() <= qMax(room.width(), window.minimumSizeHint().width()));
-        QVERIFY(window.height() <= qMax(room.height(), window.minimumSizeHint().height()));
+        QCOMPARE(window.size(), window.size().boundedTo(room));
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window, test::kDeadlineMs));
+        QCOMPARE(window.size(), window.size().boundedTo(room.expandedTo(smallest)));
     }
 
     void portInUseOffersTheNextOne()
