@@ -111,6 +111,8 @@ void firstWindow()
         program.start({QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:0"), QStringLiteral("--screenshot"), file,
                        QStringLiteral("--after"), QStringLiteral("0")});
         program.process().waitForFinished();
+        if (!QFileInfo::exists(file))
+            qFatal("no picture of the window");
         times.push_back(static_cast<double>(begin.msecsTo(QFileInfo(file).lastModified())));
     }
     std::printf("  the very first start, which makes a key                    %8.1f ms\n", times.front());
