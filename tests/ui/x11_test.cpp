@@ -49,6 +49,7 @@ private Q_SLOTS:
     void cleanup();
     void programOpensItsWindows();
     void heldSpaceCommandsNothingElsewhere();
+    void demoFlies();
 
 private:
     /// The output of xdotool; the test fails if it does.
@@ -210,6 +211,18 @@ void X11Test::heldSpaceCommandsNothingElsewhere()
     EVENTUALLY_EQUAL(m_station->commands.size(), std::size_t(1));
     QVERIFY(repeats());
     QCOMPARE(m_station->commands.size(), std::size_t(1));
+}
+
+/// The flight over the real sealed link, in the windows of this server.
+void X11Test::demoFlies()
+{
+    QProcess flight;
+    flight.setProcessChannelMode(QProcess::MergedChannels);
+    flight.start(QStringLiteral(SKYSEAL_UI_TESTS), {QStringLiteral("demo_flight_test")});
+    QVERIFY(flight.waitForFinished(-1)); // it has its own deadlines
+    const QByteArray said = flight.readAll();
+    QVERIFY2(flight.exitStatus() == QProcess::NormalExit && flight.exitCode() == 0, said.constData());
+    QVERIFY2(said.contains("PASS   : DemoFlightTest::lands()"), said.constData());
 }
 
 /// Runs again inside an X server of its own with a window manager, whatever display there is.
