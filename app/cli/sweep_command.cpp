@@ -202,9 +202,12 @@ int runSweep(const QStringList &arguments)
         link = *link::LinkUrl::parse("udpin:127.0.0.1:" + std::to_string(lab->groundPort()));
     }
 
+    // The command line that repeats this sweep, on any machine.
     QString command = kName + QLatin1Char(' ') + arguments.join(QLatin1Char(' '));
+    if (!options.impliedLink.empty())
+        command += QStringLiteral(" --impair %1").arg(QString::fromStdString(options.impliedLink));
     if (!options.seedGiven)
-        command += QStringLiteral(" --seed %1").arg(options.plan.seed); // the command line that repeats this sweep
+        command += QStringLiteral(" --seed %1").arg(options.plan.seed);
     experiment::Setting setting = describeSetting(SKYSEAL_CLI_VERSION, command);
     setting.emplace_back("message_mix", messageMix(options.link, options.vehicle, options.flight.script));
     for (const std::string &warning : experiment::warningsOf(setting))

@@ -179,12 +179,15 @@ void readLoads(Options &options, bool ownVehicle, experiment::Plan &plan)
         options.fail("--load saturated, --pps: not with --link or --vehicle, since that vehicle sets its own rates");
 }
 
-void readConditions(Options &options, bool ownAgent, experiment::Plan &plan)
+void readConditions(Options &options, bool ownAgent, SweepOptions &out)
 {
+    experiment::Plan &plan = out.plan;
     if (!options.has("impair")) {
         const bool isSaturated = std::ranges::find(plan.loads, Load::Saturated) != plan.loads.end();
-        if (isSaturated && !experiment::placementHere().station)
+        if (isSaturated && !experiment::placementHere().station) {
+            out.impliedLink = kFillable;
             plan.conditions = {*experiment::parseCondition(kFillable)};
+        }
         return;
     }
     if (!ownAgent)
@@ -217,11 +220,12 @@ std::vector<experiment::ArmFraming> readFramings(Options &options)
     return {one.value_or(ArmFraming::Sealed)};
 }
 
-void readPlan(Options &options, bool ownAgent, experiment::Plan &plan)
+void readPlan(Options &options, bool ownAgent, SweepOptions &out)
 {
+    experiment::Plan &plan = out.plan;
     const std::vector<crypto::SuiteId> suites = readSuites(options, ownAgent);
     readLoads(options, ownAgent && !options.has("vehicle"), plan);
-    readConditions(options, ownAgent, plan);
+    readConditions(options, ownAgent, out);
     plan.measure = inSeconds(options.number("seconds", 0.2, 3600));
     plan.warmUp = inSeconds(options.number("warm-up", 0, 600));
     plan.launches = static_cast<unsigned>(options.wholeNumber("launches", 1, 1000));
@@ -301,7 +305,7 @@ std::optional<int> readSweepOptions(const QString &name, const QStringList &argu
     out.station.policy.suites = channel::defaultSuites();
     out.station.policy.allowResearch = ownAgent || options.has("allow-research");
     out.station.policy.allowPlain = ownAgent || options.has("allow-plain");
-    readPlan(options, ownAgent, out.plan);
+    readPlan(options, ownAgent, out);
     readVehicle(options, out);
     readExpectations(options, out);
     readGoal(options, out);

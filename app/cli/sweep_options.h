@@ -23,6 +23,7 @@ struct SweepOptions
     experiment::FlightPlan flight; ///< only with `vehicle`
     engine::StationConfig station;
     std::vector<experiment::Expectation> expectations;
+    std::string impliedLink;     ///< of --impair, chosen for this machine; empty: given, or the default of any machine
     QString folder;              ///< empty: no files
     bool seedGiven = false;      ///< otherwise the seed was drawn
     std::optional<double> until; ///< half width of the interval that ends the sweep: 0.03

@@ -366,7 +366,9 @@ void SweepTest::filesAgree()
 /// the saturated load possible.
 void SweepTest::everySuiteIsMeasured()
 {
-    const RunResult run = runProgram("skyseal-cli", sweep("--seconds 0.5 --warm-up 0.2 --repeats 1 --json"), {}, 240000);
+    QTemporaryDir folder;
+    const RunResult run = runProgram(
+        "skyseal-cli", sweep("--seconds 0.5 --warm-up 0.2 --repeats 1 --json --out") << folder.path(), {}, 240000);
     QVERIFY2(isDone(run), run.err.constData());
     QSet<QString> suites;
     const QList<QJsonObject> runs = events(run.out, "run");
@@ -388,6 +390,9 @@ void SweepTest::everySuiteIsMeasured()
     QCOMPARE(runs.size(), 2 * all.size()); // each once under each load
     const bool sharesCores = runs.first()[QLatin1String("condition")] == q("rate=921600");
     QCOMPARE(sharesCores, !skyseal::experiment::placementHere().station.has_value());
+    const QJsonObject report = QJsonDocument::fromJson(contentOf(folder.filePath(q("sweep.json")))).object();
+    const QString command = report[QLatin1String("setting")][QLatin1String("command_line")].toString();
+    QVERIFY2(command.contains(q(" --impair rate=921600 --seed ")) == sharesCores, qPrintable(command)); // repeats it anywhere
     const auto isFull = [](const QJsonObject &sample) {
         return sample[QLatin1String("load")] == q("saturated") && valueOf(sample, "line_load") >= 95
             && sample[QLatin1String("valid")].toBool();
