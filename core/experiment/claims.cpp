@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <limits>
 #include <optional>
+#include <ranges>
 #include <tuple>
 #include <utility>
 
@@ -190,16 +191,22 @@ public:
 
     Finding finding() const { return findingBy(1 + m_margin); }
 
-    /// The smallest margin by which the claim would be decided; NaN if it is, or if none would.
+    /// Claim::decidable
     double decidable() const
     {
-        constexpr double kBeyond = 1 + 1e-9;
-        std::vector<double> ends; // only there findings change
-        for (const auto &[low, high] : m_intervals)
-            ends.insert(ends.end(), {low, high, 1 / low, 1 / high});
-        std::ranges::sort(ends);
-        for (const double end : ends) {
+        for (const double end : ends()) {
             if (finding() == Finding::NotDecided && end > 1 + m_margin && findingBy(end * kBeyond) != Finding::NotDecided)
+                return end - 1;
+        }
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+
+    /// Claim::decidableBelow
+    double decidableBelow() const
+    {
+        for (const double end : ends() | std::views::reverse) {
+            if (finding() == Finding::NotDecided && end > kBeyond && end <= 1 + m_margin
+                && findingBy(end / kBeyond) != Finding::NotDecided)
                 return end - 1;
         }
         return std::numeric_limits<double>::quiet_NaN();
@@ -211,14 +218,31 @@ public:
         std::string out = m_text;
         if (!out.empty())
             out += (anyInterval ? "; ratios with their 95 % intervals, margin " : "; margin ") + percentText(m_margin) + ".";
-        if (const double margin = decidable(); std::isfinite(margin))
-            out += " These data would decide it by a margin of " + percentText(margin) + ".";
+        const double below = decidableBelow(), above = decidable();
+        if (std::isfinite(below))
+            out += " By a margin below " + percentText(below) + " it would be " + foundBy((1 + below) / kBeyond) + ".";
+        if (std::isfinite(above))
+            out += " By a margin of " + percentText(above) + " it would be " + foundBy((1 + above) * kBeyond) + ".";
         if (!m_missing.empty())
             out += (out.empty() ? "" : " ") + m_missing + ": not measured often enough for an interval.";
         return out;
     }
 
 private:
+    static constexpr double kBeyond = 1 + 1e-9;
+
+    /// The margins, as ratios, at which findings change; ascending.
+    std::vector<double> ends() const
+    {
+        std::vector<double> out;
+        for (const auto &[low, high] : m_intervals)
+            out.insert(out.end(), {low, high, 1 / low, 1 / high});
+        std::ranges::sort(out);
+        return out;
+    }
+
+    std::string foundBy(double margin) const { return std::string(findingText(findingBy(margin))); }
+
     Finding findingBy(double margin) const
     {
         bool all = !m_intervals.empty() && m_missing.empty();
@@ -257,8 +281,12 @@ Claim judged(const Results &results, std::string_view key, std::string text, Met
         else
             gathered.addMissing(pair);
     }
-    Claim out{key, std::move(text), gathered.finding(), whereText(results.plan, place, metric) + gathered.text(),
-              gathered.decidable()};
+    Claim out{key,
+              std::move(text),
+              gathered.finding(),
+              whereText(results.plan, place, metric) + gathered.text(),
+              gathered.decidable(),
+              gathered.decidableBelow()};
     if (!isCompared(metric, results.plan.loads[place.load]))
         out.reason += " The vehicle sets this rate under that load, whatever the suite costs.";
     return out;
@@ -321,6 +349,7 @@ Claim judgedMemory(const Results &results, std::string_view key, std::string tex
     }
     out.finding = gathered.finding();
     out.decidable = gathered.decidable();
+    out.decidableBelow = gathered.decidableBelow();
     out.reason = "The station's process takes " + readable(resident / 1e6) + " MB with any suite; suites differ by the heap of "
         + (ofSession ? "a session" : "a keyed cipher") + ": " + heaps + ". " + gathered.text();
     return out;

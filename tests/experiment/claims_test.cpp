@@ -66,6 +66,7 @@ private Q_SLOTS:
     void slightlyIsMoreThanTheMargin();
     void decidableMarginDecides_data();
     void decidableMarginDecides();
+    void smallerMarginsMayDecideToo();
     void exactRatiosHaveNoInterval();
 };
 
@@ -163,7 +164,7 @@ void ClaimsTest::decidableMarginDecides()
         QVERIFY(std::isnan(claim.decidable));
         return;
     }
-    QVERIFY2(claim.decidable > results.plan.margin && says(claim, "would decide it by a margin of "), claim.reason.c_str());
+    QVERIFY2(claim.decidable > results.plan.margin && says(claim, "% it would be "), claim.reason.c_str());
     results.plan.margin = claim.decidable * 0.9999;
     QCOMPARE(theClaim(results, key.data()).finding, Finding::NotDecided);
     results.plan.margin = claim.decidable * 1.0001;
@@ -179,6 +180,27 @@ void ClaimsTest::decidableMarginDecides()
         QVERIFY(low < 1 && high > 1); // otherwise the small margin would have refuted it
         QVERIFY(std::abs(claim.decidable + 1 - std::max(high, 1 / low)) < 1e-6);
     }
+}
+
+/// "More than plain" is confirmed by a small margin and refuted by a large one; in between nothing is decided.
+void ClaimsTest::smallerMarginsMayDecideToo()
+{
+    Results results = measured(planOf({Load::Saturated}), Metric::Packets,
+                               [](SuiteId suite, const Run &) { return suite == SuiteId::None ? 1030.0 : 1000.0; });
+    const Claim claim = theClaim(results, "packets-plain-above");
+    QCOMPARE(claim.finding, Finding::NotDecided);
+    QVERIFY2(claim.decidableBelow > 0.015 && claim.decidableBelow < 0.03 && claim.decidable > 0.03, claim.reason.c_str());
+    const std::size_t small = claim.reason.find(" By a margin below "), large = claim.reason.find(" By a margin of ");
+    QVERIFY2(small < large && large != std::string::npos, claim.reason.c_str());
+    QVERIFY(claim.reason.find("confirmed", small) < large && claim.reason.find("refuted", large) != std::string::npos);
+    const auto by = [&results](double margin) {
+        results.plan.margin = margin;
+        return theClaim(results, "packets-plain-above").finding;
+    };
+    QCOMPARE(by(claim.decidableBelow * 0.9999), Finding::Confirmed);
+    QCOMPARE(by(claim.decidableBelow * 1.0001), Finding::NotDecided);
+    QCOMPARE(by(claim.decidable * 0.9999), Finding::NotDecided);
+    QCOMPARE(by(claim.decidable * 1.0001), Finding::Refuted);
 }
 
 void ClaimsTest::exactRatiosHaveNoInterval()
