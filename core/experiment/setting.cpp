@@ -12,6 +12,9 @@
 #include <fstream>
 #include <sstream>
 
+#if defined(__GLIBC__)
+#include <gnu/libc-version.h>
+#endif
 #include <sys/utsname.h>
 #include <unistd.h>
 
@@ -91,6 +94,15 @@ std::string build()
     out += ", with sanitizers: the figures of this build are meaningless";
 #endif
     return out;
+}
+
+std::string libc()
+{
+#if defined(__GLIBC__)
+    return std::string("glibc ") + gnu_get_libc_version(); // that runs, not that of the build
+#else
+    return "unknown";
+#endif
 }
 
 std::string memorySize()
@@ -191,6 +203,7 @@ Setting machineSetting()
         + busy;
     if (!warning.empty())
         out.emplace_back("warning", warning);
+    out.emplace_back("libc", libc());
     out.emplace_back("libsodium", sodium_version_string());
     out.emplace_back("openssl", OpenSSL_version(OPENSSL_VERSION));
     out.emplace_back("openssl_cpu", OpenSSL_version(OPENSSL_CPU_INFO));

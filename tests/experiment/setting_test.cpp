@@ -11,6 +11,9 @@
 #include <QtTest/QTest>
 
 #include <algorithm>
+#include <array>
+
+#include <unistd.h>
 
 using namespace skyseal::experiment;
 using skyseal::test::RunResult;
@@ -68,6 +71,9 @@ void SettingTest::namesTheProcessorsState()
              noTurbo.isEmpty() && boost.isEmpty() ? QStringLiteral("unknown") : QString::fromLatin1(isOn ? "on" : "off"));
     for (const char *key : {"processor", "cores", "hypervisor", "kernel", "compiler", "libsodium", "openssl"})
         QVERIFY2(!entry(key).isEmpty(), key);
+    std::array<char, 64> running{};
+    QVERIFY(::confstr(_CS_GNU_LIBC_VERSION, running.data(), running.size()) > 0); // "glibc 2.36"
+    QCOMPARE(entry("libc"), QString::fromLatin1(running.data()));
 }
 
 void SettingTest::busyMachineIsWarnedOf()
