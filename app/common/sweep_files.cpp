@@ -114,6 +114,7 @@ SweepFiles writeSweepFiles(const QString &path, const experiment::Results &resul
         {QStringLiteral("sweep.csv"), experiment::sweepCsv(results)},
         {QStringLiteral("sweep-columns.csv"), experiment::sweepColumnsCsv()},
         {QStringLiteral("ratios.csv"), experiment::ratiosCsv(results)},
+        {QStringLiteral("ratios-columns.csv"), experiment::ratioColumnsCsv()},
         {QStringLiteral("report.html"), experiment::htmlReport(parts)}};
     QStringList drawings;
     for (const experiment::ReportFigure &figure : figures) {

@@ -1,4 +1,4 @@
-// The files of a sweep: sweep.json, sweep.csv and its columns, ratios.csv, report.html, figures as SVG; PNG and PDF if
+// The files of a sweep: sweep.json, sweep.csv, ratios.csv, the columns of both, report.html, figures as SVG; PNG and PDF if
 // skyseal-figures is installed.
 #pragma once
 

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace skyseal::experiment {
 
@@ -305,7 +304,6 @@ std::string sweepJson(const Results &results, const std::vector<Verdict> &verdic
 }
 
 namespace {
-
 struct Column
 {
     std::string_view name, unit, what;
@@ -316,15 +314,34 @@ constexpr Column kBefore[] = {
     {"condition", "", "link condition: clean, or the impairments of both directions"},
     {"load", "", "natural, saturated, or pps and the frames a second of a paced load"},
     {"suite", "", "cipher suite; none: plain MAVLink"},
-    {"framing", "",
-     "sealed: whole frames in records; inline: payloads sealed in place; bare: payloads encrypted without authentication; "
-     "plain: none of them"},
+    {"framing", "", "sealed: whole frames in records; inline: payloads sealed in place; bare: not authenticated; plain: none"},
     {"again", "", "1: the repetition of another arm under a second name (A/A)"},
     {"launch", "", "which start of all programs, from 0"},
     {"repeat", "", "block of the launch, condition and load, from 0; every arm is in it once"},
     {"phase", "", "of the flight in which the run was measured, from 0; empty without flights"},
     {"start", "s", "since the sweep began"},
     {"seconds", "s", "length of the measurement"}};
+constexpr Column kRatios[] = {{"condition", "", "link condition: clean, or the impairments of both directions"},
+                              {"load", "", "natural, saturated, or pps and the frames a second of a paced load"},
+                              {"metric", "", "what is compared; a column of sweep.csv"},
+                              {"first", "", "cipher suite to which the second is compared; none: plain MAVLink"},
+                              {"first_framing", "", "its framing: sealed, inline, bare, or plain"},
+                              {"second", "", "cipher suite that is compared"},
+                              {"second_framing", "", "its framing"},
+                              {"again", "", "1: the second is the first under another name (A/A)"},
+                              {"scale", "", "ratio: the value is second / first; difference: it is second - first, of shares"},
+                              {"value", "", "the ratio, or the difference in the unit of the metric"},
+                              {"ci95_low", "", "lower end of its 95 % interval; empty without one"},
+                              {"ci95_high", "", "upper end of its 95 % interval"},
+                              {"p", "", "of no ratio but 1, no difference but 0; empty without a test"},
+                              {"p_holm", "", "the same, by Holm for all comparisons of the metric, condition and load"},
+                              {"df", "", "degrees of freedom of Student's t"},
+                              {"units", "", "launches or blocks that were measured"},
+                              {"unit", "", "of the error: launch, or block of the only launch"},
+                              {"sweep", "", "when the sweep began (UTC)"},
+                              {"seed", "", "of the order of runs and of the impairment"},
+                              {"commit", "", "the programs' version in the repository"},
+                              {"machine", "", "processor, number of cores, architecture and system"}};
 constexpr Column kAfter[] = {{"valid", "", "1: the values count; 0: they are left out of every mean and comparison"},
                              {"attempts", "", "how often the run was measured; the values are those of the last attempt"},
                              {"invalid", "", "why the values are not those of the load; empty if they are"},
@@ -350,31 +367,47 @@ std::string originColumns(const Results &results)
     return out;
 }
 
-void forEachColumn(const std::function<void(const Column &)> &each)
+std::vector<Column> sampleColumns()
 {
-    std::ranges::for_each(kBefore, each);
+    std::vector<Column> out(std::begin(kBefore), std::end(kBefore));
     for (const MetricInfo &metric : metrics())
-        each({metric.key, metric.unit, metric.description});
-    std::ranges::for_each(kAfter, each);
+        out.push_back({metric.key, metric.unit, metric.description});
+    out.insert(out.end(), std::begin(kAfter), std::end(kAfter));
+    return out;
+}
+
+std::string headOf(const std::vector<Column> &columns)
+{
+    std::string out;
+    for (const Column &column : columns)
+        out.append(out.empty() ? "" : ",").append(column.name);
+    return out + "\n";
+}
+
+std::string dictionaryOf(const std::vector<Column> &columns)
+{
+    std::string out = "column,unit,description\n";
+    for (const auto &[name, unit, what] : columns)
+        out += std::string(name) + "," + csvText(std::string(unit)) + "," + csvText(std::string(what)) + "\n";
+    return out;
 }
 
 } // namespace
 
 std::string sweepColumnsCsv()
 {
-    std::string out = "column,unit,description\n";
-    forEachColumn([&out](const Column &column) {
-        out += std::string(column.name) + "," + csvText(std::string(column.unit)) + "," + csvText(std::string(column.what))
-            + "\n";
-    });
-    return out;
+    return dictionaryOf(sampleColumns());
+}
+
+std::string ratioColumnsCsv()
+{
+    return dictionaryOf({std::begin(kRatios), std::end(kRatios)});
 }
 
 std::string ratiosCsv(const Results &results)
 {
     const Plan &plan = results.plan;
-    std::string out = "condition,load,metric,first,first_framing,second,second_framing,again,scale,value,ci95_low,ci95_high,p,"
-                      "p_holm,df,units,unit,sweep,seed,commit,machine\n";
+    std::string out = headOf({std::begin(kRatios), std::end(kRatios)});
     const std::string origin = originColumns(results);
     const auto add = [&](const Contrast &contrast) {
         const SweepArm &first = plan.arms[contrast.first], &second = plan.arms[contrast.second];
@@ -399,9 +432,7 @@ std::string ratiosCsv(const Results &results)
 
 std::string sweepCsv(const Results &results)
 {
-    std::string out;
-    forEachColumn([&out](const Column &column) { out.append(out.empty() ? "" : ",").append(column.name); });
-    out += "\n";
+    std::string out = headOf(sampleColumns());
     const std::string origin = originColumns(results);
     for (const Sample &sample : results.samples) {
         const Plan &plan = results.plan;

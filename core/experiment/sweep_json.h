@@ -19,6 +19,8 @@ std::string sweepCsv(const Results &results);
 std::string sweepColumnsCsv();
 /// The comparisons, which are the result of a sweep: one line each, the A/A ones last.
 std::string ratiosCsv(const Results &results);
+/// The data dictionary of ratiosCsv().
+std::string ratioColumnsCsv();
 
 /// JSON objects with "event" for a run that begins, whose warm-up is still ahead, a finished run, the end of the runs and a
 /// verdict, one line each. `problem`: a sentence if the plan was not carried out completely.

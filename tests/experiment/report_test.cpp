@@ -657,12 +657,15 @@ void ReportTest::invalidRunsAreLeftOut()
     QCOMPARE(valid, static_cast<int>(results.samples.size()) - 4);
     const QByteArray csv = QByteArray::fromStdString(sweepCsv(results));
     QCOMPARE(csv.count(",0,3,\"not saturated: "), qsizetype(4));
-    const QByteArrayList described = QByteArray::fromStdString(sweepColumnsCsv()).trimmed().split('\n').mid(1);
-    const QByteArrayList names = csv.left(csv.indexOf('\n')).split(',');
-    QCOMPARE(described.size(), names.size());
-    for (qsizetype i = 0; i < names.size(); ++i) {
-        QVERIFY2(described[i].startsWith(names[i] + ",\""), described[i].constData());
-        QVERIFY2(described[i].size() > names[i].size() + 15, described[i].constData());
+    const QByteArray ratios = QByteArray::fromStdString(ratiosCsv(results));
+    for (const auto &[table, dictionary] : {std::pair(csv, sweepColumnsCsv()), {ratios, ratioColumnsCsv()}}) {
+        const QByteArrayList described = QByteArray::fromStdString(dictionary).trimmed().split('\n').mid(1);
+        const QByteArrayList names = table.left(table.indexOf('\n')).split(',');
+        QCOMPARE(described.size(), names.size());
+        for (qsizetype i = 0; i < names.size(); ++i) {
+            QVERIFY2(described[i].startsWith(names[i] + ",\""), described[i].constData());
+            QVERIFY2(described[i].size() > names[i].size() + 15, described[i].constData());
+        }
     }
     QVERIFY(runText(results.plan, *std::ranges::find(results.samples, 3u, &Sample::attempts), 10, 0)
                 .find("NOT VALID, not saturated")

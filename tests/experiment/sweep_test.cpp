@@ -449,7 +449,8 @@ void SweepTest::launchesStartAnew()
 
     const RunResult written = runProgram("skyseal-cli", {q("report"), first, q("--out"), again}, {}, 120000);
     QVERIFY2(written.status == 0, written.err.constData());
-    QStringList names{q("sweep.json"), q("sweep.csv"), q("sweep-columns.csv"), q("ratios.csv"), q("report.html")};
+    QStringList names{q("sweep.json"), q("sweep.csv"),          q("sweep-columns.csv"),
+                      q("ratios.csv"), q("ratios-columns.csv"), q("report.html")};
     for (const QString &figure : QDir(first + q("/figures")).entryList({q("*.svg")}))
         names << q("figures/") + figure;
 #ifdef SKYSEAL_HAVE_FIGURES
