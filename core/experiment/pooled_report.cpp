@@ -57,6 +57,7 @@ const Fact kFacts[] = {
     {"load", [](const Machine &one) { return loadsText(one.results.plan); }},
     {"link", [](const Machine &one) { return conditionsText(one.results.plan); }},
     {"seconds of a run", [](const Machine &one) { return readable(seconds(one.results.plan.measure)); }},
+    {"warm-up", [](const Machine &one) { return readable(seconds(one.results.plan.warmUp)) + " s"; }},
     {"reference", [](const Machine &one) { return referenceText(one.results.plan); }},
     {"message mix", [](const Machine &one) { return settingOf(one.results, "message_mix"); }},
     {"commit", [](const Machine &one) { return settingOf(one.results, "commit"); }},

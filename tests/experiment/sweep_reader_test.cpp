@@ -297,6 +297,7 @@ void SweepReaderTest::otherSettingsAreRefused()
         refused("framing", [](Machine &machine) { machine.results.plan.arms[1].framing = experiment::ArmFraming::Inline; }));
     QVERIFY(refused("load", [](Machine &machine) { machine.results.plan.loads = {Load::Natural}; }));
     QVERIFY(refused("link", [](Machine &machine) { machine.results.plan.conditions = {*parseCondition("loss=0.1")}; }));
+    QVERIFY(refused("warm-up", [](Machine &machine) { machine.results.plan.warmUp *= 2; }));
     QVERIFY(refused("commit", [](Machine &machine) { machine.results.setting[1].second = "def"; }));
     QVERIFY(refused("message mix", [](Machine &machine) { machine.results.setting.pop_back(); }));
 }
