@@ -238,7 +238,6 @@ void AnalysisTest::rareLongCallsDoNotMoveThePercentile()
     QVERIFY(calls.percentile(0.5) < 413 && calls.percentile(0.99) < 413);
 }
 
-/// Each run costs 2 per mil less than the one before it: programs that are still warming up.
 /// By hand: slope 0.425, residual sum of squares 2.79075, and Student's t in closed form for three degrees of freedom.
 void AnalysisTest::trendIsThatOfALine()
 {
@@ -263,6 +262,7 @@ void AnalysisTest::trendIsThatOfALine()
     QVERIFY(trendsOf({3, 4}).empty()); // any line fits
 }
 
+/// Each run costs 2 per mil less than the one before it: programs that are still warming up.
 void AnalysisTest::trendWithTheOrderIsFound()
 {
     std::mt19937 random(kSeed);
