@@ -1073,6 +1073,10 @@
         <source>the mission last read is empty: read it again</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the vehicle is armed</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::AddWaypointDialog</name>
@@ -3095,6 +3099,18 @@ Fingerprint %3</source>
     </message>
     <message>
         <source>Map: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>altitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>link quality</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7472,10 +7488,6 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the vehicle is armed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;End the demo</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7549,6 +7561,26 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
     </message>
     <message>
         <source>&amp;Lab workspace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Cipher suite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Link &amp;quality</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Altitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Track colours</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

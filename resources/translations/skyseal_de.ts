@@ -1073,6 +1073,10 @@
         <source>the mission last read is empty: read it again</source>
         <translation>die zuletzt gelesene Mission ist leer: erneut lesen</translation>
     </message>
+    <message>
+        <source>the vehicle is armed</source>
+        <translation>das Fahrzeug ist scharf</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::AddWaypointDialog</name>
@@ -3123,6 +3127,18 @@ Fingerabdruck %3</translation>
     <message>
         <source>Map: %1</source>
         <translation>Karte: %1</translation>
+    </message>
+    <message>
+        <source>altitude</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>link quality</source>
+        <translation>Empfangsqualität</translation>
     </message>
 </context>
 <context>
@@ -7513,10 +7529,6 @@ GPL-3.0-or-later; erstellt mit Qt %2, Qt Charts, libsodium und OpenSSL.</transla
         <translation>Ü&amp;ber Skyseal</translation>
     </message>
     <message>
-        <source>the vehicle is armed</source>
-        <translation>das Fahrzeug ist scharf</translation>
-    </message>
-    <message>
         <source>&amp;End the demo</source>
         <translation>Demo b&amp;eenden</translation>
     </message>
@@ -7591,6 +7603,26 @@ GPL-3.0-or-later; erstellt mit Qt %2, Qt Charts, libsodium und OpenSSL.</transla
     <message>
         <source>&amp;Lab workspace</source>
         <translation>Arbeitsbereich &amp;Labor</translation>
+    </message>
+    <message>
+        <source>&amp;Cipher suite</source>
+        <translation>&amp;Chiffre</translation>
+    </message>
+    <message>
+        <source>Link &amp;quality</source>
+        <translation>&amp;Empfangsqualität</translation>
+    </message>
+    <message>
+        <source>&amp;Altitude</source>
+        <translation>&amp;Höhe</translation>
+    </message>
+    <message>
+        <source>&amp;Speed</source>
+        <translation>&amp;Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>&amp;Track colours</source>
+        <translation>Farben der &amp;Spur</translation>
     </message>
 </context>
 <context>
