@@ -3,6 +3,7 @@
 #include "core/base/save_file.h"
 #include "core/experiment/cipher_bench.h"
 #include "core/experiment/html_report.h"
+#include "core/experiment/sweep_csv.h"
 #include "core/experiment/sweep_json.h"
 
 #include <QtCore/QCoreApplication>

@@ -23,8 +23,8 @@ struct Claim
     Finding finding{};
     /// With the ratios and intervals that the finding is based on, and the load and link that they are of.
     std::string reason;
-    /// The smallest margin above Plan::margin by which these data would decide the claim, 0.05: 5 %. NaN if it is decided, or if
-    /// no such margin would.
+    /// The smallest margin above Plan::margin by which these data would decide the claim, 0.05: 5 %. NaN if it is decided, or
+    /// if no such margin would.
     double decidable = std::numeric_limits<double>::quiet_NaN();
     /// Below this one, which is smaller than Plan::margin, they would decide it as well. NaN likewise.
     double decidableBelow = std::numeric_limits<double>::quiet_NaN();

@@ -30,14 +30,6 @@ std::string placeText(const Plan &plan, std::size_t condition, std::size_t load)
     return "link " + escaped(conditionText(plan.conditions[condition])) + "; " + std::string(name(plan.loads[load])) + " load";
 }
 
-template<typename Each> void forEachPlace(const Plan &plan, Each each)
-{
-    for (std::size_t condition = 0; condition < plan.conditions.size(); ++condition) {
-        for (std::size_t load = 0; load < plan.loads.size(); ++load)
-            each(condition, load);
-    }
-}
-
 std::string summaryTable(const Results &results, std::size_t condition, std::size_t load)
 {
     const Plan &plan = results.plan;

@@ -116,6 +116,15 @@ struct Run
 /// order of its own, so that slow drift affects all arms alike. The same seed gives the same order on every machine.
 std::vector<Run> schedule(const Plan &plan);
 
+/// Calls `each` with the condition and the load of every place in which the arms are compared.
+template<typename Each> void forEachPlace(const Plan &plan, Each each)
+{
+    for (std::size_t condition = 0; condition < plan.conditions.size(); ++condition) {
+        for (std::size_t load = 0; load < plan.loads.size(); ++load)
+            each(condition, load);
+    }
+}
+
 /// The phase of the flight in which the run is measured, from 0.
 unsigned phaseOf(const Plan &plan, const Run &run);
 

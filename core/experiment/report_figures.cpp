@@ -10,14 +10,6 @@
 
 namespace skyseal::experiment {
 
-template<typename Each> static void forEachPlace(const Plan &plan, Each each)
-{
-    for (std::size_t condition = 0; condition < plan.conditions.size(); ++condition) {
-        for (std::size_t load = 0; load < plan.loads.size(); ++load)
-            each(condition, load);
-    }
-}
-
 /// Each arm against the reference.
 static ForestChart ratioChart(const Results &results, std::size_t condition, std::size_t load, Metric metric)
 {

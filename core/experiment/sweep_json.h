@@ -1,5 +1,5 @@
-// sweep.json and sweep.csv: the complete results of a sweep for programs, and the JSON lines of a running sweep. README.md
-// beside this file documents the schema; a change that breaks readers raises kSweepSchemaVersion.
+// sweep.json: the complete results of a sweep for programs, and the JSON lines of a running sweep. README.md beside this file
+// documents the schema; a change that breaks readers raises kSweepSchemaVersion.
 #pragma once
 
 #include "core/experiment/results.h"
@@ -13,14 +13,6 @@ namespace skyseal::experiment {
 inline constexpr unsigned kSweepSchemaVersion = 4;
 
 std::string sweepJson(const Results &results, const std::vector<Verdict> &verdicts);
-/// The samples: one line per run, one column per metric; empty where a value could not be measured.
-std::string sweepCsv(const Results &results);
-/// The data dictionary of sweepCsv(): name, unit and description of each column, in their order.
-std::string sweepColumnsCsv();
-/// The comparisons, which are the result of a sweep: one line each, the A/A ones last.
-std::string ratiosCsv(const Results &results);
-/// The data dictionary of ratiosCsv().
-std::string ratioColumnsCsv();
 
 /// JSON objects with "event" for a run that begins, whose warm-up is still ahead, a finished run, the end of the runs and a
 /// verdict, one line each. `problem`: a sentence if the plan was not carried out completely.

@@ -6,6 +6,7 @@
 #include "core/experiment/idle_power.h"
 #include "core/experiment/measurement.h"
 #include "core/experiment/placement.h"
+#include "core/experiment/sweep_csv.h"
 #include "core/experiment/sweep_json.h"
 #include "core/experiment/sweep_text.h"
 #include "core/metrics/machine_usage.h"

@@ -5,6 +5,7 @@
 #include "core/experiment/forest_chart.h"
 #include "core/experiment/html_report.h"
 #include "core/experiment/report_figures.h"
+#include "core/experiment/sweep_csv.h"
 #include "core/experiment/sweep_json.h"
 #include "core/experiment/sweep_text.h"
 #include "tests/support/test_runner.h"

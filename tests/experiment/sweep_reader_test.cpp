@@ -5,6 +5,7 @@
 #include "core/experiment/html_report.h"
 #include "core/experiment/pooled_report.h"
 #include "core/experiment/random_effects.h"
+#include "core/experiment/sweep_csv.h"
 #include "core/experiment/sweep_json.h"
 #include "tests/support/test_runner.h"
 
