@@ -1,8 +1,5 @@
 #include "core/vehicle/mission_edit.h"
 
-#include <algorithm>
-#include <ranges>
-
 namespace skyseal::vehicle {
 
 namespace {
@@ -27,10 +24,11 @@ std::size_t placeOfNextWaypoint(const std::vector<MissionItem> &items)
 
 std::optional<float> altitudeBeforeNextWaypoint(const std::vector<MissionItem> &items)
 {
-    const std::size_t place = placeOfNextWaypoint(items);
-    for (const MissionItem &item : items | std::views::take(place) | std::views::reverse)
+    for (std::size_t i = placeOfNextWaypoint(items); i > 0; --i) {
+        const MissionItem &item = items[i - 1];
         if (isAboveHome(item) && item.altitude > 0)
             return item.altitude;
+    }
     return std::nullopt;
 }
 

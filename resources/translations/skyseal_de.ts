@@ -7622,7 +7622,7 @@ GPL-3.0-or-later; erstellt mit Qt %2, Qt Charts, libsodium und OpenSSL.</transla
     </message>
     <message>
         <source>&amp;Track colours</source>
-        <translation>Farben der &amp;Spur</translation>
+        <translation>Farben der S&amp;pur</translation>
     </message>
 </context>
 <context>
