@@ -33,6 +33,22 @@ private Q_SLOTS:
     void init() { setUp(); }
     void cleanup() { tearDown(); }
 
+    void emptyListsSayWhatWillBeThere()
+    {
+        const auto shown = [this](const char *name) {
+            const auto *label = find<QLabel>(name);
+            return label->isVisibleTo(label->parentWidget()) && !label->text().isEmpty();
+        };
+        for (const char *name : {"parameterEmpty", "inspectorEmpty", "messagesEmpty", "linksEmpty"})
+            QVERIFY2(shown(name), name);
+        bringToFront("dockMessages");
+        EVENTUALLY_EQUAL(find<QLabel>("messagesEmpty")->geometry(), find<QTreeView>("messageView")->viewport()->geometry());
+        say(1);
+        m_station->show(sealedSnapshot(1));
+        for (const char *name : {"parameterEmpty", "messagesEmpty", "linksEmpty"})
+            QVERIFY2(!shown(name), name);
+    }
+
     void messagesFollowTheNewest()
     {
         EVENTUALLY(isBehind("dockMessages"));

@@ -1,6 +1,7 @@
 #include "ui/inspector/inspector_panel.h"
 
 #include "core/engine/station/snapshot.h"
+#include "ui/empty_text.h"
 #include "ui/theme/grid.h"
 
 #include <QtCore/QSortFilterProxyModel>
@@ -47,6 +48,7 @@ InspectorPanel::InspectorPanel(StationInterface &station, QWidget *parent)
 
     m_list = makeView(m_filter, tr("Message types"), this);
     m_list->setObjectName(QStringLiteral("inspectorList"));
+    new EmptyText(*m_list, m_messages, tr("Each type of message is listed here once it arrives."), "inspectorEmpty");
     m_detail = makeView(&m_fields, tr("Fields of the selected message"), this);
     m_detail->setObjectName(QStringLiteral("inspectorFields"));
     const QFontMetrics metrics(font());

@@ -2,6 +2,7 @@
 
 #include "core/engine/station/snapshot.h"
 #include "ui/confirm_box.h"
+#include "ui/empty_text.h"
 #include "ui/theme/grid.h"
 
 #include <QtWidgets/QHBoxLayout>
@@ -28,6 +29,7 @@ LinksPanel::LinksPanel(StationInterface &station, QWidget *parent) : DockPanel(p
     m_view->setRootIsDecorated(false);
     m_view->setUniformRowHeights(true);
     m_view->setFrameShape(QFrame::NoFrame);
+    new EmptyText(*m_view, m_model, tr("No links: add one to hear a vehicle."), "linksEmpty");
     const auto room = [this](const char *sample) { return fontMetrics().horizontalAdvance(QLatin1String(sample)) + 3 * kGrid; };
     m_view->header()->resizeSection(LinkModel::Url, room("udpin:255.255.255.255:14550"));
     m_view->header()->resizeSection(LinkModel::State, room("waiting to retry"));

@@ -1,6 +1,7 @@
 #include "ui/messages/messages_panel.h"
 
 #include "core/engine/text/event_text.h"
+#include "ui/empty_text.h"
 #include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
 
@@ -28,6 +29,7 @@ MessagesPanel::MessagesPanel(QWidget *parent) : DockPanel(parent)
     m_view->setUniformRowHeights(true);
     m_view->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_view->setFrameShape(QFrame::NoFrame);
+    new EmptyText(*m_view, m_model, tr("Messages of vehicles and of the station are listed here."), "messagesEmpty");
     QHeaderView *header = m_view->header();
     header->setSectionResizeMode(QHeaderView::Fixed);
     const QFontMetrics metrics(font());

@@ -1,6 +1,7 @@
 #include "ui/parameters/parameters_panel.h"
 
 #include "core/engine/station/vehicle_snapshot.h"
+#include "ui/empty_text.h"
 #include "ui/result_label.h"
 #include "ui/text/command_permits.h"
 #include "ui/text/units.h"
@@ -57,6 +58,7 @@ ParametersPanel::ParametersPanel(StationInterface &station, QWidget *parent) : D
     view->setUniformRowHeights(true);
     view->setFrameShape(QFrame::NoFrame);
     view->setAlternatingRowColors(true);
+    new EmptyText(*view, m_model, tr("Parameters are listed here once they are fetched."), "parameterEmpty");
     view->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed
                           | QAbstractItemView::AnyKeyPressed);
     view->header()->resizeSection(ParameterModel::Name, fontMetrics().horizontalAdvance(QLatin1Char('W')) * 17);
