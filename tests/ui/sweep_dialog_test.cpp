@@ -108,6 +108,25 @@ private Q_SLOTS:
         QCOMPARE(dialog.order().plan.conditions.size(), std::size_t(3));
     }
 
+    void withoutOwnCoresTheLineCanBeFilled()
+    {
+        const QStringList clean{QStringLiteral("clean")}, line{QStringLiteral("rate=921600")};
+        SweepDialog &dialog = open({}, false);
+        const auto links = [&dialog] { return namesOf(dialog.order().plan.conditions); };
+        QVERIFY(find<QAbstractButton>("sweepSaturated")->isChecked());
+        QCOMPARE(links(), line);
+        click("sweepBeside"); // natural load only
+        QCOMPARE(links(), clean);
+        click("sweepOwn");
+        QCOMPARE(links(), line);
+        click("sweepRadio57600");
+        click("sweepBeside");
+        QCOMPARE(links().size(), 2); // the choice was kept
+        click("sweepLine921600");
+        click("sweepOwn");
+        QCOMPARE(links(), QStringList{QStringLiteral("rate=57600,delay=20")});
+    }
+
     void connectedLinkIsMeasuredAsItIs()
     {
         const ViewState view = viewOf(std::make_shared<const engine::Snapshot>(sealedSnapshot(1)), 0);
@@ -177,11 +196,11 @@ private Q_SLOTS:
     }
 
 private:
-    SweepDialog &open(const ViewState &view)
+    SweepDialog &open(const ViewState &view, bool ownCores = true)
     {
         m_view = view;
         m_suites.showViewState(m_view);
-        m_dialog = std::make_unique<SweepDialog>(SweepContext{m_view, m_suites, false, {}});
+        m_dialog = std::make_unique<SweepDialog>(SweepContext{m_view, m_suites, false, {}, ownCores});
         m_dialog->show();
         return *m_dialog;
     }

@@ -357,7 +357,8 @@ void SweepWindowTest::overARadio()
     set(*dialog, "sweepOwn", true);
     choose(*dialog, {q("chacha20-poly1305")}, 2, 1, false);
     set(*dialog, "sweepNatural", false);
-    set(*dialog, "sweepClean", false);
+    for (const char *link : {"sweepClean", "sweepLine921600"})
+        set(*dialog, link, false);
     set(*dialog, "sweepRadio57600", true);
     picture("sweep-dialog-radio");
     QString shown;

@@ -40,6 +40,8 @@ LinkConditions::LinkConditions(QWidget *parent) : QGroupBox(parent)
     // Delays that are typical of half-duplex telemetry radios.
     add("sweepRadio57600", tr("&57,600 baud radio"), "rate=57600,delay=20");
     add("sweepRadio115200", tr("&115,200 baud radio"), "rate=115200,delay=20");
+    // Without cores of their own the programs saturate no clean link: they use up all cores together first.
+    add("sweepLine921600", tr("&921,600 baud line"), "rate=921600");
     upper->addStretch(1);
     m_presets.front().box->setChecked(true);
     m_own = named(new QCheckBox(tr("&Other:"), this), "sweepOwnLink", tr("Another link"));
@@ -101,6 +103,18 @@ void LinkConditions::setDisabledReason(const QString &reason)
     m_disabledReason = reason;
     setEnabled(reason.isEmpty());
     setTitle(reason.isEmpty() ? tr("Link between the agent and the station") : tr("Link · %1").arg(reason));
+}
+
+void LinkConditions::preferFillable(bool fillable)
+{
+    QCheckBox *clean = m_presets.front().box, *line = m_presets.back().box;
+    QCheckBox *before = fillable ? clean : line, *after = fillable ? line : clean;
+    const bool isOther = std::ranges::any_of(m_presets,
+                                             [&](const Preset &one) { return one.box != before && one.box->isChecked(); });
+    if (isOther || m_own->isChecked() || !before->isChecked())
+        return; // chosen by the user
+    before->setChecked(false);
+    after->setChecked(true);
 }
 
 QString LinkConditions::ownText() const

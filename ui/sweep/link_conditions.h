@@ -1,5 +1,5 @@
-// The choice of the links that a sweep measures on in turn: a clean link, radios of two line rates, and one with custom
-// impairments.
+// The choice of the links that a sweep measures on in turn: a clean link, radios of two line rates, a line that can be
+// saturated on any machine, and one with custom impairments.
 #pragma once
 
 #include "core/experiment/plan.h"
@@ -24,6 +24,9 @@ public:
 
     /// Disables the choice: the title shows the reason and conditions() is the clean link. Empty: enables it.
     void setDisabledReason(const QString &reason);
+    /// Ticks the line that any machine fills in place of the clean link, or the reverse, if the other of the two is all that is
+    /// ticked.
+    void preferFillable(bool fillable);
     /// Empty if nothing is chosen.
     std::vector<experiment::Condition> conditions() const;
 

@@ -231,6 +231,8 @@ void SweepDialog::updateChoices()
            notSaturated);
     m_saturated->setChecked(notSaturated.isEmpty());
     m_link->setDisabledReason(otherLinkDisabledReason(now));
+    if (hasOwnAgent(now))
+        m_link->preferFillable(now == SweepTarget::Simulated && !m_context.ownCores);
     updateSummary();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/crypto/suite.h"
+#include "core/experiment/placement.h"
 #include "ui/sweep/sweep_interface.h"
 #include "ui/view_state.h"
 
@@ -17,6 +18,8 @@ struct SweepContext
     const SuiteActions &suites;
     bool requireSealed = false; ///< by the settings
     QString noOwnPrograms;      ///< reason why no vehicle or agent can be started; empty if they can
+    /// The programs of the sweep have cores of their own, so that a clean link can be saturated.
+    bool ownCores = experiment::placementHere().station.has_value();
 };
 
 /// Each returns the reason; empty if the choice is possible.
