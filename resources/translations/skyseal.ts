@@ -2351,6 +2351,10 @@ No link is sealed until this is resolved. Plain MAVLink is shown, but not sealed
         <source>Filter message types</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Each type of message is listed here once it arrives.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::KeysDialog</name>
@@ -2534,6 +2538,10 @@ Pair with the agent of your vehicle, or add its public key, which skyseal-cli ke
     </message>
     <message>
         <source>no limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;921,600 baud line</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2786,6 +2794,10 @@ INSECURE: anyone can read, change and forge this stream. Nothing is sent.</sourc
     </message>
     <message>
         <source>Without this link, its vehicles cannot be commanded from here, and failsafes may trigger.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No links: add one to hear a vehicle.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3386,6 +3398,10 @@ Fingerprint %3</source>
     </message>
     <message>
         <source>%1. To pair with it, open Security → Keys and peers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Messages of vehicles and of the station are listed here.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3995,6 +4011,10 @@ Then there is no code to compare. It is valid for this pairing only.</source>
     </message>
     <message>
         <source>Filter parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parameters are listed here once they are fetched.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -2366,6 +2366,10 @@ Bis das behoben ist, wird keine Verbindung versiegelt. Ungeschütztes MAVLink wi
         <source>Filter message types</source>
         <translation>Nachrichtentypen filtern</translation>
     </message>
+    <message>
+        <source>Each type of message is listed here once it arrives.</source>
+        <translation>Jeder Nachrichtentyp steht hier, sobald eine Nachricht davon eintrifft.</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::KeysDialog</name>
@@ -2554,6 +2558,10 @@ Mit dem Agenten des eigenen Fahrzeugs koppeln oder seinen öffentlichen Schlüss
     <message>
         <source>no limit</source>
         <translation>unbegrenzt</translation>
+    </message>
+    <message>
+        <source>&amp;921,600 baud line</source>
+        <translation>Leitung mit &amp;921 600 Baud</translation>
     </message>
 </context>
 <context>
@@ -2807,6 +2815,10 @@ UNSICHER: Jeder kann diesen Datenstrom mitlesen, verändern und fälschen. Nicht
     <message>
         <source>Without this link, its vehicles cannot be commanded from here, and failsafes may trigger.</source>
         <translation>Ohne diese Verbindung lassen sich ihre Fahrzeuge nicht von hier steuern, und Failsafes können auslösen.</translation>
+    </message>
+    <message>
+        <source>No links: add one to hear a vehicle.</source>
+        <translation>Keine Verbindung: eine hinzufügen, um ein Fahrzeug zu hören.</translation>
     </message>
 </context>
 <context>
@@ -3414,6 +3426,10 @@ Fingerabdruck %3</translation>
     <message>
         <source>%1. To pair with it, open Security → Keys and peers</source>
         <translation>%1. Zum Koppeln Sicherheit → Schlüssel und Gegenstellen öffnen</translation>
+    </message>
+    <message>
+        <source>Messages of vehicles and of the station are listed here.</source>
+        <translation>Hier stehen die Nachrichten der Fahrzeuge und der Station.</translation>
     </message>
 </context>
 <context>
@@ -4028,6 +4044,10 @@ Dann ist kein Code zu vergleichen. Sie gilt nur für diese Kopplung.</translatio
     <message>
         <source>Filter parameters</source>
         <translation>Parameter filtern</translation>
+    </message>
+    <message>
+        <source>Parameters are listed here once they are fetched.</source>
+        <translation>Die Parameter stehen hier, sobald sie gelesen sind.</translation>
     </message>
 </context>
 <context>
