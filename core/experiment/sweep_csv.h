@@ -1,5 +1,5 @@
-// sweep.csv and ratios.csv: the samples and the comparisons of a sweep as tables, with their data dictionaries. README.md beside
-// this file documents them.
+// sweep.csv and ratios.csv: the samples and the comparisons of a sweep as tables, with their data dictionaries. README.md
+// beside this file documents them.
 #pragma once
 
 #include "core/experiment/results.h"
