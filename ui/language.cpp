@@ -30,7 +30,7 @@ QString languageToUse(const QString &chosen, const QStringList &desktop)
         return chosen;
     // Not QTranslator::load(QLocale): English, which has no file, would give way to the desktop's second language.
     for (const QString &tag : desktop)
-        if (const QString code = tag.section(QLatin1Char('-'), 0, 0); isThere(code))
+        if (QString code = tag.section(QLatin1Char('-'), 0, 0); isThere(code))
             return code;
     return QLatin1String(kLanguages[0].code);
 }

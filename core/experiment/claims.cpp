@@ -204,10 +204,11 @@ public:
     /// Claim::decidableBelow
     double decidableBelow() const
     {
-        for (const double end : ends() | std::views::reverse) {
-            if (finding() == Finding::NotDecided && end > kBeyond && end <= 1 + m_margin
-                && findingBy(end / kBeyond) != Finding::NotDecided)
-                return end - 1;
+        const std::vector<double> all = ends();
+        for (auto end = all.rbegin(); end != all.rend(); ++end) {
+            if (finding() == Finding::NotDecided && *end > kBeyond && *end <= 1 + m_margin
+                && findingBy(*end / kBeyond) != Finding::NotDecided)
+                return *end - 1;
         }
         return std::numeric_limits<double>::quiet_NaN();
     }

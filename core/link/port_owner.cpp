@@ -58,6 +58,7 @@ std::optional<PortOwner> holderOf(const std::vector<SocketLine> &lines)
     if (lines.empty())
         return std::nullopt;
     std::vector<std::string> sockets; // targets of the links in /proc/PID/fd
+    sockets.reserve(lines.size());
     for (const SocketLine &line : lines)
         sockets.push_back("socket:[" + line.inode + "]");
     // Processes may end meanwhile, and those of other users are not readable: skip failures.
