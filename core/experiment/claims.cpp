@@ -365,6 +365,7 @@ std::string orderHere(const Results &results, Metric metric, bool mostFirst)
         double ratio;
     };
     std::vector<Pair> pairs;
+    pairs.reserve(std::size(kPapers));
     for (const SuiteId suite : kPapers)
         pairs.push_back({suite, SuiteId::None});
     const Place where = judgedPlace(results, metric, pairs);
