@@ -213,7 +213,7 @@ void ArduPilotWindowTest::correctsTheParameter()
     auto *editor = list->viewport()->findChild<QLineEdit *>();
     type(editor, words("4500"));
     QTest::keyClick(editor, Qt::Key_Return);
-    EVENTUALLY_EQUAL(cell(ParameterModel::State).data().toString(), words("written, read back 4500"));
+    EVENTUALLY_EQUAL(cell(ParameterModel::State).data().toString(), words("written, read back as 4500"));
     EVENTUALLY_EQUAL(cell(ParameterModel::Value).data().toString(), words("4500"));
     picture("07-parameter");
     EVENTUALLY2(vehicle().gpsFix >= int(mavlink::GPS_FIX_TYPE_3D_FIX), qPrintable(strip("stripGps")));
