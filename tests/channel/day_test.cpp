@@ -3,6 +3,7 @@
 // accounted for, and the memory of the process does not grow.
 #include "core/crypto/init_crypto.h"
 #include "pair.h"
+#include "tests/support/heap_bytes.h"
 #include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
@@ -11,7 +12,6 @@
 #include <cstdio>
 
 #if defined(__GLIBC__)
-#include <malloc.h>
 #endif
 
 using namespace skyseal;
@@ -22,17 +22,6 @@ namespace {
 
 /// Longest time in which frames pass again after each kind of disturbance, with the losses of this link.
 constexpr Duration kRecovery = 10s;
-
-/// Bytes in use on the heap.
-std::size_t heapBytes()
-{
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-    const auto info = ::mallinfo2();
-    return info.uordblks + info.hblkhd;
-#else
-    return 0;
-#endif
-}
 
 } // namespace
 

@@ -6,6 +6,7 @@
 // SKYSEAL_MINUTES of the environment is the simulated time.
 #include "core/crypto/init_crypto.h"
 #include "tests/engine/simulated_fleet.h"
+#include "tests/support/heap_bytes.h"
 #include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
@@ -13,7 +14,6 @@
 #include <cstdio>
 
 #if defined(__GLIBC__)
-#include <malloc.h>
 #endif
 
 using namespace skyseal;
@@ -30,17 +30,6 @@ constexpr SimulatedNetwork::Radio kBad{.loss = .02, .duplicate = .01, .corrupt =
 SimulatedNetwork &network()
 {
     return SimulatedNetwork::instance();
-}
-
-/// Bytes in use on the heap.
-std::size_t heapBytes()
-{
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-    const auto info = ::mallinfo2();
-    return info.uordblks + info.hblkhd;
-#else
-    return 0;
-#endif
 }
 
 } // namespace
