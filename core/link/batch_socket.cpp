@@ -1,6 +1,7 @@
 #include "core/link/batch_socket.h"
 
 #include "core/link/address_text.h"
+#include "core/link/epoll_dispatcher.h"
 #include "core/link/steady_now.h"
 
 #include <QtCore/QEvent>
@@ -79,25 +80,32 @@ private:
     std::function<void()> m_onReady;
 };
 
+/// Address and bytes are together, so that the caches and address translations of one datagram alone are few.
+struct Datagram
+{
+    SocketAddress address;
+    std::size_t length; ///< to send
+    std::array<std::uint8_t, kMaxDatagram> bytes;
+};
+
 /// Buffers of recvmmsg and sendmmsg with the pointers between them, set up once.
 struct Slots
 {
     Slots()
     {
         for (std::size_t i = 0; i < kBatch; ++i) {
-            vectors[i] = {bytes[i].data(), bytes[i].size()};
+            vectors[i] = {datagrams[i].bytes.data(), kMaxDatagram};
             headers[i] = {};
-            headers[i].msg_hdr.msg_name = &addresses[i];
-            headers[i].msg_hdr.msg_namelen = sizeof addresses[i];
+            headers[i].msg_hdr.msg_name = &datagrams[i].address;
+            headers[i].msg_hdr.msg_namelen = sizeof datagrams[i].address;
             headers[i].msg_hdr.msg_iov = &vectors[i];
             headers[i].msg_hdr.msg_iovlen = 1;
         }
     }
 
-    std::array<mmsghdr, kBatch> headers;
+    std::array<Datagram, kBatch> datagrams;
     std::array<iovec, kBatch> vectors;
-    std::array<SocketAddress, kBatch> addresses;
-    std::array<std::array<std::uint8_t, kMaxDatagram>, kBatch> bytes;
+    std::array<mmsghdr, kBatch> headers;
 };
 
 /// Messages of sendmmsg that consist of several datagrams of one size, and their control data.
@@ -124,7 +132,8 @@ std::size_t Segments::join(Slots &slots, std::size_t first, std::size_t run)
         const std::size_t slot = first + begin, size = slots.vectors[slot].iov_len;
         const auto fits = [&](std::size_t i) {
             return slots.vectors[first + i].iov_len == size && (i - begin + 1) * size <= kMostBytes
-                && std::memcmp(&slots.addresses[first + i], &slots.addresses[slot], slots.headers[slot].msg_hdr.msg_namelen)
+                && std::memcmp(&slots.datagrams[first + i].address, &slots.datagrams[slot].address,
+                               slots.headers[slot].msg_hdr.msg_namelen)
                 == 0;
         };
         for (end = begin + 1; end < run && size > 0 && fits(end);)
@@ -151,10 +160,10 @@ std::size_t Segments::join(Slots &slots, std::size_t first, std::size_t run)
 
 struct BatchSocket::Buffers
 {
+    std::array<ReceivedBlock, kBatch> blocks;
     Slots in;
     Slots out;
     Segments segments;
-    std::array<ReceivedBlock, kBatch> blocks;
 };
 
 BatchSocket::BatchSocket(bool segmented) : m_segmented(segmented), m_buffers(std::make_unique<Buffers>()) {}
@@ -170,6 +179,8 @@ void BatchSocket::shut()
         if (notifier)
             notifier->setEnabled(false);
     }
+    if (m_fd >= 0 && m_loop)
+        m_loop->removeReader(m_fd);
     if (m_fd >= 0)
         ::close(m_fd);
     m_fd = -1;
@@ -193,7 +204,11 @@ std::optional<LinkError> BatchSocket::bind(const Address &local, int receiveBuff
     const socklen_t length = toSocket(local, m_ipv6, address);
     if (::bind(m_fd, &address.any, length) != 0)
         return systemError(errno, toText(local));
-    m_readNotifier = std::make_unique<Notifier>(m_fd, QSocketNotifier::Read, [this] { noteReadable(); });
+    m_loop = qobject_cast<EpollDispatcher *>(QAbstractEventDispatcher::instance());
+    if (m_loop)
+        m_loop->addReader(m_fd, *this);
+    else
+        m_readNotifier = std::make_unique<Notifier>(m_fd, QSocketNotifier::Read, [this] { noteReadable(); });
     m_writeNotifier = std::make_unique<Notifier>(m_fd, QSocketNotifier::Write, [this] {
         m_writeNotifier->setEnabled(false);
         m_blocked = false;
@@ -214,30 +229,60 @@ Address BatchSocket::local() const
 
 DatagramSocket::Batch BatchSocket::receive(LinkId id, LinkCounters &counters, std::size_t most)
 {
+    if (m_lone.expected())
+        return receiveOne(id, counters);
     Slots &in = m_buffers->in;
     const int count = ::recvmmsg(m_fd, in.headers.data(), static_cast<unsigned>(most), MSG_DONTWAIT, nullptr);
-    if (count < 0) {
-        // Some kernels report the ICMP error of an earlier datagram here. It only means that the peer is not up yet.
-        const bool peerAbsent = errno == ECONNREFUSED;
-        if (!peerAbsent && errno != EAGAIN && errno != EINTR)
-            ++counters.rxErrors;
-        return {{}, !peerAbsent};
-    }
+    if (count < 0)
+        return receiveFailed(counters);
     const TimePoint now = steadyNow();
+    m_lone.note(now, static_cast<std::size_t>(count));
     std::size_t used = 0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+        Datagram &datagram = in.datagrams[i];
         msghdr &header = in.headers[i].msg_hdr;
-        header.msg_namelen = sizeof in.addresses[i];
+        header.msg_namelen = sizeof datagram.address;
         if (header.msg_flags & MSG_TRUNC) {
             ++counters.rxOversized;
             continue;
         }
         const std::size_t length = in.headers[i].msg_len;
         counters.rxBytes += length;
-        m_buffers->blocks[used++] = {{id, fromSocket(in.addresses[i])}, MutableByteView(in.bytes[i]).first(length), now};
+        m_buffers->blocks[used++] = {{id, fromSocket(datagram.address)}, MutableByteView(datagram.bytes).first(length), now};
     }
     counters.rxBlocks += used;
     return {std::span<const ReceivedBlock>(m_buffers->blocks.data(), used), static_cast<std::size_t>(count) < most};
+}
+
+/// If more have arrived after all, the event loop calls again at once.
+DatagramSocket::Batch BatchSocket::receiveOne(LinkId id, LinkCounters &counters)
+{
+    Datagram &datagram = m_buffers->in.datagrams[0];
+    socklen_t addressLength = sizeof datagram.address;
+    const ssize_t length = ::recvfrom(m_fd, datagram.bytes.data(), datagram.bytes.size(), MSG_DONTWAIT | MSG_TRUNC,
+                                      &datagram.address.any, &addressLength);
+    if (length < 0)
+        return receiveFailed(counters);
+    const TimePoint now = steadyNow();
+    m_lone.note(now, 1);
+    const auto size = static_cast<std::size_t>(length); // before it was truncated
+    if (size > datagram.bytes.size()) {
+        ++counters.rxOversized;
+        return {};
+    }
+    counters.rxBytes += size;
+    ++counters.rxBlocks;
+    m_buffers->blocks[0] = {{id, fromSocket(datagram.address)}, MutableByteView(datagram.bytes).first(size), now};
+    return {std::span<const ReceivedBlock>(m_buffers->blocks.data(), 1), true};
+}
+
+DatagramSocket::Batch BatchSocket::receiveFailed(LinkCounters &counters) const
+{
+    // Some kernels report the ICMP error of an earlier datagram here. It only means that the peer is not up yet.
+    const bool peerAbsent = errno == ECONNREFUSED;
+    if (!peerAbsent && errno != EAGAIN && errno != EINTR)
+        ++counters.rxErrors;
+    return {{}, !peerAbsent};
 }
 
 void BatchSocket::send(const Address &to, ByteView datagram, LinkCounters &counters)
@@ -250,15 +295,24 @@ void BatchSocket::send(const Address &to, ByteView datagram, LinkCounters &count
     }
     Slots &out = m_buffers->out;
     const std::size_t slot = (m_first + m_queued++) % kBatch;
-    std::memcpy(out.bytes[slot].data(), datagram.data(), datagram.size());
-    out.vectors[slot].iov_len = datagram.size();
-    out.headers[slot].msg_hdr.msg_namelen = toSocket(to, m_ipv6, out.addresses[slot]);
+    toSocket(to, m_ipv6, out.datagrams[slot].address);
+    out.datagrams[slot].length = datagram.size();
+    std::memcpy(out.datagrams[slot].bytes.data(), datagram.data(), datagram.size());
 }
 
 /// Passes the next `run` datagrams of the ring to the system. Returns the number of accepted ones; -1 if it rejects the first.
 int BatchSocket::sendRun(std::size_t run)
 {
     Slots &out = m_buffers->out;
+    const socklen_t addressLength = m_ipv6 ? sizeof(sockaddr_in6) : sizeof(sockaddr_in);
+    if (run == 1) {
+        const Datagram &one = out.datagrams[m_first];
+        return ::sendto(m_fd, one.bytes.data(), one.length, MSG_DONTWAIT, &one.address.any, addressLength) < 0 ? -1 : 1;
+    }
+    for (std::size_t i = m_first; i < m_first + run; ++i) {
+        out.vectors[i].iov_len = out.datagrams[i].length;
+        out.headers[i].msg_hdr.msg_namelen = addressLength;
+    }
     if (!m_segmented)
         return ::sendmmsg(m_fd, out.headers.data() + m_first, static_cast<unsigned>(run), MSG_DONTWAIT);
     Segments &segments = m_buffers->segments;
@@ -294,10 +348,11 @@ void BatchSocket::flush(LinkCounters &counters)
         } else {
             counters.txBlocks += static_cast<std::uint64_t>(sent);
             for (std::size_t i = m_first; i < m_first + static_cast<std::size_t>(sent); ++i)
-                counters.txBytes += out.vectors[i].iov_len;
+                counters.txBytes += out.datagrams[i].length;
         }
-        m_first = (m_first + static_cast<std::size_t>(sent)) % kBatch;
         m_queued -= static_cast<std::size_t>(sent);
+        // An empty queue begins anew in the first slot, which is more likely in the caches than the next one.
+        m_first = m_queued == 0 ? 0 : (m_first + static_cast<std::size_t>(sent)) % kBatch;
     }
 }
 

@@ -1,5 +1,6 @@
 #include "core/link/epoll_dispatcher.h"
 
+#include "core/link/readable_handler.h"
 #include "core/link/steady_now.h"
 
 #include <QtCore/QCoreApplication>
@@ -67,14 +68,21 @@ bool EpollDispatcher::processEvents(QEventLoop::ProcessEventsFlags flags)
         Q_EMIT aboutToBlock();
     if (m_interrupted)
         return false;
+    // QEventLoop::exec() would call again at once. What it and its caller do in between is only needed after an event of Qt:
+    // a handler that posts one, deletes an object later or ends the loop calls wakeUp().
+    const bool stays = mayWait && timers && sockets && flags.testFlag(QEventLoop::EventLoopExec);
     const bool ready = m_woken || (sockets && (!m_ready.empty() || !m_files.empty()));
-    wait(!mayWait || ready ? 0 : timers ? timeout() : -1, sockets);
-    bool any = m_woken;
-    if (sockets)
-        any |= activateNotifiers();
-    if (timers)
-        any |= activateTimers();
-    return any;
+    int limit = !mayWait || ready ? 0 : timers ? timeout(steadyNow()) : -1;
+    for (;;) {
+        wait(limit, sockets);
+        const bool woken = m_woken;
+        const Activated activated = sockets ? activateReady() : Activated::Nothing;
+        const TimePoint now = timers ? steadyNow() : TimePoint();
+        const bool expired = timers && activateTimers(now);
+        if (!stays || m_woken || expired || activated != Activated::Readers || !m_files.empty())
+            return woken || expired || activated != Activated::Nothing;
+        limit = timeout(now);
+    }
 }
 
 void EpollDispatcher::wait(int limit, bool sockets)
@@ -105,56 +113,81 @@ void EpollDispatcher::wait(int limit, bool sockets)
 }
 
 /// Milliseconds until the next timer expires, rounded up; -1 without timers.
-int EpollDispatcher::timeout() const
+int EpollDispatcher::timeout(TimePoint now) const
 {
     const auto next = std::ranges::find(m_timers, false, &Timer::handled);
     if (next == m_timers.end())
         return -1;
-    const Duration left = next->due - steadyNow();
+    const Duration left = next->due - now;
     constexpr Duration kLongest = std::chrono::hours(24);
     return static_cast<int>(std::chrono::ceil<milliseconds>(std::clamp(left, Duration::zero(), kLongest)).count());
 }
 
 // ---- sockets
 
+EpollDispatcher::Watched &EpollDispatcher::watched(int descriptor)
+{
+    const auto index = static_cast<std::size_t>(descriptor);
+    if (m_watched.size() <= index)
+        m_watched.resize(index + 1);
+    return m_watched[index];
+}
+
 void EpollDispatcher::registerSocketNotifier(QSocketNotifier *notifier)
 {
-    const auto descriptor = static_cast<std::size_t>(notifier->socket());
-    if (m_watched.size() <= descriptor)
-        m_watched.resize(descriptor + 1);
-    QSocketNotifier *&place = m_watched[descriptor].notifiers[notifier->type()];
+    const auto descriptor = static_cast<int>(notifier->socket());
+    QSocketNotifier *&place = watched(descriptor).notifiers[notifier->type()];
     if (place && place != notifier)
-        qWarning("two notifiers for descriptor %d", int(notifier->socket()));
+        qWarning("two notifiers for descriptor %d", descriptor);
     place = notifier;
-    watch(static_cast<int>(descriptor));
+    watch(descriptor);
 }
 
 void EpollDispatcher::unregisterSocketNotifier(QSocketNotifier *notifier)
 {
-    std::erase(m_ready, notifier);
-    const auto descriptor = static_cast<std::size_t>(notifier->socket());
-    if (descriptor >= m_watched.size() || m_watched[descriptor].notifiers[notifier->type()] != notifier)
+    std::erase(m_ready, Ready{notifier, nullptr});
+    const auto descriptor = static_cast<int>(notifier->socket());
+    QSocketNotifier *&place = watched(descriptor).notifiers[notifier->type()];
+    if (place != notifier)
         return;
-    m_watched[descriptor].notifiers[notifier->type()] = nullptr;
-    watch(static_cast<int>(descriptor));
+    place = nullptr;
+    watch(descriptor);
+}
+
+void EpollDispatcher::addReader(int descriptor, ReadableHandler &handler)
+{
+    watched(descriptor).reader = &handler;
+    watch(descriptor);
+}
+
+void EpollDispatcher::removeReader(int descriptor)
+{
+    ReadableHandler *&place = watched(descriptor).reader;
+    if (!place)
+        return;
+    std::erase(m_ready, Ready{nullptr, place});
+    place = nullptr;
+    watch(descriptor);
 }
 
 /// Registers the events of the descriptor with epoll.
 void EpollDispatcher::watch(int descriptor)
 {
-    Watched &watched = m_watched[static_cast<std::size_t>(descriptor)];
+    Watched &entry = watched(descriptor);
     epoll_event event{};
     event.data.fd = descriptor;
     for (const Kind &kind : kKinds) {
-        if (watched.notifiers[kind.type])
+        if (entry.notifiers[kind.type])
             event.events |= kind.asked;
     }
+    if (entry.reader)
+        event.events |= EPOLLIN;
     std::erase(m_files, descriptor);
     if (event.events == 0) {
         ::epoll_ctl(m_epoll, EPOLL_CTL_DEL, descriptor, nullptr); // fails if it was closed, which removed it
     } else {
         // A number may have been closed and given to another socket since it was registered.
-        int failed = ::epoll_ctl(m_epoll, watched.events == 0 ? EPOLL_CTL_ADD : EPOLL_CTL_MOD, descriptor, &event);
+        int failed = ::epoll_ctl(m_epoll, entry.events == 0 ? EPOLL_CTL_ADD : EPOLL_CTL_MOD, descriptor, &event);
         if (failed != 0 && errno == ENOENT)
             failed = ::epoll_ctl(m_epoll, EPOLL_CTL_ADD, descriptor, &event);
         else if (failed != 0 && errno == EEXIST)
@@ -164,7 +197,7 @@ void EpollDispatcher::watch(int descriptor)
         else if (failed != 0)
             qWarning("descriptor %d cannot be watched", descriptor);
     }
-    watched.events = event.events;
+    entry.events = event.events;
 }
 
 void EpollDispatcher::collect(int descriptor, std::uint32_t events)
@@ -172,24 +205,37 @@ void EpollDispatcher::collect(int descriptor, std::uint32_t events)
     if (static_cast<std::size_t>(descriptor) >= m_watched.size())
         return;
     const Watched &watched = m_watched[static_cast<std::size_t>(descriptor)];
+    if (watched.reader && (events & kKinds[0].activating) != 0)
+        addReady({nullptr, watched.reader});
     for (const Kind &kind : kKinds) {
         QSocketNotifier *notifier = watched.notifiers[kind.type];
-        if (notifier && (events & kind.activating) != 0 && std::ranges::find(m_ready, notifier) == m_ready.end())
-            m_ready.push_back(notifier);
+        if (notifier && (events & kind.activating) != 0)
+            addReady({notifier, nullptr});
     }
 }
 
-bool EpollDispatcher::activateNotifiers()
+void EpollDispatcher::addReady(const Ready &ready)
 {
-    bool any = false;
+    if (std::ranges::find(m_ready, ready) == m_ready.end())
+        m_ready.push_back(ready);
+}
+
+EpollDispatcher::Activated EpollDispatcher::activateReady()
+{
+    auto out = Activated::Nothing;
     while (!m_ready.empty()) { // a handler may remove others, or run a loop of its own
-        QSocketNotifier *notifier = m_ready.front();
+        const Ready ready = m_ready.front();
         m_ready.erase(m_ready.begin());
-        QEvent event(QEvent::SockAct);
-        QCoreApplication::sendEvent(notifier, &event);
-        any = true;
+        if (ready.reader) {
+            ready.reader->handleReadable();
+            out = std::max(out, Activated::Readers);
+        } else {
+            QEvent event(QEvent::SockAct);
+            QCoreApplication::sendEvent(ready.notifier, &event);
+            out = Activated::Notifiers;
+        }
     }
-    return any;
+    return out;
 }
 
 // ---- timers
@@ -234,11 +280,10 @@ int EpollDispatcher::remainingTime(int timerId)
     return static_cast<int>(std::chrono::ceil<milliseconds>(std::max(found->due - steadyNow(), Duration::zero())).count());
 }
 
-bool EpollDispatcher::activateTimers()
+bool EpollDispatcher::activateTimers(TimePoint now)
 {
-    if (m_timers.empty())
+    if (m_timers.empty() || m_timers.front().due > now)
         return false;
-    const TimePoint now = steadyNow();
     const auto isDue = [now](const Timer &timer) { return timer.due <= now && !timer.handled; };
     // The timers that are due now, each once: a timer without an interval is due again at once.
     const auto most = std::ranges::count_if(m_timers, isDue);
