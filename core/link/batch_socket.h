@@ -1,6 +1,6 @@
-// UDP on Linux with recvmmsg and sendmmsg: one system call for up to 64 datagrams; recvfrom and sendto for one alone, which cost
-// less. An EpollDispatcher calls the socket directly, another event loop through a QSocketNotifier. With segmentation (udp(7),
-// UDP_SEGMENT) datagrams of one size also go through the system's network stack as one piece, and arrive as usual.
+// UDP on Linux with recvmmsg and sendmmsg: one system call for up to 64 datagrams; recvfrom and sendto for one alone, which
+// cost less. An EpollDispatcher calls the socket directly, another event loop through a QSocketNotifier. With segmentation
+// (udp(7), UDP_SEGMENT) datagrams of one size also go through the system's network stack as one piece, and arrive as usual.
 #pragma once
 
 #include "core/link/datagram_socket.h"

@@ -39,7 +39,7 @@ public:
     void wakeUp() override;
     void interrupt() override;
 
-    /// Calls the handler whenever the descriptor is readable, until removeReader(). No QSocketNotifier may wait for that as well.
+    /// Calls the handler whenever the descriptor is readable, until removeReader(). No QSocketNotifier may wait for that too.
     void addReader(int descriptor, ReadableHandler &handler);
     /// Call before the descriptor is closed. The handler may do so itself.
     void removeReader(int descriptor);
