@@ -14,6 +14,7 @@
 #include <QtCore/QTemporaryDir>
 #include <QtTest/QTest>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -45,7 +46,7 @@ void BareSweepTest::bareStandsBesideTheOthers()
     QFile file(folder.filePath(QStringLiteral("sweep.json")));
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QJsonObject report = QJsonDocument::fromJson(file.readAll()).object();
-    std::map<QString, int> measured;
+    std::map<QString, int> measured, answered;
     std::map<int, std::set<QString>> blocks;
     for (const QJsonValue sample : report[QLatin1String("samples")].toArray()) {
         const QString arm = sample[QLatin1String("suite")].toString() + QLatin1Char(' ')
@@ -57,7 +58,10 @@ void BareSweepTest::bareStandsBesideTheOthers()
                  qPrintable(arm));
         QVERIFY(values[QLatin1String("packets")].toDouble() >= 20);
         QCOMPARE(values[QLatin1String("loss")].toDouble(-1), 0.0);
-        QVERIFY(values[QLatin1String("latency")].toDouble() > 0); // the vehicle answers, and the answers are decrypted
+        // The vehicle answers five times a second, and the answers are decrypted. A busy machine may delay those of one run.
+        const QJsonValue latency = values[QLatin1String("latency")];
+        QVERIFY(latency.isNull() || latency.toDouble() > 0);
+        answered[arm] += latency.toDouble() > 0;
         if (!arm.endsWith(QLatin1String("bare")))
             continue;
         for (const char *none : {"record_loss", "open_p50", "cpu_suite", "agent_cpu_suite"})
@@ -69,6 +73,8 @@ void BareSweepTest::bareStandsBesideTheOthers()
                                           {QStringLiteral("chacha20 sealed"), 2},    {QStringLiteral("chacha20 inline"), 2},
                                           {QStringLiteral("chacha20 bare"), 2}};
     QCOMPARE(measured, expected);
+    for (const auto &[arm, runs] : expected)
+        QVERIFY2(answered[arm] > 0, qPrintable(arm));
     QCOMPARE(blocks.size(), std::size_t(2));
     for (const auto &[repeat, arms] : blocks)
         QCOMPARE(arms.size(), expected.size());
@@ -121,6 +127,7 @@ void BareSweepTest::theKeyDecides()
     QVERIFY(QTest::qWaitFor([&] { return over; }, 2 * kDeadlineMs)); // the link changes for each run
     QCOMPARE(problem, std::string());
     QCOMPARE(runner.results().samples.size(), runner.results().plan.arms.size());
+    std::array<int, 2> answered{};
     for (const Sample &sample : runner.results().samples) {
         const SweepArm &arm = runner.results().plan.arms[sample.run.arm];
         const bool fails = !isRight && arm.framing == ArmFraming::Bare;
@@ -130,8 +137,12 @@ void BareSweepTest::theKeyDecides()
             continue;
         QVERIFY(sample.values[Metric::Packets] >= 10);
         QCOMPARE(sample.values[Metric::Loss], 0.0);
-        QVERIFY(sample.values[Metric::Latency] > 0); // the vehicle answers, and the answers are decrypted
+        // The vehicle answers five times a second, and the answers are decrypted. A busy machine may delay those of one run.
+        QVERIFY(std::isnan(sample.values[Metric::Latency]) || sample.values[Metric::Latency] > 0);
+        answered[arm.framing == ArmFraming::Bare] += sample.values[Metric::Latency] > 0;
     }
+    QVERIFY(answered[false] > 0);
+    QCOMPARE(answered[true] > 0, isRight);
 }
 
 SKYSEAL_TEST(BareSweepTest)

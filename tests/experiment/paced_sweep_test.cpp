@@ -9,6 +9,9 @@
 #include <QtCore/QJsonObject>
 #include <QtCore/QTemporaryDir>
 
+#include <map>
+#include <numeric>
+
 using namespace skyseal::test;
 
 class PacedSweepTest : public QObject
@@ -34,6 +37,7 @@ private Q_SLOTS:
                  QJsonArray({QStringLiteral("pps50"), QStringLiteral("pps200"), QStringLiteral("pps1000")}));
         const QJsonArray samples = report[QLatin1String("samples")].toArray();
         QCOMPARE(samples.size(), 12);
+        std::map<double, QList<double>> received;
         for (const QJsonValue sample : samples) {
             QVERIFY2(sample[QLatin1String("problem")].isUndefined(), qPrintable(sample[QLatin1String("problem")].toString()));
             const double rate = sample[QLatin1String("load")].toString().mid(3).toDouble();
@@ -42,11 +46,14 @@ private Q_SLOTS:
             QVERIFY(misses >= 0);
             QCOMPARE(sample[QLatin1String("valid")].toBool(),
                      misses <= 0.01 * rate * sample[QLatin1String("seconds")].toDouble());
-            // The natural load comes on top; a pause of the machine at the end of a run delays what is counted.
-            const double received = values[QLatin1String("frame_rate")].toDouble();
-            const QByteArray text = QByteArray::number(received) + " at " + QByteArray::number(rate);
-            QVERIFY2(!sample[QLatin1String("valid")].toBool() || (received > 0.8 * rate && received < 1.2 * rate + 200),
-                     text.constData());
+            if (sample[QLatin1String("valid")].toBool())
+                received[rate].append(values[QLatin1String("frame_rate")].toDouble());
+        }
+        // The natural load comes on top. A pause of the machine at the end of a run delays what is counted of that run.
+        for (const auto &[rate, rates] : received) {
+            const double mean = std::accumulate(rates.begin(), rates.end(), 0.0) / static_cast<double>(rates.size());
+            const QByteArray text = QByteArray::number(mean) + " at " + QByteArray::number(rate);
+            QVERIFY2(mean > 0.8 * rate && mean < 1.2 * rate + 200, text.constData());
         }
         const QJsonArray models = report[QLatin1String("cost_models")].toArray();
         QVERIFY(missed || models.size() == 4); // two suites, two ends
