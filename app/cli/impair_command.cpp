@@ -32,7 +32,10 @@ void declare(Options &options)
     options.addValue("seed", "N", "Seed, to repeat the same impairments for the same traffic.", "1");
     options.addValue("duration", "S", "Exit after this many seconds.");
     options.addFlag("json", "One JSON object per line on stdout.");
-    options.addFlag("drops", "With --json: print a line for each datagram that is dropped.");
+    options.addFlag(
+        "drops",
+        "With --json: print a line for each datagram that is dropped, with the number of all datagrams, records and "
+        "clear frames dropped so far.");
     options.addFlag("datagrams",
                     "With --json: print a line for each received datagram, with its fate and its "
                     "unencrypted content, and one for each copy that is sent.");
@@ -77,11 +80,12 @@ void logDatagrams(link::Impairer &impairer, engine::RelayAccount &account, LogLe
     impairer.setLog(
         [&account, level, elapsed](Direction direction, TimePoint, const impair::Treatment &treatment, ByteView datagram) {
             const engine::DatagramContents contents = engine::contentsOf(datagram);
-            account[static_cast<std::size_t>(direction)].add(treatment, contents);
+            engine::RelayLosses &losses = account[static_cast<std::size_t>(direction)];
+            losses.add(treatment, contents);
             if (level == LogLevel::All)
                 printLine(engine::arrivalJson(direction, elapsed(), treatment, contents));
             else if (level == LogLevel::Drops && treatment.dropped())
-                printLine(engine::dropJson(direction, elapsed(), treatment));
+                printLine(engine::dropJson(direction, elapsed(), treatment, losses));
         });
     if (level == LogLevel::All) {
         impairer.setDeliveryLog([elapsed](Direction direction, TimePoint, std::uint64_t sequence) {

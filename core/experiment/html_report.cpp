@@ -7,6 +7,7 @@
 #include "core/experiment/disturbances.h"
 #include "core/experiment/html_parts.h"
 #include "core/experiment/memory_table.h"
+#include "core/experiment/relay_comparison.h"
 #include "core/experiment/report_warnings.h"
 #include "core/experiment/sweep_text.h"
 
@@ -395,6 +396,8 @@ std::string body(const ReportParts &parts, bool inlineFigures)
     if (const std::string memory = memoryTable(results); !memory.empty())
         out += "<h2>Memory</h2>\n" + memory;
     out += costModelHtml(results);
+    if (const std::string relay = relayTable(results); !relay.empty())
+        out += section + "Loss against the relay's log</h2>\n<div class=\"wide\">" + relay + "</div>\n";
     out += section + "The machine's noise (A/A)</h2>\n<div class=\"wide\">" + noiseTable(results) + "</div>\n";
     out += "<h2>Trend with the order of the runs</h2>\n<div class=\"wide\">" + trendTable(results) + "</div>\n";
     out += "<h2>The paper's claims</h2>\n" + claimsTable(results, parts.claims) + orderingTable(results);

@@ -132,6 +132,7 @@ Lab::Lab(LabPrograms programs, std::optional<link::LinkUrl> vehicle)
 #endif
     }
     connect(&m_simulator, &QProcess::readyReadStandardOutput, this, &Lab::readPace);
+    m_relay.setStandardOutputFile(file("relay.log"), QIODevice::Append);
     m_search.setSingleShot(true);
     m_search.setInterval(kSearchMs);
     connect(&m_search, &QTimer::timeout, this, &Lab::findAutopilot);
@@ -170,10 +171,11 @@ void Lab::start(Load load, const Condition &condition, std::uint64_t seed)
 {
     stop();
     if (!condition.clean()) {
+        m_relayLog.begin();
         launch(m_relay, m_programs.relay,
                QStringList{QStringLiteral("impair"), QStringLiteral("--listen"), loopback("udpin", m_relayPort),
-                           QStringLiteral("--to"), loopback("udpout", m_groundPort), QStringLiteral("--seed"),
-                           QString::number(seed)}
+                           QStringLiteral("--to"), loopback("udpout", m_groundPort), QStringLiteral("--json"),
+                           QStringLiteral("--drops"), QStringLiteral("--seed"), QString::number(seed)}
                    + relayArguments(condition.settings));
     }
     const QString vehicle = m_vehicle ? QString::fromStdString(m_vehicle->toText()) : loopback("udpin", m_vehiclePort);
@@ -228,7 +230,7 @@ void Lab::readPace()
     }
 }
 
-ProgramUsage Lab::usage() const
+ProgramUsage Lab::usage()
 {
     ProgramUsage out;
     out.at = steadyNow();
@@ -240,6 +242,8 @@ ProgramUsage Lab::usage() const
     out.agentMemory = metrics::residentBytes(m_agent.processId());
     out.agentSwitches = metrics::contextSwitches(m_agent.processId());
     out.missedSends = m_missedSends;
+    if (m_relay.state() == QProcess::Running)
+        out.relay = m_relayLog.read();
     return out;
 }
 

@@ -9,6 +9,7 @@
 #include "core/experiment/measurement.h"
 #include "core/experiment/placement.h"
 #include "core/experiment/plan.h"
+#include "core/experiment/relay_log.h"
 #include "core/link/link_url.h"
 #include "core/link/port_owner.h"
 
@@ -51,8 +52,8 @@ public:
     /// Has the simulator that runs encrypt the payloads that it sends; nullopt: no longer. It begins in clear. Without effect
     /// on an autopilot.
     void setBareCipher(std::optional<crypto::MavsecKind> cipher);
-    /// Resource usage of the programs now, from the kernel.
-    ProgramUsage usage() const;
+    /// Resource usage of the programs now, from the kernel, and what the relay has dropped.
+    ProgramUsage usage();
     /// The autopilot that runs already; nullopt where the lab starts the simulator.
     const std::optional<link::LinkUrl> &vehicle() const { return m_vehicle; }
     /// Description of the vehicle for a report: "the sweep's own simulator", or the link and whether its process was found.
@@ -81,6 +82,7 @@ private:
     int m_searches = 0;                         ///< that are left
     QTemporaryDir m_folder;
     QProcess m_simulator, m_agent, m_relay;
+    RelayLog m_relayLog{file("relay.log")};
     quint16 m_vehiclePort, m_relayPort, m_groundPort;
     std::optional<std::uint64_t> m_missedSends; ///< of the simulator's paced load so far
     bool m_stopping = false;

@@ -247,10 +247,14 @@ Values valuesBetween(const Reading &begin, const Reading &end, bool sealed, bool
     return out;
 }
 
-Counted countedBy(const engine::Snapshot &snapshot)
+Counted countedBy(const Reading &reading)
 {
+    const engine::Snapshot &snapshot = *reading.station;
     const engine::MavlinkTotals &mavlink = snapshot.mavlink;
-    Counted out{{mavlink.frames, mavlink.lost, mavlink.late, mavlink.duplicate}, snapshot.channel.rx, snapshot.channel.peerRx};
+    Counted out{{mavlink.frames, mavlink.lost, mavlink.late, mavlink.duplicate},
+                snapshot.channel.rx,
+                snapshot.channel.peerRx,
+                reading.programs.relay};
     out.rx.replayed -= snapshot.channel.unmatched.replayed; // handshakes are no records
     out.rx.forged -= snapshot.channel.unmatched.forged;
     out.rx.malformed -= snapshot.channel.unmatched.malformed;

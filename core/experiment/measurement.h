@@ -34,6 +34,7 @@ struct ProgramUsage
     std::optional<std::uint64_t> agentMemory;
     std::optional<metrics::ContextSwitches> agentSwitches;
     std::optional<std::uint64_t> missedSends; ///< of a paced load, as its generator counts them ten times a second
+    std::optional<Counted::Relay> relay;      ///< by its log
 };
 
 /// State of all counters at one edge of a run.
@@ -60,7 +61,7 @@ double lineLoad(const Reading &begin, const Reading &end, const impair::Impairme
 /// Bytes per second that a line carries in one direction; nullopt without a limit.
 std::optional<double> lineRate(const impair::ImpairmentSettings &line);
 
-/// The counters of valuesBetween() as they stand in a snapshot.
-Counted countedBy(const engine::Snapshot &snapshot);
+/// The counters of valuesBetween() as they stand in a reading.
+Counted countedBy(const Reading &reading);
 
 } // namespace skyseal::experiment

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,6 +27,16 @@ struct Counted
     Frames mavlink;              ///< by MAVLink's sequence numbers
     channel::ReceiveCounters rx; ///< records to the station
     channel::ReceiveCounters tx; ///< records to the agent, by its newest report
+    /// What the relay of an impaired link dropped since it started, by its own log; `frames` are clear ones.
+    struct Dropped
+    {
+        std::uint64_t datagrams = 0, records = 0, frames = 0;
+    };
+    struct Relay
+    {
+        Dropped toStation, toAgent;
+    };
+    std::optional<Relay> relay; ///< nullopt without a relay of the sweep
 };
 
 /// Power of the idle machine around a launch, in watts; NaN where it is not known.

@@ -90,8 +90,8 @@ void RunMeasurement::end(const MeasuredLink &link, const Snapshot &snapshot, con
     sample.values = values;
     sample.invalid = loadProblem(load, values);
     sample.seconds = snapshot->time - m_begin.station->time;
-    sample.begin = countedBy(*m_begin.station);
-    sample.end = countedBy(*snapshot);
+    sample.begin = countedBy(m_begin);
+    sample.end = countedBy(end);
 }
 
 } // namespace skyseal::experiment

@@ -3,6 +3,7 @@
 #include "core/experiment/contrast.h"
 #include "core/experiment/csv.h"
 #include "core/experiment/disturbances.h"
+#include "core/experiment/relay_comparison.h"
 #include "core/experiment/setting.h"
 
 #include <string_view>
@@ -51,16 +52,20 @@ constexpr Column kRatios[] = {{"condition", "", "link condition: clean, or the i
                               {"seed", "", "of the order of runs and of the impairment"},
                               {"commit", "", "the programs' version in the repository"},
                               {"machine", "", "processor, number of cores, architecture and system"}};
-constexpr Column kAfter[] = {{"valid", "", "1: the values count; 0: they are left out of every mean and comparison"},
-                             {"attempts", "", "how often the run was measured; the values are those of the last attempt"},
-                             {"invalid", "", "why the values are not those of the load; empty if they are"},
-                             {"disturbances", "", "what may have disturbed the run"},
-                             {"problem", "", "why nothing was measured; empty on success"},
-                             {"source", "", "what the vehicle is: the sweep's own simulator, or the autopilot on which link"},
-                             {"sweep", "", "when the sweep began (UTC)"},
-                             {"seed", "", "of the order of runs and of the impairment"},
-                             {"commit", "", "the programs' version in the repository"},
-                             {"machine", "", "processor, number of cores, architecture and system"}};
+constexpr Column kAfter[] = {
+    {"valid", "", "1: the values count; 0: they are left out of every mean and comparison"},
+    {"attempts", "", "how often the run was measured; the values are those of the last attempt"},
+    {"invalid", "", "why the values are not those of the load; empty if they are"},
+    {"disturbances", "", "what may have disturbed the run"},
+    {"problem", "", "why nothing was measured; empty on success"},
+    {"relay_unit", "", "what is counted in the next two columns: records, or frames; empty without a relay"},
+    {"relay_lost", "", "lost in the run on the way to the station, as it measured"},
+    {"relay_dropped", "", "in the datagrams that the relay dropped, by its own log"},
+    {"source", "", "what the vehicle is: the sweep's own simulator, or the autopilot on which link"},
+    {"sweep", "", "when the sweep began (UTC)"},
+    {"seed", "", "of the order of runs and of the impairment"},
+    {"commit", "", "the programs' version in the repository"},
+    {"machine", "", "processor, number of cores, architecture and system"}};
 
 /// The last columns of each table: which sweep it is, and on which machine.
 std::string originColumns(const Results &results)
@@ -160,8 +165,14 @@ std::string sweepCsv(const Results &results)
         std::string disturbed;
         for (const std::string &text : disturbances(sample))
             disturbed += (disturbed.empty() ? "" : "; ") + text;
-        for (const std::string &text : {sample.invalid, disturbed, sample.problem, results.source})
-            out += "," + (text.empty() ? std::string() : csvText(text));
+        const auto add = [&out](const std::string &text) { out += "," + (text.empty() ? std::string() : csvText(text)); };
+        for (const std::string &text : {sample.invalid, disturbed, sample.problem})
+            add(text);
+        if (const auto relay = comparedWithRelay(plan, sample))
+            out += "," + std::string(relay->unit) + "," + std::to_string(relay->lost) + "," + std::to_string(relay->dropped);
+        else
+            out += ",,,";
+        add(results.source);
         out += origin + "\n";
     }
     return out;

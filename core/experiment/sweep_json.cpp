@@ -6,6 +6,7 @@
 #include "core/experiment/contrast.h"
 #include "core/experiment/cost_model.h"
 #include "core/experiment/disturbances.h"
+#include "core/experiment/relay_comparison.h"
 
 #include <algorithm>
 #include <cmath>
@@ -88,6 +89,12 @@ void writeReceived(JsonWriter &json, std::string_view key, const channel::Receiv
     json.endObject();
 }
 
+void writeDropped(JsonWriter &json, std::string_view key, const Counted::Dropped &dropped)
+{
+    json.key(key).beginObject().field("datagrams", dropped.datagrams);
+    json.field("records", dropped.records).field("frames", dropped.frames).endObject();
+}
+
 void writeCounted(JsonWriter &json, std::string_view key, const Counted &counted)
 {
     json.key(key).beginObject().key("mavlink").beginObject();
@@ -95,6 +102,12 @@ void writeCounted(JsonWriter &json, std::string_view key, const Counted &counted
     json.field("late", counted.mavlink.late).field("duplicate", counted.mavlink.duplicate).endObject();
     writeReceived(json, "rx", counted.rx);
     writeReceived(json, "tx", counted.tx);
+    if (counted.relay) {
+        json.key("relay").beginObject();
+        writeDropped(json, "to_station", counted.relay->toStation);
+        writeDropped(json, "to_agent", counted.relay->toAgent);
+        json.endObject();
+    }
     json.endObject();
 }
 
@@ -127,6 +140,11 @@ void writeSample(JsonWriter &json, const Plan &plan, const Sample &sample)
     writeCounted(json, "begin", sample.begin);
     writeCounted(json, "end", sample.end);
     json.endObject();
+    if (const auto compared = comparedWithRelay(plan, sample)) {
+        json.key("relay").beginObject().field("unit", compared->unit).field("received", compared->received);
+        json.field("lost", compared->lost).field("dropped", compared->dropped);
+        json.field("difference", compared->difference()).endObject();
+    }
 }
 
 void writeCostModel(JsonWriter &json, const Plan &plan, const CostModel &model)

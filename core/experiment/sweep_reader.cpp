@@ -117,6 +117,11 @@ channel::ReceiveCounters receivedOf(const QJsonObject &object)
     return out;
 }
 
+Counted::Dropped droppedOf(const QJsonValue &value)
+{
+    return {countOf(value[q("datagrams")]), countOf(value[q("records")]), countOf(value[q("frames")])};
+}
+
 Counted countedOf(const QJsonObject &object)
 {
     Counted out;
@@ -127,6 +132,8 @@ Counted countedOf(const QJsonObject &object)
     out.mavlink.duplicate = countOf(frames[q("duplicate")]);
     out.rx = receivedOf(object[q("rx")].toObject());
     out.tx = receivedOf(object[q("tx")].toObject());
+    if (const QJsonValue relay = object[q("relay")]; relay.isObject())
+        out.relay = Counted::Relay{droppedOf(relay[q("to_station")]), droppedOf(relay[q("to_agent")])};
     return out;
 }
 

@@ -17,7 +17,7 @@ constexpr Duration kConnectPatience = std::chrono::seconds(20);
 constexpr Duration kClearPatience = std::chrono::seconds(5);   ///< a heartbeat in clear follows the order, and one a second
 constexpr Duration kRestorePatience = std::chrono::seconds(6); ///< a switch is confirmed or rolled back within five
 
-std::function<ProgramUsage()> programsOf(const Lab *lab)
+std::function<ProgramUsage()> programsOf(Lab *lab)
 {
     return [lab] {
         ProgramUsage out;

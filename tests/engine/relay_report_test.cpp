@@ -115,6 +115,7 @@ void RelayReportTest::droppedAndDuplicatedAreSummed()
     losses.add(verdict, contents);
     QCOMPARE(losses.duplicatedRecords, std::uint64_t(1));
     QCOMPARE(losses.duplicatedFrames, std::uint64_t(2));
+    QCOMPARE(losses.droppedDatagrams, std::uint64_t(2));
     QCOMPARE(losses.droppedRecords, std::uint64_t(2));
     QCOMPARE(losses.droppedFrames, std::uint64_t(4));
 }
@@ -131,8 +132,13 @@ void RelayReportTest::jsonHasItsFields()
     verdict.sequence = 7;
     verdict.bytes = 50;
     verdict.fate = impair::Treatment::Fate::Lost;
-    QCOMPARE(dropJson(Impairer::Direction::Backward, milliseconds(250), verdict),
-             std::string(R"({"event":"drop","t":0.25,"direction":"backward","sequence":7,"bytes":50,"reason":"loss"})"));
+    RelayLosses soFar;
+    soFar.droppedDatagrams = 4;
+    soFar.droppedRecords = 2;
+    soFar.droppedFrames = 9;
+    QCOMPARE(dropJson(Impairer::Direction::Backward, milliseconds(250), verdict, soFar),
+             std::string(R"({"event":"drop","t":0.25,"direction":"backward","sequence":7,"bytes":50,"reason":"loss",)"
+                         R"("so_far":{"datagrams":4,"records":2,"frames":9}})"));
     const std::string arrival = arrivalJson(Impairer::Direction::Forward, {}, verdict, contentsOf(sealedInPlace(3, 1, 9)));
     QVERIFY2(arrival.ends_with(R"("counters":[9],"epoch":1,"frames":[[1,1,3]]})"), arrival.c_str());
 }

@@ -83,6 +83,14 @@ bool isLatency(const QJsonObject &sample, double least = 1e-3)
     return std::isnan(latency) || latency >= least;
 }
 
+/// The share of a run's records, or clear frames, that the relay dropped by its own log.
+double droppedShare(const QJsonObject &sample)
+{
+    const QJsonValue relay = sample[QLatin1String("relay")];
+    const double dropped = relay[QLatin1String("dropped")].toDouble(std::nan(""));
+    return dropped / (dropped + relay[QLatin1String("received")].toDouble());
+}
+
 } // namespace
 
 class SweepTest : public QObject
@@ -335,6 +343,7 @@ void SweepTest::filesAgree()
         QVERIFY(valueOf(object, "cpu") > 0 && valueOf(object, "cpu") <= valueOf(object, "cpu_process") * 1.05);
         QVERIFY2(isLatency(object), QJsonDocument(object).toJson().constData());
         answered += valueOf(object, "latency") > 0;
+        QVERIFY(object[QLatin1String("relay")].isUndefined()); // a clean link has none
         const bool saturated = object[QLatin1String("load")] == q("saturated");
         QVERIFY(saturated || object[QLatin1String("valid")].toBool());
         QCOMPARE(object[QLatin1String("valid")].toBool(),
@@ -523,13 +532,18 @@ void SweepTest::lossIsThatOfTheLink()
     QCOMPARE(run.status, 1); // and the assertion notices, also where no run of that load is valid
     QVERIFY(!events(run.out, "expect").at(0)[QLatin1String("holds")].toBool());
     QCOMPARE(events(run.out, "run").size(), 4);
+    double dropped = 0;
     for (const QJsonObject &sample : events(run.out, "run")) {
         // Each arm, also after a change between clear and sealed, which takes long there: the load is not a tenth of this.
         QVERIFY2(valueOf(sample, "packets") > 3000, QJsonDocument(sample).toJson().constData());
         QVERIFY2(std::abs(valueOf(sample, "loss") - 0.05) < 0.025, QJsonDocument(sample).toJson().constData());
-        if (sample[QLatin1String("suite")] == QLatin1String("aes-256-gcm"))
-            QVERIFY(std::abs(valueOf(sample, "record_loss") - 0.05) < 0.025);
+        // The edges in the relay's log are as far from those of the run as a busy machine delays their reading.
+        const bool plain = sample[QLatin1String("suite")] == QLatin1String("none");
+        QVERIFY2(std::abs(valueOf(sample, plain ? "loss" : "record_loss") - droppedShare(sample)) < 0.0125,
+                 QJsonDocument(sample).toJson().constData());
+        dropped += droppedShare(sample) / 4;
     }
+    QVERIFY2(std::abs(dropped - 0.05) < 0.02, qPrintable(QString::number(dropped)));
 }
 
 void SweepTest::radioSetsThePace()

@@ -50,6 +50,7 @@ JsonWriter begin(const char *event, Direction direction, Duration sinceStart, st
 void RelayLosses::add(const impair::Treatment &verdict, const DatagramContents &contents)
 {
     if (verdict.dropped()) {
+        ++droppedDatagrams;
         droppedRecords += contents.sealedUnits();
         droppedFrames += contents.clearFrames();
     } else if (verdict.duplicated) {
@@ -70,12 +71,13 @@ std::string statsJson(const char *event, const link::Impairer &impairer, const R
     return json.text();
 }
 
-std::string dropJson(Direction direction, Duration sinceStart, const impair::Treatment &verdict)
+std::string dropJson(Direction direction, Duration sinceStart, const impair::Treatment &verdict, const RelayLosses &soFar)
 {
     JsonWriter json = begin("drop", direction, sinceStart, verdict.sequence);
     json.field("bytes", static_cast<std::uint64_t>(verdict.bytes))
-        .field("reason", verdict.fate == impair::Treatment::Fate::Lost ? "loss" : "queue")
-        .endObject();
+        .field("reason", verdict.fate == impair::Treatment::Fate::Lost ? "loss" : "queue");
+    json.key("so_far").beginObject().field("datagrams", soFar.droppedDatagrams);
+    json.field("records", soFar.droppedRecords).field("frames", soFar.droppedFrames).endObject().endObject();
     return json.text();
 }
 

@@ -14,6 +14,7 @@ namespace skyseal::engine {
 /// place, without handshakes) and clear MAVLink frames. A receiver must miss exactly the dropped ones.
 struct RelayLosses
 {
+    std::uint64_t droppedDatagrams = 0; ///< handshakes included
     std::uint64_t droppedRecords = 0, droppedFrames = 0;
     std::uint64_t duplicatedRecords = 0, duplicatedFrames = 0;
 
@@ -25,8 +26,10 @@ using RelayAccount = std::array<RelayLosses, 2>;
 
 /// One JSON object: {"event":EVENT,"t":…,"forward":{…},"backward":{…}}, t in seconds since the start.
 std::string statsJson(const char *event, const link::Impairer &impairer, const RelayAccount &account, Duration sinceStart);
-/// {"event":"drop","t":…,"direction":"forward"|"backward","sequence":…,"bytes":…,"reason":"loss"|"queue"}
-std::string dropJson(link::Impairer::Direction direction, Duration sinceStart, const impair::Treatment &verdict);
+/// {"event":"drop","t":…,"direction":"forward"|"backward","sequence":…,"bytes":…,"reason":"loss"|"queue",
+/// "so_far":{"datagrams":…,"records":…,"frames":…}}, the last of which are dropped in this direction, this one included.
+std::string dropJson(link::Impairer::Direction direction, Duration sinceStart, const impair::Treatment &verdict,
+                     const RelayLosses &soFar);
 /// {"event":"in","t":…,"direction":…,"sequence":…,"bytes":…,"fate":"passed"|"lost"|"queue_full","duplicated":…,
 /// "held_back":…,"corrupted":…,"counters":[…] (sealed units),"connection":… (of a record),"epoch":… (low bits),
 /// "frames":[[system,component,sequence],…]}
