@@ -3,6 +3,7 @@
 #include "app/common/exit_status.h"
 #include "app/common/options.h"
 #include "app/figures/figure_painter.h"
+#include "app/figures/report_pages.h"
 #include "core/base/save_file.h"
 
 #include <QtCore/QBuffer>
@@ -158,25 +159,15 @@ bool writePages(const QString &report, const QString &pages, const QDateTime &ti
     const QSizeF page(writer.width(), writer.height());
     FigureDrawer drawer(QFileInfo(report).path(), page.width() / 2 - kGap);
     QTextDocument document;
-    QFont font(QStringLiteral("DejaVu Sans"));
-    font.setPixelSize(9);
     document.documentLayout()->setPaintDevice(&writer);
     document.documentLayout()->registerHandler(QTextFormat::ImageObject, &drawer);
-    document.setDefaultFont(font);
-    document.setDocumentMargin(0);
-    document.setPageSize(page);
-    document.setDefaultStyleSheet(
-        QStringLiteral("table{border-color:#cccccc} th{background-color:#f0f3f7} .bad{color:#c00000} "
-                       ".insecure{color:#a33c10} h1{font-size:20px} h2{font-size:14px} h3{font-size:11px}"));
-    document.setHtml(QString::fromUtf8(file.readAll()));
+    ReportPages::read(document, QString::fromUtf8(file.readAll()));
+    const ReportPages drawn(document, page);
     QPainter painter(&writer);
-    for (int i = 0; i < document.pageCount(); ++i) {
-        if (i > 0)
+    for (const PageSlice &slice : drawn.slices()) {
+        if (&slice != &drawn.slices().front())
             writer.newPage();
-        painter.save();
-        painter.translate(0, -i * page.height());
-        document.drawContents(&painter, QRectF(0, i * page.height(), page.width(), page.height()));
-        painter.restore();
+        drawn.draw(painter, slice);
     }
     if (!painter.end()) {
         complain(kName, pages.toStdString() + ": cannot be drawn");

@@ -171,7 +171,7 @@ std::string costModelHtml(const Results &results)
         + missedText(results)
         + "</p>\n"
           "<div class=\"wide\"><table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
-        + row(head, "th") + rows + "</table></div>\n";
+        + headOfTable({head}) + rows + "</table></div>\n";
 }
 
 } // namespace skyseal::experiment

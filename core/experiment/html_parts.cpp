@@ -4,12 +4,29 @@
 
 namespace skyseal::experiment {
 
-std::string row(const std::vector<std::string> &cells, const char *tag)
+namespace {
+
+std::string rowOf(const std::vector<std::string> &cells, const char *tag)
 {
     std::string out = "<tr>";
     for (const std::string &cell : cells)
         out += std::string("<") + tag + ">" + cell + "</" + tag + ">";
     return out + "</tr>\n";
+}
+
+} // namespace
+
+std::string row(const std::vector<std::string> &cells)
+{
+    return rowOf(cells, "td");
+}
+
+std::string headOfTable(const std::vector<std::vector<std::string>> &rows)
+{
+    std::string out = "<thead>\n";
+    for (const std::vector<std::string> &cells : rows)
+        out += rowOf(cells, "th");
+    return out + "</thead>\n";
 }
 
 std::string figuresInPairs(const std::vector<ReportFigure> &figures)

@@ -9,8 +9,11 @@
 
 namespace skyseal::experiment {
 
-/// A row of a table. `cells` are HTML; `tag` is td, or th for titles.
-std::string row(const std::vector<std::string> &cells, const char *tag = "td");
+/// A row of a table. `cells` are HTML.
+std::string row(const std::vector<std::string> &cells);
+
+/// The rows of a table's head, which pages repeat.
+std::string headOfTable(const std::vector<std::vector<std::string>> &rows);
 
 /// <img src="figures/NAME.svg">, two side by side, for a PDF.
 std::string figuresInPairs(const std::vector<ReportFigure> &figures);

@@ -24,7 +24,8 @@ constexpr const char *kStyle =
     "h3{font-size:15px}table{border-collapse:collapse;font-size:12px;margin:.6em 0}th,td{border:1px solid #ccc;padding:3px 7px;"
     "text-align:right;white-space:nowrap}th:first-child,td:first-child{text-align:left}"
     "td.text{text-align:left;white-space:normal}th{background:#f0f3f7}.insecure{color:#a33c10}"
-    ".bad{color:#c00000;font-weight:bold}.wide{overflow-x:auto}figure{margin:1em 0}svg{max-width:100%;height:auto}";
+    "thead{display:table-header-group}tr,figure{break-inside:avoid}.bad{color:#c00000;font-weight:bold}"
+    ".wide{overflow-x:auto}figure{margin:1em 0}svg{max-width:100%;height:auto}";
 
 std::string placeText(const Plan &plan, std::size_t condition, std::size_t load)
 {
@@ -40,7 +41,7 @@ std::string summaryTable(const Results &results, std::size_t condition, std::siz
     std::vector<std::string> framings{"framing"};
     for (const SweepArm &arm : plan.arms)
         framings.emplace_back(framingName(arm));
-    std::string out = "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n" + row(head, "th") + row(framings, "th");
+    std::string out = "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n" + headOfTable({head, framings});
     for (const MetricInfo &metric : metrics()) {
         std::vector<std::string> cells{
             escaped(std::string(metric.title) + (metric.unit.empty() ? "" : ", " + std::string(metric.unit)))};
@@ -103,8 +104,7 @@ std::string ratioTable(const Results &results, std::size_t condition, std::size_
     }
     if (rows.empty())
         return "<p>No two suites were measured twice each under this load.</p>\n";
-    return "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n" + row(head, "th") + row(framings, "th") + rows
-        + "</table>\n";
+    return "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n" + headOfTable({head, framings}) + rows + "</table>\n";
 }
 
 /// The pairs of the paper's claims, and what authentication adds to a bare cipher.
@@ -124,7 +124,7 @@ std::string pairTable(const Results &results, std::size_t condition, std::size_t
             + (std::ranges::count(framingsOf(plan), ArmFraming::Bare) > 0 ? ", and bare ciphers with and without their HMAC"
                                                                           : "")
             + "</h3>\n<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
-            + row({"metric", "suite", "to", "ratio", "p corrected"}, "th") + rows + "</table>\n";
+            + headOfTable({{"metric", "suite", "to", "ratio", "p corrected"}}) + rows + "</table>\n";
 }
 
 std::string plainText(const Plan &plan)
@@ -186,7 +186,7 @@ std::string noiseTable(const Results &results)
         + std::to_string(tests)
         + " A/A tests of the sweep (sweep.json has them all): together they say \"differs\" by chance in one sweep of twenty."
           "</p>\n<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
-        + row({"metric", "mean", "mean again", "ratio", "p", "alone", "p corrected", "A/A"}, "th") + rows + "</table>\n";
+        + headOfTable({{"metric", "mean", "mean again", "ratio", "p", "alone", "p corrected", "A/A"}}) + rows + "</table>\n";
 }
 
 std::string trendTable(const Results &results)
@@ -201,7 +201,7 @@ std::string trendTable(const Results &results)
            "suite + launch + slope × order by least squares, and Student's t test of the slope, corrected by Holm's method "
            "over these lines. What differs between launches is no trend, but part of the intervals.</p>\n"
            "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
-        + row({"metric", "change for each run", "p corrected", "trend"}, "th") + rows + "</table>\n";
+        + headOfTable({{"metric", "change for each run", "p corrected", "trend"}}) + rows + "</table>\n";
 }
 
 /// How much of the thread that is measured is the measurement.
@@ -233,7 +233,7 @@ std::string claimsTable(const Results &results, const std::vector<Claim> &claims
         + readable(100 * results.plan.margin)
         + " %: an interval that lies wholly on one side of the margin decides, one that reaches over it does not.</p>\n<table "
           "border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
-        + row({"claim", "finding", "because"}, "th");
+        + headOfTable({{"claim", "finding", "because"}});
     for (const Claim &claim : claims)
         out += "<tr><td class=\"text\">" + escaped(claim.text) + "</td><td class=\"text\"><b>"
             + std::string(findingText(claim.finding)) + "</b></td><td class=\"text\">" + escaped(claim.reason) + "</td></tr>\n";
@@ -250,7 +250,7 @@ std::string orderingTable(const Results &results)
                         : "<h3>The paper's orderings beside these</h3>\n<p>Ratios to plain MAVLink with their 95 % intervals; "
                           "two neighbours whose intervals overlap widely are in no order.</p>\n<table border=\"1\" "
                           "cellspacing=\"0\" cellpadding=\"3\">\n"
-            + row({"quantity", "the paper", "here"}, "th") + rows + "</table>\n";
+            + headOfTable({{"quantity", "the paper", "here"}}) + rows + "</table>\n";
 }
 
 std::string expectationList(const Results &results, const std::vector<Verdict> &verdicts)
@@ -331,7 +331,7 @@ std::string rawTable(const Results &results)
     std::vector<std::string> head{"run", "place", "suite", "framing", "launch", "repeat"};
     for (const Metric metric : shown)
         head.emplace_back(info(metric).key);
-    std::string out = "<table border=\"1\" cellspacing=\"0\" cellpadding=\"2\">\n" + row(head, "th");
+    std::string out = "<table border=\"1\" cellspacing=\"0\" cellpadding=\"2\">\n" + headOfTable({head});
     for (const Sample &sample : results.samples) {
         std::vector<std::string> cells{
             std::to_string(sample.order + 1),           placeText(results.plan, sample.run.condition, sample.run.load),

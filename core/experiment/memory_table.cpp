@@ -54,7 +54,7 @@ std::string memoryTable(const Results &results)
            "end of a run: its runs are not independent, and suites are not compared by it. What a suite itself takes is the "
            "heap of a session and of one keyed cipher, each measured once in a process of its own.</p>\n"
            "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
-        + row({"suite", "framing", "station, MB", "agent, MB", "a session, kB", "a keyed cipher, kB"}, "th") + rows
+        + headOfTable({{"suite", "framing", "station, MB", "agent, MB", "a session, kB", "a keyed cipher, kB"}}) + rows
         + "</table>\n";
 }
 

@@ -168,7 +168,8 @@ std::string machineTable(const std::vector<Machine> &machines)
                 keys.push_back(key);
         }
     }
-    std::string out = "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n" + cellsOf(head, "th");
+    std::string out = "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n<thead>\n" + cellsOf(head, "th")
+        + "</thead>\n";
     std::vector<std::string> design{"launches × repeats × seconds; seed"};
     for (const Machine &machine : machines) {
         const Plan &plan = machine.results.plan;

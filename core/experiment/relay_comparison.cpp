@@ -96,9 +96,8 @@ std::string relayTable(const Results &results)
         rows += row(cells);
     }
     return explanation(results) + "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
-        + row({"run", "link", "load", "suite", "framing", "unit", "received", "lost, measured", "dropped by the relay",
-               "difference", "lost, %", "dropped, %"},
-              "th")
+        + headOfTable({{"run", "link", "load", "suite", "framing", "unit", "received", "lost, measured", "dropped by the relay",
+                        "difference", "lost, %", "dropped, %"}})
         + rows + "</table>\n";
 }
 
