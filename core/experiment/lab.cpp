@@ -5,6 +5,7 @@
 #include "core/engine/common/mavsec_settings.h"
 #include "core/keys/file_io.h"
 #include "core/keys/paired_ends.h"
+#include "core/link/address_text.h"
 #include "core/link/steady_now.h"
 #include "core/mavlink/enums.h"
 #include "core/mavlink/messages.h"
@@ -66,14 +67,22 @@ bool isHere(const std::string &host)
     return host == "localhost" || address.isLoopback() || QNetworkInterface::allAddresses().contains(address);
 }
 
-/// The program at the other end of the link, which listens there or calls us. nullopt for one that is behind a serial line or
-/// runs elsewhere, and for one that calls us by UDP without a connected socket.
-std::optional<link::PortOwner> programBehind(const link::LinkUrl &vehicle)
+/// The program at the other end of the link, which listens there or calls us; `caller`: the address from which it sends
+/// datagrams. nullopt for one that is behind a serial line or runs elsewhere.
+std::optional<link::PortOwner> programBehind(const link::LinkUrl &vehicle, const std::optional<Address> &caller)
 {
     const link::PortKind kind = vehicle.traits().isStream ? link::PortKind::Tcp : link::PortKind::Udp;
+    if (vehicle.isListening() && caller)
+        return link::datagramSender(*caller);
     if (vehicle.isListening())
         return link::portCaller(kind, vehicle.port());
     return isHere(vehicle.host()) ? link::portOwner(kind, vehicle.port()) : std::nullopt;
+}
+
+/// Such an autopilot is known by the address that the agent learns from its datagrams.
+bool callsByDatagrams(const std::optional<link::LinkUrl> &vehicle)
+{
+    return vehicle && vehicle->isListening() && !vehicle->traits().isStream;
 }
 
 /// True if the encrypted heartbeat of an autopilot is still one: the agent reads heartbeats, and no key is known to it.
@@ -132,6 +141,7 @@ Lab::Lab(LabPrograms programs, std::optional<link::LinkUrl> vehicle)
 #endif
     }
     connect(&m_simulator, &QProcess::readyReadStandardOutput, this, &Lab::readPace);
+    connect(&m_agent, &QProcess::readyReadStandardOutput, this, &Lab::readAgent);
     m_relay.setStandardOutputFile(file("relay.log"), QIODevice::Append);
     m_search.setSingleShot(true);
     m_search.setInterval(kSearchMs);
@@ -182,10 +192,13 @@ void Lab::start(Load load, const Condition &condition, std::uint64_t seed)
     QStringList agent{QStringLiteral("--vehicle"),  vehicle,
                       QStringLiteral("--ground"),   loopback("udpout", condition.clean() ? m_groundPort : m_relayPort),
                       QStringLiteral("--identity"), file("air.key"),
-                      QStringLiteral("--peers"),    file("air.peers"),
-                      QStringLiteral("--json")};
+                      QStringLiteral("--peers"),    file("air.peers")}; // no --json: a report each second costs CPU time
     if (kResearch)
         agent << QStringLiteral("--allow-research") << QStringLiteral("--allow-plain") << QStringLiteral("--allow-inline");
+    m_caller.reset();
+    if (callsByDatagrams(m_vehicle))
+        agent << QStringLiteral("--json"); // for the address of the autopilot, in all arms alike
+    m_agent.setStandardOutputFile(callsByDatagrams(m_vehicle) ? QString() : QProcess::nullDevice());
     launch(m_agent, m_programs.agent, agent);
     if (m_vehicle) {
         m_searches = kMostSearches;
@@ -209,7 +222,7 @@ void Lab::start(Load load, const Condition &condition, std::uint64_t seed)
 /// One that calls us does so some time after the agent has started.
 void Lab::findAutopilot()
 {
-    m_autopilot = programBehind(*m_vehicle);
+    m_autopilot = programBehind(*m_vehicle, m_caller);
     if (!m_autopilot && --m_searches > 0)
         m_search.start();
 }
@@ -227,6 +240,22 @@ void Lab::readPace()
         const QJsonObject line = QJsonDocument::fromJson(m_simulator.readLine()).object();
         if (line[QLatin1String("event")] == QLatin1String("pace"))
             m_missedSends = static_cast<std::uint64_t>(line[QLatin1String("missed")].toInteger());
+    }
+}
+
+/// The address of the autopilot, while its process is not known.
+void Lab::readAgent()
+{
+    while (m_agent.canReadLine()) {
+        const QByteArray text = m_agent.readLine();
+        if (m_autopilot)
+            continue;
+        const QJsonObject line = QJsonDocument::fromJson(text).object();
+        const std::string caller = line[QLatin1String("vehicle_address")].toString().toStdString();
+        if (const auto address = link::parseAddress(caller); address && address != m_caller) {
+            m_caller = address;
+            findAutopilot();
+        }
     }
 }
 

@@ -71,6 +71,7 @@ private:
     void launch(QProcess &process, const QString &program, const QStringList &arguments);
     void findAutopilot();
     void readPace();
+    void readAgent();
     void reportEnd(QProcess &process);
     QString file(const char *name) const { return m_folder.filePath(QLatin1String(name)); }
 
@@ -82,6 +83,7 @@ private:
     int m_searches = 0;                         ///< that are left
     QTemporaryDir m_folder;
     QProcess m_simulator, m_agent, m_relay;
+    std::optional<Address> m_caller; ///< the autopilot that calls by UDP, as the agent knows it
     RelayLog m_relayLog{file("relay.log")};
     quint16 m_vehiclePort, m_relayPort, m_groundPort;
     std::optional<std::uint64_t> m_missedSends; ///< of the simulator's paced load so far

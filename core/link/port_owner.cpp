@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <string_view>
 #include <vector>
 
 #include <ifaddrs.h>
@@ -22,7 +23,7 @@ namespace {
 /// A line of /proc/net/tcp or udp.
 struct SocketLine
 {
-    std::string remoteAddress; ///< hexadecimal, as the kernel writes them
+    std::string localAddress, remoteAddress; ///< hexadecimal, as the kernel writes them
     unsigned long localPort = 0, remotePort = 0;
     std::string state, inode;
 };
@@ -43,6 +44,7 @@ std::vector<SocketLine> socketLines(PortKind kind)
             const std::size_t localColon = local.find(':'), remoteColon = remote.find(':');
             if (localColon == local.npos || remoteColon == remote.npos)
                 continue;
+            one.localAddress = local.substr(0, localColon);
             one.remoteAddress = remote.substr(0, remoteColon);
             one.localPort = std::strtoul(local.c_str() + localColon + 1, nullptr, 16);
             one.remotePort = std::strtoul(remote.c_str() + remoteColon + 1, nullptr, 16);
@@ -82,10 +84,26 @@ std::optional<PortOwner> holderOf(const std::vector<SocketLine> &lines)
     return std::nullopt;
 }
 
+/// As the kernel writes the first bytes of an IPv4 address within IPv6, ::ffff:a.b.c.d.
+constexpr std::string_view kKernelMapped = "0000000000000000FFFF0000";
+
+/// The 16 bytes of an address as the kernel writes them: four words in the byte order of the machine.
+std::string kernelText(const Address &address)
+{
+    std::string out;
+    for (std::size_t at = 0; at < address.ip.size(); at += sizeof(std::uint32_t)) {
+        std::uint32_t word = 0;
+        std::memcpy(&word, &address.ip[at], sizeof word);
+        char text[9];
+        std::snprintf(text, sizeof text, "%08X", word);
+        out += text;
+    }
+    return out;
+}
+
 /// The IPv4 addresses of this machine as the kernel writes them, also within IPv6.
 bool isOwnAddress(const std::string &hexadecimal)
 {
-    static constexpr const char *kWithin = "0000000000000000FFFF0000"; // ::ffff:a.b.c.d
     static constexpr const char *kLoopback = "00000000000000000000000001000000";
     if (hexadecimal == kLoopback)
         return true;
@@ -100,7 +118,7 @@ bool isOwnAddress(const std::string &hexadecimal)
         std::memcpy(&address, one->ifa_addr, sizeof address);
         char text[9];
         std::snprintf(text, sizeof text, "%08X", address.sin_addr.s_addr);
-        isOwn = isOwn || hexadecimal == text || hexadecimal == std::string(kWithin) + text;
+        isOwn = isOwn || hexadecimal == text || hexadecimal == std::string(kKernelMapped) + text;
     }
     ::freeifaddrs(first);
     return isOwn;
@@ -124,6 +142,20 @@ std::optional<PortOwner> portCaller(PortKind kind, std::uint16_t port)
     std::vector<SocketLine> lines = socketLines(kind);
     std::erase_if(lines, [&](const SocketLine &line) {
         return line.remotePort != port || line.state != kEstablished || !isOwnAddress(line.remoteAddress);
+    });
+    return holderOf(lines);
+}
+
+std::optional<PortOwner> datagramSender(const Address &source)
+{
+    const std::string v6 = kernelText(source), v4 = v6.substr(kKernelMapped.size());
+    const bool isV4 = v6.starts_with(kKernelMapped);
+    if (!isOwnAddress(isV4 ? v4 : v6))
+        return std::nullopt;
+    std::vector<SocketLine> lines = socketLines(PortKind::Udp);
+    std::erase_if(lines, [&](const SocketLine &line) {
+        const bool isAny = line.localAddress.find_first_not_of('0') == std::string::npos;
+        return line.localPort != source.port || !(isAny || line.localAddress == v6 || (isV4 && line.localAddress == v4));
     });
     return holderOf(lines);
 }

@@ -2,6 +2,8 @@
 // Linux shows only programs of the same user.
 #pragma once
 
+#include "core/base/path.h"
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -21,6 +23,9 @@ std::optional<PortOwner> portOwner(PortKind kind, std::uint16_t port);
 /// The program of this machine whose socket is connected to that port of this machine: of TCP, or of UDP if it has called
 /// connect(). nullopt when there is none or it cannot be found. As slow.
 std::optional<PortOwner> portCaller(PortKind kind, std::uint16_t port);
+/// The program of this machine that sends datagrams from that address, also by a socket that is not connected. nullopt when the
+/// address is none of this machine, or the program cannot be found. As slow.
+std::optional<PortOwner> datagramSender(const Address &source);
 /// "skyseal (process 1234)", or an empty text.
 std::string portOwnerText(PortKind kind, std::uint16_t port);
 

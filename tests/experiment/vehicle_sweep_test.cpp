@@ -8,6 +8,7 @@
 #include <QtCore/QJsonArray>
 #include <QtCore/QJsonDocument>
 #include <QtCore/QTemporaryDir>
+#include <QtNetwork/QUdpSocket>
 #include <QtTest/QTest>
 
 #include <csignal>
@@ -95,6 +96,7 @@ private Q_SLOTS:
     void landsOverANewLink();
     void staysOnTheGround();
     void callingAutopilotIsFound();
+    void unconnectedAutopilotIsFound();
     void lossIsSetBesideTheRelaysLog();
 };
 
@@ -299,6 +301,46 @@ void VehicleSweepTest::callingAutopilotIsFound()
     QVERIFY(run[QLatin1String("values")][QLatin1String("autopilot_cpu")].isDouble());
     const QString source = sweep.last(QStringLiteral("end"))[QLatin1String("source")].toString();
     QVERIFY2(source.startsWith(QStringLiteral("the autopilot on tcpin:127.0.0.1:%1, skyseal-sim").arg(port)),
+             qPrintable(source));
+}
+
+/// It sends datagrams to the agent from a socket that is not connected: here this test, on behalf of the simulator.
+void VehicleSweepTest::unconnectedAutopilotIsFound()
+{
+    const quint16 port = freeUdpPort();
+    QUdpSocket fromSimulator, toAgent;
+    QVERIFY(fromSimulator.bind(QHostAddress::LocalHost) && toAgent.bind(QHostAddress::LocalHost));
+    QHostAddress simulator;
+    quint16 simulatorPort = 0;
+    QByteArray datagram(65536, '\0');
+    connect(&fromSimulator, &QUdpSocket::readyRead, this, [&] {
+        while (fromSimulator.hasPendingDatagrams()) {
+            const qint64 size = fromSimulator.readDatagram(datagram.data(), datagram.size(), &simulator, &simulatorPort);
+            if (size > 0)
+                toAgent.writeDatagram(datagram.constData(), size, QHostAddress::LocalHost, port);
+        }
+    });
+    connect(&toAgent, &QUdpSocket::readyRead, this, [&] {
+        while (toAgent.hasPendingDatagrams()) {
+            const qint64 size = toAgent.readDatagram(datagram.data(), datagram.size());
+            if (size > 0)
+                fromSimulator.writeDatagram(datagram.constData(), size, simulator, simulatorPort);
+        }
+    });
+    Program sim(QStringLiteral("skyseal-sim"),
+                QStringLiteral("--link udpout:127.0.0.1:%1").arg(fromSimulator.localPort()).split(QLatin1Char(' ')));
+    Program sweep(QStringLiteral("skyseal-cli"),
+                  QStringList{QStringLiteral("sweep"), QStringLiteral("--vehicle"),
+                              QStringLiteral("udpin:127.0.0.1:%1").arg(port), QStringLiteral("--json")}
+                      + words("--suites chacha20-poly1305 --launches 1 --repeats 1 --seconds 1 --warm-up 1 --no-noise"));
+    QVERIFY2(QTest::qWaitFor([&] { return !sweep.running(); }, 2 * kDeadlineMs), sweep.errors().constData());
+    QVERIFY2(sweep.waitForExit() == 0, sweep.errors().constData());
+    QVERIFY(sweep.last(QStringLiteral("run"))[QLatin1String("values")][QLatin1String("autopilot_cpu")].isDouble());
+    QFile name(QStringLiteral("/proc/self/comm"));
+    QVERIFY(name.open(QIODevice::ReadOnly));
+    const QString source = sweep.last(QStringLiteral("end"))[QLatin1String("source")].toString();
+    QVERIFY2(source.startsWith(QStringLiteral("the autopilot on udpin:127.0.0.1:%1, ").arg(port)
+                               + QString::fromUtf8(name.readAll().trimmed())),
              qPrintable(source));
 }
 

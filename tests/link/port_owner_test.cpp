@@ -1,4 +1,5 @@
 // Which program holds a port of this machine, and which is connected to one: this test itself, by sockets of every kind.
+#include "core/link/address_text.h"
 #include "core/link/port_owner.h"
 #include "tests/support/test_runner.h"
 
@@ -50,7 +51,8 @@ void PortOwnerTest::listenerAndCaller()
     QVERIFY(!portOwner(PortKind::Tcp, caller.localPort())); // it does not listen there
 }
 
-/// A UDP socket that only sends names its destination to nobody; one that is connected does.
+/// A UDP socket that only sends names its destination to nobody; one that is connected does. Either is found by the address
+/// from which it sends.
 void PortOwnerTest::datagrams()
 {
 #ifndef Q_OS_LINUX
@@ -66,6 +68,22 @@ void PortOwnerTest::datagrams()
     const auto found = portCaller(PortKind::Udp, station.localPort());
     QVERIFY(found);
     QCOMPARE(found->process, qint64(QCoreApplication::applicationPid()));
+
+    constexpr std::uint32_t kLoopback = 0x7f000001, kElsewhere = 0xc0000201, kOtherLoopback = 0x7f000002;
+    QUdpSocket anywhere;
+    QVERIFY(anywhere.bind(QHostAddress(QHostAddress::Any)));
+    for (const QUdpSocket *socket : {&sender, &caller, &anywhere}) {
+        const auto sending = datagramSender(ipv4(kLoopback, socket->localPort()));
+        QVERIFY(sending);
+        QCOMPARE(sending->process, qint64(QCoreApplication::applicationPid()));
+    }
+    QVERIFY(!datagramSender(ipv4(kElsewhere, sender.localPort())));     // another machine
+    QVERIFY(!datagramSender(ipv4(kOtherLoopback, sender.localPort()))); // the port of another address
+    QUdpSocket six;
+    if (six.bind(QHostAddress(QHostAddress::LocalHostIPv6))) {
+        QVERIFY(datagramSender(fromQt(six.localAddress(), six.localPort())));
+        QVERIFY(!datagramSender(ipv4(kLoopback, six.localPort())));
+    }
 }
 
 SKYSEAL_TEST(PortOwnerTest)

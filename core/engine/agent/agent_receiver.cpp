@@ -133,6 +133,7 @@ bool AgentReceiver::takeVehicleHeartbeat(TimePoint now, const Path &from, const 
         return false;
     }
     m_routes.heard(now, from, systemId);
+    m_parts.links.noteRemote(from.link, from.remote);
     if (m_armed.note(heartbeat) && m_parts.pairing.isOpen()) // a pairing must not be possible in flight
         m_parts.pairing.cancel(now, channel::PairingEnd::Armed);
     if (std::ranges::any_of(m_parts.config.grounds, isTunnel))

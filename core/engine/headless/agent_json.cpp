@@ -82,6 +82,8 @@ std::string agentStatsEvent(std::string_view event, const AgentSnapshot &snapsho
 {
     JsonWriter json;
     json.beginObject().field("event", event).field("t", time);
+    if (!snapshot.vehicle.remoteAddress.empty())
+        json.field("vehicle_address", snapshot.vehicle.remoteAddress);
     writeMavlink(json, snapshot.mavlink);
     writeChannel(json, snapshot.channel);
     json.key("forwarded").beginObject();
