@@ -7,6 +7,7 @@
 #include "core/channel/station_handshakes.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace skyseal::channel {
 
@@ -290,7 +291,8 @@ void Endpoint::setCostSource(CostSource source)
 
 void Endpoint::askCosts(bool ask)
 {
-    m_state->core.context.askCosts = ask;
+    if (std::exchange(m_state->core.context.askCosts, ask) != ask)
+        m_state->deadline = m_state->now; // each session reports the change
 }
 
 Sealed Endpoint::seal(TimePoint now, SessionId session, ByteView frames, MutableByteView out)

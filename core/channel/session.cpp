@@ -96,8 +96,8 @@ TimePoint Session::deadline() const
 {
     if (m_finished)
         return TimePoint::min();
-    return std::min({m_reports.due(), m_switch.deadline(), forgetAt(), m_leaveBy.value_or(kNever),
-                     m_closingUntil.value_or(kNever), retirePreviousAt(), m_path.deadline(),
+    return std::min({isRequestDue() ? m_lastReceived : m_reports.due(), m_switch.deadline(), forgetAt(),
+                     m_leaveBy.value_or(kNever), m_closingUntil.value_or(kNever), retirePreviousAt(), m_path.deadline(),
                      knownToOwner() ? m_receiver.forgeries().deadline() : kNever});
 }
 
@@ -128,7 +128,7 @@ void Session::handleDeadline(TimePoint now)
         m_rekeys.started(now);
         rekey(now);
     }
-    if (now >= m_reports.due()) {
+    if (isRequestDue() || now >= m_reports.due()) {
         // More often until both ends have confirmed the session and know the round trip, by which a switch is timed.
         const bool settled = m_confirmed && roundTrip().settled();
         m_reports.schedule(now + (settled ? std::min(timing.statsEvery, timing.keepAliveAfter) : timing.handshakeRetry));
@@ -407,7 +407,7 @@ void Session::sendReport(TimePoint now, const Path &to, bool answerAtOnce)
 {
     Report report = m_reports.make(now);
     report.answerAtOnce = answerAtOnce;
-    report.asksCosts = m_context.askCosts;
+    report.asksCosts = m_requestedCosts = m_context.askCosts;
     report.rx = m_epochs.received();
     report.tx = m_epochs.sent();
     if (!m_identity.initiator)
@@ -422,6 +422,7 @@ void Session::sendReport(TimePoint now, const Path &to, bool answerAtOnce)
 
 void Session::handleReport(TimePoint now, const Path &from, RecordPosition position, const Report &report)
 {
+    const bool wasAsked = m_reports.peerAsksCosts();
     if (m_reports.handle(now, report)) {
         m_freshness.addReport(position, report.stamp);
         if (report.echo != 0)
@@ -433,7 +434,8 @@ void Session::handleReport(TimePoint now, const Path &from, RecordPosition posit
         m_finished = DownReason::Cloned;
         m_closingUntil = now; // Nothing more may be sealed, including a Close.
     }
-    if (report.answerAtOnce)
+    // A measurement begins and ends with the answer.
+    if (report.answerAtOnce || m_reports.peerAsksCosts() != wasAsked)
         sendReport(now, from, false);
 }
 

@@ -158,6 +158,8 @@ private:
     void handleReport(TimePoint now, const Path &from, RecordPosition position, const Report &report);
     void sendTo(TimePoint now, const Path &to, const ControlMessage &message);
     void sendReport(TimePoint now, const Path &to, bool answerAtOnce);
+    /// The owner has begun or ceased to request the peer's costs, and the peer does not know yet.
+    bool isRequestDue() const { return m_confirmed && m_requestedCosts != m_context.askCosts; }
     TimePoint retirePreviousAt() const;
     /// The owner does not know a session yet that this end only answered.
     bool knownToOwner() const { return m_confirmed || m_identity.initiator; }
@@ -181,6 +183,7 @@ private:
     TimePoint m_lastReceived;
     TimePoint m_namedUntil = TimePoint::min();
     bool m_confirmed = false;           ///< an authentic record arrived: the peer is alive and its handshake was not replayed
+    bool m_requestedCosts = false;      ///< by the last report that was sent
     std::optional<TimePoint> m_leaveBy; ///< the suite in use is not permitted any more; the session ends then at the latest
     std::optional<TimePoint> m_closingUntil; ///< the peer sent Close; records that it overtook are still accepted until then
     std::optional<DownReason> m_finished;

@@ -16,7 +16,8 @@ constexpr Duration kSilencePatience = std::chrono::seconds(20); ///< beyond the 
 constexpr Duration kMostSettling = std::chrono::seconds(30);    ///< of a saturated load; the run is measured all the same
 constexpr int kFirstWarmUps = 4; ///< warm-ups before the first run of programs that have just started
 constexpr Duration kProbePatience = std::chrono::seconds(10);
-constexpr Duration kReportPatience = std::chrono::seconds(3); ///< beyond the warm-up, for a report of the agent
+constexpr Duration kReportEvery = std::chrono::seconds(1);
+constexpr Duration kReportPatience = std::chrono::seconds(4); ///< beyond the warm-up or the run, for reports of the agent
 
 } // namespace
 
@@ -65,6 +66,10 @@ void RunDriver::handleSnapshot()
             requestBegin();
         break;
     case Stage::Measuring: watchMeasuring(); break;
+    case Stage::Reporting:
+        if (m_measurement.takeEndReport(m_link.measured(), *m_link.snapshot()))
+            end();
+        break;
     case Stage::Idle:
     case Stage::Beginning:
     case Stage::Ending: break;
@@ -79,7 +84,7 @@ void RunDriver::handleProbe(const LinkDriver::Snapshot &snapshot)
     if (m_stage.is(Stage::Beginning))
         beginMeasuring();
     else
-        end();
+        requestReport();
 }
 
 void RunDriver::handleSessionUp(const channel::SessionUp &up)
@@ -107,7 +112,11 @@ void RunDriver::handleTimeout()
 {
     if (m_stage.is(Stage::Measuring))
         m_measurement.tick();
-    if (m_stage.isOverdue(now()))
+    if (!m_stage.isOverdue(now()))
+        return;
+    if (m_stage.is(Stage::Reporting))
+        end(); // without the agent's costs
+    else
         end("the link fell silent");
 }
 
@@ -131,18 +140,17 @@ void RunDriver::beginWarmUp()
 {
     m_settling = LoadSettling(lineRate(m_plan.conditions[m_sample.run.condition].settings));
     m_measurement.awaitReport(m_link.measured(), *m_link.snapshot());
+    m_link.station().requestCosts(!m_link.measured().isPlain());
     enter(Stage::WarmingUp, kFirstWarmUps * m_plan.warmUp + kReportPatience + kMostSettling + kSilencePatience);
 }
 
-/// A load that follows the answers of the other end takes its time to find its rate, most of all after a pause. The agent
-/// reports once a second: a warm-up that is shorter ends with its first report.
+/// A load that follows the answers of the other end takes its time to find its rate, most of all after a pause. A warm-up
+/// that is too short for the agent's report ends after it.
 bool RunDriver::isWarm(double inStage)
 {
     const double least = (m_isFirst ? kFirstWarmUps : 1) * seconds(m_plan.warmUp);
-    const bool isReported = m_measurement.isReported(m_link.measured(), *m_link.snapshot());
-    const bool isLongEnough = inStage >= least && (isReported || inStage >= least + seconds(kReportPatience));
     if (m_plan.loads[m_sample.run.load] != Load::Saturated)
-        return isLongEnough;
+        return isReported(inStage, least) && inStage >= least;
     const engine::Snapshot &snapshot = *m_link.snapshot();
     std::uint64_t bytes = 0;
     double trip = std::numeric_limits<double>::quiet_NaN();
@@ -154,7 +162,25 @@ bool RunDriver::isWarm(double inStage)
     }
     m_settling.note(snapshot.time, bytes, trip);
     const bool settled = m_settling.settled() || inStage >= seconds(kMostSettling);
-    return settled && isLongEnough;
+    return settled && isReported(inStage, least) && inStage >= least;
+}
+
+/// The agent's costs count from a report of the last second before the run, and none of those during the run has them: they
+/// would be part of the traffic and of the agent's time, in sealed runs only.
+bool RunDriver::isReported(double inStage, double least)
+{
+    if (m_link.measured().isPlain())
+        return true;
+    if (inStage >= least + seconds(kReportPatience)) {
+        m_link.station().requestCosts(false);
+        return true;
+    }
+    const engine::Snapshot &snapshot = *m_link.snapshot();
+    if (m_measurement.hasReport())
+        return RunMeasurement::isUnasked(m_link.measured(), snapshot);
+    if (inStage >= least - seconds(kReportEvery) && m_measurement.takeReport(m_link.measured(), snapshot))
+        m_link.station().requestCosts(false);
+    return false;
 }
 
 void RunDriver::requestBegin()
@@ -177,7 +203,6 @@ void RunDriver::beginMeasuring()
 void RunDriver::watchMeasuring()
 {
     const engine::Snapshot &snapshot = *m_link.snapshot();
-    m_measurement.noteReport(m_link.measured(), snapshot);
     if (m_measurement.sessionChanged(m_link.measured(), snapshot))
         requestEnd();
 }
@@ -190,13 +215,25 @@ void RunDriver::requestEnd()
     m_link.station().requestProbe();
 }
 
+/// The run is over, and what the agent has to say about it is no part of it any more.
+void RunDriver::requestReport()
+{
+    m_measurement.readEnd(m_link.snapshot());
+    if (!m_measurement.hasBeginReport())
+        return end();
+    m_link.station().requestCosts(true);
+    enter(Stage::Reporting, kReportPatience);
+}
+
 void RunDriver::end(std::string problem)
 {
     m_stage.enterUnlimited(Stage::Idle);
+    if (m_link.station().isOpen())
+        m_link.station().requestCosts(false);
     Sample sample = m_sample;
     sample.problem = std::move(problem);
     if (sample.problem.empty())
-        m_measurement.end(m_link.measured(), m_link.snapshot(), m_plan, sample);
+        m_measurement.end(m_link.measured(), m_plan, sample);
     if (sample.problem.empty())
         sample.values[Metric::Switch] = m_link.suiteSwitch().milliseconds();
     Q_EMIT ended(sample);

@@ -2,7 +2,7 @@
 // whose counters and clock are read at one moment each. In between, the station publishes as little as possible, since that
 // would be measured as well. Lives on the station's thread.
 //
-//   begin() → Switching → WarmingUp → Beginning → Measuring → Ending → ended()
+//   begin() → Switching → WarmingUp → Beginning → Measuring → Ending → Reporting → ended()
 //   back to Switching if the link is lost before the measurement began
 //
 // Input: handleSnapshot() and the other handlers, after LinkDriver has taken the snapshot; without effect while no run is
@@ -55,7 +55,8 @@ private:
         WarmingUp,
         Beginning, ///< the first probe of the run is requested
         Measuring,
-        Ending ///< the last probe of the run is requested
+        Ending,   ///< the last probe of the run is requested
+        Reporting ///< the agent's costs are requested
     };
 
     void enter(Stage stage, Duration patience);
@@ -63,10 +64,12 @@ private:
     void continueSwitch();
     void beginWarmUp();
     bool isWarm(double inStage);
+    bool isReported(double inStage, double least);
     void requestBegin();
     void beginMeasuring();
     void watchMeasuring();
     void requestEnd();
+    void requestReport();
     void end(std::string problem = {});
     int snapshotsPerSecond() const;
     double now() const { return static_cast<double>(m_clock.nsecsElapsed()) / 1e9; }

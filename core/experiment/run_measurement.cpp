@@ -18,23 +18,31 @@ std::optional<AgentCostReport> reportIn(const MeasuredLink &link, const engine::
 
 } // namespace
 
-Reading RunMeasurement::readingOf(const MeasuredLink &link, const Snapshot &snapshot)
+Reading RunMeasurement::readingOf(const Snapshot &snapshot)
 {
-    return {snapshot, reportIn(link, *snapshot), m_programs(), metrics::machineUsage(), m_energy.microjoules(steadyNow())};
+    return {snapshot, {}, m_programs(), metrics::machineUsage(), m_energy.microjoules(steadyNow())};
 }
 
 void RunMeasurement::awaitReport(const MeasuredLink &link, const engine::Snapshot &snapshot)
 {
     const auto report = reportIn(link, snapshot);
     m_reportBefore = report ? std::optional(report->stamp) : std::nullopt;
+    m_report.reset();
 }
 
-bool RunMeasurement::isReported(const MeasuredLink &link, const engine::Snapshot &snapshot) const
+bool RunMeasurement::takeReport(const MeasuredLink &link, const engine::Snapshot &snapshot)
 {
-    if (link.isPlain())
-        return true;
     const auto report = reportIn(link, snapshot);
-    return report && report->stamp != m_reportBefore;
+    if (!report || report->stamp == m_reportBefore)
+        return false;
+    m_report = report;
+    m_reporter = link.session(snapshot)->info.session;
+    return true;
+}
+
+bool RunMeasurement::isUnasked(const MeasuredLink &link, const engine::Snapshot &snapshot)
+{
+    return !reportIn(link, snapshot);
 }
 
 void RunMeasurement::begin(const MeasuredLink &link, const Snapshot &snapshot)
@@ -42,20 +50,14 @@ void RunMeasurement::begin(const MeasuredLink &link, const Snapshot &snapshot)
     const engine::SessionSnapshot *up = link.session(*snapshot);
     m_session = up ? std::optional(up->info.session) : std::nullopt;
     m_peer = up ? std::optional(up->info.peer) : std::nullopt;
-    m_begin = readingOf(link, snapshot);
-    if (!isReported(link, *snapshot))
-        m_begin.agent.reset();
+    m_begin = readingOf(snapshot);
+    if (m_session && m_reporter == m_session)
+        m_begin.agent = m_report;
 }
 
 void RunMeasurement::tick()
 {
     m_energy.microjoules(steadyNow());
-}
-
-void RunMeasurement::noteReport(const MeasuredLink &link, const engine::Snapshot &snapshot)
-{
-    if (!m_begin.agent && isReported(link, snapshot))
-        m_begin.agent = reportIn(link, snapshot);
 }
 
 bool RunMeasurement::sessionChanged(const MeasuredLink &link, const engine::Snapshot &snapshot) const
@@ -64,8 +66,22 @@ bool RunMeasurement::sessionChanged(const MeasuredLink &link, const engine::Snap
     return !link.isPlain() && up && up->info.session != m_session;
 }
 
-void RunMeasurement::end(const MeasuredLink &link, const Snapshot &snapshot, const Plan &plan, Sample &sample)
+void RunMeasurement::readEnd(const Snapshot &snapshot)
 {
+    m_end = readingOf(snapshot);
+}
+
+bool RunMeasurement::takeEndReport(const MeasuredLink &link, const engine::Snapshot &snapshot)
+{
+    const engine::SessionSnapshot *up = link.session(snapshot);
+    if (up && up->info.session == m_session)
+        m_end.agent = reportIn(link, snapshot);
+    return m_end.agent.has_value();
+}
+
+void RunMeasurement::end(const MeasuredLink &link, const Plan &plan, Sample &sample)
+{
+    const Snapshot &snapshot = m_end.station;
     const engine::SessionSnapshot *up = link.session(*snapshot);
     const crypto::SuiteId suite = plan.arms[sample.run.arm].suite;
     if (!link.isPlain() && (!up || up->info.session != m_session || up->info.suite != suite)) {
@@ -74,9 +90,8 @@ void RunMeasurement::end(const MeasuredLink &link, const Snapshot &snapshot, con
     }
     const impair::ImpairmentSettings &line = plan.conditions[sample.run.condition].settings;
     const Load load = plan.loads[sample.run.load];
-    const Reading end = readingOf(link, snapshot);
-    Values values = valuesBetween(m_begin, end, !link.isPlain(), sequenceNumbersCountLoss(line, load));
-    values[Metric::LineLoad] = lineLoad(m_begin, end, line);
+    Values values = valuesBetween(m_begin, m_end, !link.isPlain(), sequenceNumbersCountLoss(line, load));
+    values[Metric::LineLoad] = lineLoad(m_begin, m_end, line);
     if (link.bareCipher()) // its time is in that of the ends, and not measured by itself; the agent has no part in it
         values[Metric::CpuSuite] = values[Metric::AgentCpuSuite] = std::numeric_limits<double>::quiet_NaN();
     if (snapshot->unreadable > m_begin.station->unreadable) {

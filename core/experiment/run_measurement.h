@@ -20,34 +20,42 @@ public:
 
     explicit RunMeasurement(std::function<ProgramUsage()> programs) : m_programs(std::move(programs)) {}
 
-    /// The suite of the run is in use: reports of the agent that arrive from now on tell its costs. The one before may hold the
-    /// time of another suite.
+    /// The suite of the run is in use, and the agent's costs are requested from now on. A report before may hold the time of
+    /// another suite.
     void awaitReport(const MeasuredLink &link, const engine::Snapshot &snapshot);
-    /// True if one has arrived since, or if none is to come: in plain MAVLink.
-    bool isReported(const MeasuredLink &link, const engine::Snapshot &snapshot) const;
-    /// The agent's costs count from its newest report, if that arrived since awaitReport().
+    /// The agent's costs of the run count from its newest report. Returns false unless one has arrived since awaitReport().
+    bool takeReport(const MeasuredLink &link, const engine::Snapshot &snapshot);
+    bool hasReport() const { return m_report.has_value(); }
+    /// True if the newest report of the agent has no costs: it knows that they are not requested any more.
+    static bool isUnasked(const MeasuredLink &link, const engine::Snapshot &snapshot);
     void begin(const MeasuredLink &link, const Snapshot &snapshot);
     /// To be called some ten times a second during the run, for sensors of power.
     void tick();
-    /// Takes the first report of the run where begin() had none. To be called with each snapshot of the run, if there are any.
-    void noteReport(const MeasuredLink &link, const engine::Snapshot &snapshot);
     /// True if the live session differs from that at the beginning. A short silence of the same session does not count.
     bool sessionChanged(const MeasuredLink &link, const engine::Snapshot &snapshot) const;
     /// True if this new session is with the peer of the session at the beginning, which it replaces.
     bool isReplacedBy(const channel::SessionUp &up) const { return m_peer == up.peer && m_session != up.session; }
+    /// Reads all counters at the end of the run but the agent's costs, which are requested then.
+    void readEnd(const Snapshot &snapshot);
+    /// True if the agent's costs of this run are known at its beginning.
+    bool hasBeginReport() const { return m_begin.agent.has_value(); }
+    /// Takes the first report after the run. Returns false while there is none; without effect in another session.
+    bool takeEndReport(const MeasuredLink &link, const engine::Snapshot &snapshot);
     /// Fills seconds, values, validity and counters of the sample, or its problem: the session or the vehicle did not last
     /// through the run. Metric::Switch and Metric::SessionMemory stay as they are.
-    void end(const MeasuredLink &link, const Snapshot &snapshot, const Plan &plan, Sample &sample);
+    void end(const MeasuredLink &link, const Plan &plan, Sample &sample);
 
 private:
-    Reading readingOf(const MeasuredLink &link, const Snapshot &snapshot);
+    Reading readingOf(const Snapshot &snapshot);
 
     std::function<ProgramUsage()> m_programs;
     metrics::EnergyMeter m_energy;
-    Reading m_begin;
-    std::optional<channel::SessionId> m_session; ///< empty in plain MAVLink
-    std::optional<channel::PublicKey> m_peer;    ///< of that session
-    std::optional<std::uint32_t> m_reportBefore; ///< stamp of the agent's newest report at awaitReport()
+    Reading m_begin, m_end;
+    std::optional<channel::SessionId> m_session;  ///< empty in plain MAVLink
+    std::optional<channel::PublicKey> m_peer;     ///< of that session
+    std::optional<std::uint32_t> m_reportBefore;  ///< stamp of the agent's newest report at awaitReport()
+    std::optional<AgentCostReport> m_report;      ///< from which the agent's costs count
+    std::optional<channel::SessionId> m_reporter; ///< the session of that report
 };
 
 } // namespace skyseal::experiment

@@ -94,6 +94,7 @@ void SweepStation::giveBack(std::optional<crypto::SuiteId> resume)
     if (resume)
         m_station->resumeSuite(*resume);
     m_station->setMeasuring(false);
+    m_station->requestCosts(false);
     disconnect(m_station, nullptr, this, nullptr);
     m_station = nullptr;
 }

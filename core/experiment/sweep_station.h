@@ -30,13 +30,15 @@ public:
     /// Gives a borrowed station back at once, without closed().
     void giveBack(std::optional<crypto::SuiteId> resume);
 
-    /// These seven need an open station.
+    /// These eight need an open station.
     /// Requests a reading of all counters, which comes as probeTaken().
     void requestProbe() { m_station->requestProbe(); }
     vehicle::RequestId perform(std::uint8_t systemId, vehicle::Request request)
     {
         return m_station->perform(systemId, std::move(request));
     }
+    /// While true, the agent's reports have its costs, which are part of the traffic then.
+    void requestCosts(bool request) { m_station->requestCosts(request); }
     /// Of the sweep's own station; a borrowed one keeps its pace.
     void setSnapshotsPerSecond(int perSecond);
     /// Ends holdSuite(): the switch to the suite of a run is measured as well.

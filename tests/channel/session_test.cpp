@@ -312,6 +312,15 @@ void SessionTest::costsAreReportedOnRequest()
     QCOMPARE(asked, std::uint64_t(0)); // no cost in normal flight
     QVERIFY(!toldCosts(pair, Ground));
 
+    // A change is answered at once, and not with the next report of each end.
+    pair.ground().endpoint->askCosts(true);
+    QVERIFY(pair.run(100ms, [&] { return toldCosts(pair, Ground).has_value(); }));
+    pair.ground().endpoint->askCosts(false);
+    QVERIFY(pair.run(100ms, [&] { return !toldCosts(pair, Ground); }));
+    const std::uint64_t askedBefore = asked;
+    pair.run(3s);
+    QCOMPARE(asked, askedBefore);
+
     pair.ground().endpoint->askCosts(true);
     pair.run(3s);
     const auto told = toldCosts(pair, Ground);

@@ -6,6 +6,7 @@
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QElapsedTimer>
+#include <QtCore/QSet>
 #include <QtTest/QTest>
 
 using namespace skyseal;
@@ -17,6 +18,7 @@ class LostLinkTest : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void noReportOfARunHasCosts();
     void lostBeforeARunIsMeasured();
     void lostWhileARunIsMeasured();
     void lostAtTheEnd();
@@ -107,6 +109,44 @@ struct Sweep
 };
 
 } // namespace
+
+/// What the agent reports for the measurement would be measured in sealed runs only. It is known from before and after the run.
+void LostLinkTest::noReportOfARunHasCosts()
+{
+    constexpr double kRun = 3;
+    Sweep sweep({SuiteId::Aes256Gcm}, std::chrono::milliseconds(800), std::chrono::seconds(3));
+    EVENTUALLY(sweep.ready());
+    std::optional<double> unaskedFrom;
+    double longest = 0;
+    int asked = 0;
+    QSet<std::uint32_t> reports; ///< of the longest time without costs
+    sweep.whenInUse = [&](double) {
+        const engine::Snapshot &snapshot = *sweep.ground.ears->snapshot;
+        const channel::SessionStats &stats = snapshot.sessions.front().stats;
+        if (stats.peerCosts) {
+            ++asked;
+            unaskedFrom.reset();
+            return;
+        }
+        if (!asked)
+            return; // the run has not begun
+        if (!unaskedFrom) {
+            unaskedFrom = snapshot.time;
+            reports.clear();
+        }
+        reports << stats.peerStamp;
+        longest = std::max(longest, snapshot.time - *unaskedFrom);
+    };
+    sweep.runner->start();
+    EVENTUALLY(sweep.over);
+    QCOMPARE(sweep.samples.size(), std::size_t(1));
+    const experiment::Sample &sample = sweep.samples[0].first;
+    QCOMPARE(sample.problem, std::string());
+    QVERIFY(asked >= 2); // before and after
+    QVERIFY2(longest >= 0.9 * kRun, qPrintable(QString::number(longest)));
+    QVERIFY(reports.size() >= 3); // the agent went on reporting
+    QVERIFY(sample.values[experiment::Metric::AgentCpuSuite] > 0 && sample.values[experiment::Metric::AgentSeal] > 0);
+}
 
 void LostLinkTest::lostBeforeARunIsMeasured()
 {

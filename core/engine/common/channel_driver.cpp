@@ -241,7 +241,6 @@ void ChannelDriver::roll(TimePoint now)
 void ChannelDriver::setMeasuring(bool measuring)
 {
     m_costs.setMeasuring(measuring);
-    m_endpoint->askCosts(measuring);
 }
 
 ChannelTotals ChannelDriver::totals() const

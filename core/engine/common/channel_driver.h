@@ -64,7 +64,7 @@ public:
 
     /// Call about once a second.
     void roll(TimePoint now);
-    /// While on, the costs are kept as well (see ChannelCosts), and those of the peers are requested.
+    /// While on, the costs are kept as well (see ChannelCosts).
     void setMeasuring(bool measuring);
     /// Sums over all sessions, including ended ones and unmatched records. The suite is that of the session heard last.
     ChannelTotals totals() const;

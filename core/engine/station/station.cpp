@@ -306,6 +306,11 @@ void Station::setMeasuring(bool measuring)
     d->post([measuring](StationCore &core) { core.setMeasuring(measuring); });
 }
 
+void Station::requestCosts(bool request)
+{
+    d->post([request](StationCore &core) { core.requestCosts(request); });
+}
+
 void Station::requestProbe()
 {
     d->post([](StationCore &core) { core.requestProbe(); });

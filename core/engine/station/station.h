@@ -82,8 +82,10 @@ public:
     /// Snapshot::fields then has the newest values of these fields, in place of those chosen before.
     void chooseFields(std::vector<FieldChoice> choices);
     void setRecording(bool);
-    /// While true, the cost of each record is kept for probes, and peers report theirs once a second.
+    /// While true, the cost of each record is kept for probes.
     void setMeasuring(bool);
+    /// While true, the reports of the peers, once a second, have their costs. They answer a change at once.
+    void requestCosts(bool);
     /// Takes one snapshot with a Probe, in the order of the calls; it is emitted by probeTaken(), and none after stop().
     void requestProbe();
     /// Changes StationConfig::snapshotsPerSecond. 0: only requested snapshots, and the last.

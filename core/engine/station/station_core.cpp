@@ -221,16 +221,17 @@ void StationCore::setMeasuring(bool measuring)
         m_channel->driver.setMeasuring(measuring);
 }
 
+void StationCore::requestCosts(bool request)
+{
+    if (m_channel)
+        m_channel->driver.endpoint().askCosts(request);
+    finishWake();
+}
+
 void StationCore::requestProbe()
 {
     if (!m_stopped)
         publishSnapshot(steadyNow(), true);
-}
-
-void StationCore::setSnapshotsPerSecond(int perSecond)
-{
-    m_pace.setPerSecond(perSecond);
-    finishWake();
 }
 
 void StationCore::setRecording(bool recording)

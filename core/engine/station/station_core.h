@@ -83,8 +83,13 @@ public:
     /// See StationReceiver.
     void setBareCipher(std::optional<crypto::MavsecCipher> &&cipher) { m_receiver.setBareCipher(std::move(cipher)); }
     void setMeasuring(bool measuring);
+    void requestCosts(bool request);
     void requestProbe();
-    void setSnapshotsPerSecond(int perSecond);
+    void setSnapshotsPerSecond(int perSecond)
+    {
+        m_pace.setPerSecond(perSecond);
+        finishWake();
+    }
 
     // Observation.
     void setInspecting(bool inspecting) { m_fleet.inspector().setWatching(inspecting); }
