@@ -1,6 +1,7 @@
 // What a measurement costs the thread that it measures: perf's samples of the I/O thread of a sweep's station, under the
-// natural load and while its only run is measured. It is a share of one thread's CPU time, so that other work of the machine
-// does not matter. The CPU clock is sampled, since virtual machines seldom have counters of cycles.
+// natural load and in runs of the default length, from the first probe of each run to its last, both included. It is a share of
+// one thread's CPU time, so that other work of the machine does not matter. The CPU clock is sampled, since virtual machines
+// seldom have counters of cycles.
 #include "tests/support/eventually.h"
 #include "tests/support/perf_stacks.h"
 #include "tests/support/test_runner.h"
@@ -17,10 +18,56 @@ using namespace skyseal::test;
 namespace {
 
 constexpr double kMost = 0.02;
-constexpr int kRunSeconds = 60;
-/// The run ends some time before the thread does, and began a minute earlier.
-constexpr double kAfterRun = 5, kWithinRun = 50;
-constexpr int kLeastOfMeter = 300;
+constexpr double kRunSeconds = 5, kProbeSeconds = 0.3;   ///< a probe's samples lie closer together than two probes
+constexpr int kMeteredRuns = 16, kLeastMeteredRuns = 12; ///< perf may miss a probe, and with it the run
+constexpr int kLeastMeterSamples = 5000;
+
+/// Samples in the functions of the meter, and in those of probes among them.
+struct Share
+{
+    int all = 0, meter = 0, probes = 0, runs = 0;
+};
+
+bool matches(const QRegularExpression &functions, const PerfStack &stack)
+{
+    return functions.match(stack.functions).hasMatch();
+}
+
+/// The runs are the times between two probes that are as far from each other as a run is long. What lies between runs, when
+/// the station publishes its state, is not measured.
+Share shareInRuns(const std::vector<PerfStack> &stacks)
+{
+    static const QRegularExpression kMeter(
+        QStringLiteral("StationCore::(publishSnapshot|takeSnapshot|requestProbe|requestCosts)|buildSnapshot|makeProbe|"
+                       "residentBytes|MetricsSampler|ProcessMeter|OutputQueue::put"));
+    static const QRegularExpression kProbe(QStringLiteral("makeProbe|StationCore::requestProbe"));
+    std::vector<std::pair<double, double>> probes; ///< first and last sample of each
+    std::vector<std::pair<bool, bool>> kinds;      ///< of each sample: of the meter, of a probe
+    for (const PerfStack &stack : stacks) {
+        kinds.emplace_back(matches(kMeter, stack), matches(kProbe, stack));
+        if (!kinds.back().second)
+            continue;
+        if (probes.empty() || stack.time > probes.back().second + kProbeSeconds)
+            probes.emplace_back(stack.time, stack.time);
+        probes.back().second = stack.time;
+    }
+    Share out;
+    for (std::size_t i = 1; i < probes.size(); ++i) {
+        const auto &[begin, beginEnd] = probes[i - 1];
+        const auto &[endBegin, end] = probes[i];
+        if (std::abs(endBegin - beginEnd - kRunSeconds) > kProbeSeconds)
+            continue;
+        ++out.runs;
+        for (std::size_t sample = 0; sample < stacks.size(); ++sample) {
+            if (stacks[sample].time < begin || stacks[sample].time > end)
+                continue;
+            ++out.all;
+            out.meter += kinds[sample].first;
+            out.probes += kinds[sample].second;
+        }
+    }
+    return out;
+}
 
 } // namespace
 
@@ -35,18 +82,14 @@ private Q_SLOTS:
 
 void MeterShareTest::meterIsNoPartOfTheMeasurement()
 {
-    static const QRegularExpression kMeter(
-        QStringLiteral("StationCore::(publishSnapshot|takeSnapshot|requestProbe)|buildSnapshot|makeProbe|residentBytes|"
-                       "MetricsSampler|ProcessMeter|OutputQueue::put"));
-    static const QRegularExpression kProbe(QStringLiteral("makeProbe|StationCore::requestProbe"));
     QTemporaryDir folder;
     const QString data = folder.filePath(QStringLiteral("perf.data"));
     if (const QString problem = perfProblem(data); !problem.isEmpty())
         QSKIP(qPrintable(problem));
     QProcess sweep;
     sweep.start(QStringLiteral(SKYSEAL_BIN_DIR "/skyseal-cli"),
-                words("sweep --launches 1 --load natural --suites chacha20-poly1305 --repeats 1 --no-noise --json --seconds")
-                    << QString::number(kRunSeconds));
+                words("sweep --launches 1 --load natural --suites chacha20-poly1305 --no-noise --json --seconds")
+                    << QString::number(kRunSeconds) << QStringLiteral("--repeats") << QString::number(kMeteredRuns));
     QVERIFY(sweep.waitForStarted());
     EVENTUALLY(ioThreadOf(sweep.processId()) != 0);
     QProcess perf;
@@ -54,7 +97,7 @@ void MeterShareTest::meterIsNoPartOfTheMeasurement()
                words("record -q -e cpu-clock -F 9999 --call-graph dwarf,4096 -o")
                    << data << QStringLiteral("-t") << QString::number(ioThreadOf(sweep.processId())));
     QVERIFY(perf.waitForStarted());
-    QVERIFY(sweep.waitForFinished(kRunSeconds * 1000 + 2 * kDeadlineMs));
+    QVERIFY(sweep.waitForFinished(300000));
     const QByteArray out = sweep.readAllStandardOutput();
     QVERIFY2(sweep.exitCode() == 0, sweep.readAllStandardError().constData());
     if (!perf.waitForFinished(kDeadlineMs)) {
@@ -66,31 +109,20 @@ void MeterShareTest::meterIsNoPartOfTheMeasurement()
     QVERIFY2(script.status == 0, script.err.constData());
     const std::vector<PerfStack> stacks = perfStacks(script.out);
     QVERIFY(!stacks.empty());
-    const double end = stacks.back().time - kAfterRun;
-    int all = 0, meter = 0, outside = 0, probes = 0;
-    for (const PerfStack &stack : stacks) {
-        const bool isMeter = kMeter.match(stack.functions).hasMatch();
-        if (stack.time < end - kWithinRun || stack.time > end) {
-            outside += isMeter;
-            probes += kProbe.match(stack.functions).hasMatch();
-            continue;
-        }
-        ++all;
-        meter += isMeter;
-    }
-    QJsonObject run;
+    const Share share = shareInRuns(stacks);
+    double own = 0;
     for (const QByteArray &line : out.split('\n')) {
         if (const QJsonObject event = QJsonDocument::fromJson(line).object();
             event[QLatin1String("event")] == QLatin1String("run"))
-            run = event;
+            own = std::max(own, event[QLatin1String("values")][QLatin1String("meter_cpu")].toDouble(100));
     }
-    const double own = run[QLatin1String("values")][QLatin1String("meter_cpu")].toDouble(100);
-    qInfo("perf finds %.2f %% of the I/O thread's CPU time in the meter (%d of %d samples), %d samples of it before and after, "
-          "%d of these in probes; meter_cpu is %.2f %%",
-          100.0 * meter / all, meter, all, outside, probes, own);
-    QVERIFY2(all >= kLeastOfMeter, qPrintable(QStringLiteral("only %1 samples").arg(all)));
-    QVERIFY2(outside > 0, "the functions of the meter are not found by their names");
-    QVERIFY(meter < kMost * all);
+    qInfo("perf finds %.2f %% of the I/O thread's CPU time of %d runs in the meter (%d of %d samples, %d of these in probes); "
+          "meter_cpu is %.2f %% at most",
+          100.0 * share.meter / share.all, share.runs, share.meter, share.all, share.probes, own);
+    QVERIFY2(share.runs >= kLeastMeteredRuns, "the probes of the runs are not found");
+    QVERIFY2(share.all >= kLeastMeterSamples, qPrintable(QStringLiteral("only %1 samples").arg(share.all)));
+    QVERIFY(share.probes >= 2 * share.runs);
+    QVERIFY(share.meter < kMost * share.all);
     QVERIFY(own < 100 * kMost);
 }
 
