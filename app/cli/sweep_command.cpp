@@ -6,6 +6,7 @@
 #include "app/common/options.h"
 #include "app/common/output.h"
 #include "app/common/process.h"
+#include "app/common/sweep_command_line.h"
 #include "app/common/sweep_files.h"
 #include "app/common/sweep_setting.h"
 #include "core/crypto/system_random.h"
@@ -202,13 +203,8 @@ int runSweep(const QStringList &arguments)
         link = *link::LinkUrl::parse("udpin:127.0.0.1:" + std::to_string(lab->groundPort()));
     }
 
-    // The command line that repeats this sweep, on any machine.
-    QString command = kName + QLatin1Char(' ') + arguments.join(QLatin1Char(' '));
-    if (!options.impliedLink.empty())
-        command += QStringLiteral(" --impair %1").arg(QString::fromStdString(options.impliedLink));
-    if (!options.seedGiven)
-        command += QStringLiteral(" --seed %1").arg(options.plan.seed);
-    experiment::Setting setting = describeSetting(SKYSEAL_CLI_VERSION, command);
+    experiment::Setting setting = describeSetting(SKYSEAL_CLI_VERSION,
+                                                  kName + QLatin1Char(' ') + shellText(options.repeatedBy));
     setting.emplace_back("message_mix", messageMix(options.link, options.vehicle, options.flight.script));
     for (const std::string &warning : experiment::warningsOf(setting))
         remark(warning);

@@ -1,6 +1,7 @@
 #include "app/cli/sweep_options.h"
 
 #include "app/common/options.h"
+#include "app/common/sweep_command_line.h"
 #include "core/base/research.h"
 #include "core/crypto/system_random.h"
 #include "core/experiment/placement.h"
@@ -184,10 +185,8 @@ void readConditions(Options &options, bool ownAgent, SweepOptions &out)
     experiment::Plan &plan = out.plan;
     if (!options.has("impair")) {
         const bool isSaturated = std::ranges::find(plan.loads, Load::Saturated) != plan.loads.end();
-        if (isSaturated && !experiment::placementHere().station) {
-            out.impliedLink = kFillable;
+        if (isSaturated && !experiment::placementHere().station)
             plan.conditions = {*experiment::parseCondition(kFillable)};
-        }
         return;
     }
     if (!ownAgent)
@@ -288,6 +287,26 @@ void readExpectations(Options &options, SweepOptions &out)
     }
 }
 
+/// See SweepOptions::repeatedBy.
+QStringList repeating(const QStringList &arguments, const Options &options, const SweepOptions &read)
+{
+    const bool namesSuites = options.text("suites") != "all";
+    QStringList out;
+    for (qsizetype i = 0; i < arguments.size(); ++i) {
+        if (!namesSuites && arguments[i] == QLatin1String("--suites"))
+            ++i; // and its value
+        else if (namesSuites || arguments[i] != QLatin1String("--suites=all"))
+            out << arguments[i];
+    }
+    if (!namesSuites)
+        out << suiteArguments(read.plan);
+    if (!options.has("impair") && !read.link)
+        out << linkArguments(read.plan);
+    if (!options.has("seed"))
+        out << QStringLiteral("--seed") << QString::number(read.plan.seed);
+    return out;
+}
+
 } // namespace
 
 std::optional<int> readSweepOptions(const QString &name, const QStringList &arguments, SweepOptions &out)
@@ -309,7 +328,7 @@ std::optional<int> readSweepOptions(const QString &name, const QStringList &argu
     readVehicle(options, out);
     readExpectations(options, out);
     readGoal(options, out);
-    out.seedGiven = options.has("seed");
+    out.repeatedBy = repeating(arguments, options, out);
     out.folder = QString::fromStdString(options.text("out"));
     out.json = options.has("json");
     return options.finish();

@@ -23,9 +23,10 @@ struct SweepOptions
     experiment::FlightPlan flight; ///< only with `vehicle`
     engine::StationConfig station;
     std::vector<experiment::Expectation> expectations;
-    std::string impliedLink;     ///< of --impair, chosen for this machine; empty: given, or the default of any machine
+    /// Words of a command line that repeats the sweep: the arguments, and as options what was drawn at random or depends on
+    /// this machine, such as the suites of its libraries and the link for its number of cores.
+    QStringList repeatedBy;
     QString folder;              ///< empty: no files
-    bool seedGiven = false;      ///< otherwise the seed was drawn
     std::optional<double> until; ///< half width of the interval that ends the sweep: 0.03
     bool forecast = false;       ///< say how long that would take
     bool json = false;

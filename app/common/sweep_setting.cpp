@@ -3,9 +3,11 @@
 #include "app/common/sweep_files.h"
 #include "core/experiment/setting.h"
 
+#include <QtCore/QCoreApplication>
 #include <QtCore/QCryptographicHash>
 #include <QtCore/QDateTime>
 #include <QtCore/QFile>
+#include <QtCore/QFileInfo>
 
 namespace skyseal::app {
 
@@ -18,11 +20,17 @@ experiment::Setting describeSetting(const char *version, const QString &command)
     for (auto &entry : experiment::machineSetting())
         out.push_back(std::move(entry));
     out.emplace_back("qt", qVersion());
-    for (const char *name : {"skyseal-cli", "skyseal-air", "skyseal-sim"}) {
-        QFile program(programPath(QString::fromLatin1(name)));
+    QStringList programs;
+    for (const char *name : {"skyseal-cli", "skyseal-air", "skyseal-sim"})
+        programs << programPath(QString::fromLatin1(name));
+    const QString own = QCoreApplication::applicationFilePath(); // the station that measures, which may be the window
+    if (const QString name = QFileInfo(own).fileName(); !name.isEmpty() && name != QLatin1String("skyseal-cli"))
+        programs << own;
+    for (const QString &path : std::as_const(programs)) {
+        QFile program(path);
         QCryptographicHash hash(QCryptographicHash::Sha256);
         if (program.open(QIODevice::ReadOnly) && hash.addData(&program))
-            out.emplace_back("sha256_" + std::string(name), hash.result().toHex().toStdString());
+            out.emplace_back("sha256_" + QFileInfo(path).fileName().toStdString(), hash.result().toHex().toStdString());
     }
     return out;
 }

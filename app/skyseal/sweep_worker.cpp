@@ -1,5 +1,6 @@
 #include "app/skyseal/sweep_worker.h"
 
+#include "app/common/sweep_command_line.h"
 #include "app/common/sweep_files.h"
 #include "app/common/sweep_setting.h"
 #include "core/channel/policy.h"
@@ -14,38 +15,13 @@ namespace {
 /// The command line that repeats a sweep with its own agent; for a connected link, a description.
 QString commandOf(const ui::SweepOrder &order)
 {
-    const experiment::Plan &plan = order.plan;
-    QStringList suites, framings, loads;
-    bool noise = false;
-    for (const experiment::SweepArm &arm : plan.arms) {
-        const QString name = QString::fromUtf8(crypto::suiteInfo(arm.suite).name.data());
-        noise = noise || arm.again;
-        if (!suites.contains(name))
-            suites << name;
-    }
-    for (const experiment::ArmFraming framing : experiment::framingsOf(plan))
-        framings << QString::fromUtf8(experiment::name(framing).data());
-    for (const experiment::Load load : plan.loads)
-        loads << QString::fromStdString(experiment::name(load));
-    QString links;
-    for (const experiment::Condition &condition : plan.conditions) {
-        if (plan.conditions.size() > 1 || !condition.clean())
-            links += QStringLiteral(" --impair ") + QString::fromStdString(condition.name);
-    }
-    const QString autopilot = order.autopilot
-        ? QStringLiteral(" --vehicle ") + QString::fromStdString(order.autopilot->toText())
-        : QString();
-    return QStringLiteral("%1 --suites %2 --framing %3 --load %4 --seconds %5 --repeats %6 --seed %7%8%9")
-        .arg(order.target == ui::SweepTarget::Connected
-                 ? QStringLiteral("skyseal, on the connected link; as skyseal-cli sweep --link URL …")
-                 : QStringLiteral("skyseal; as skyseal-cli sweep") + autopilot,
-             suites.join(QLatin1Char(',')),
-             framings.size() > 1 ? QStringLiteral("both") : framings.value(0, QStringLiteral("sealed")),
-             loads.join(QLatin1Char(',')))
-        .arg(seconds(plan.measure))
-        .arg(plan.repeats)
-        .arg(plan.seed)
-        .arg(links, noise ? QString() : QStringLiteral(" --no-noise"));
+    QStringList words{QStringLiteral("skyseal-cli"), QStringLiteral("sweep")};
+    if (order.target == ui::SweepTarget::Connected)
+        return QStringLiteral("skyseal, on the connected link; as ") + shellText(words) + QStringLiteral(" --link URL ")
+            + shellText(sweepArguments(order.plan));
+    if (order.autopilot)
+        words << QStringLiteral("--vehicle") << QString::fromStdString(order.autopilot->toText());
+    return shellText(words << sweepArguments(order.plan));
 }
 
 } // namespace
