@@ -9,6 +9,9 @@
 
 #include <QtCore/QDir>
 #include <QtCore/QFile>
+#include <QtCore/QSet>
+
+#include <algorithm>
 
 namespace skyseal::app {
 
@@ -24,6 +27,26 @@ Result<experiment::ReadSweep, InputError> readFolder(const QString &folder)
     auto out = experiment::readSweep(file.readAll());
     if (!out)
         return tl::unexpected(InputError{out.error().message, file.fileName().toStdString()});
+    return out;
+}
+
+/// Their own names, with as many of the folders above as it takes to tell them apart.
+std::vector<std::string> labelsOf(const QStringList &folders)
+{
+    QList<QStringList> paths;
+    for (const QString &folder : folders)
+        paths << QDir::cleanPath(QDir(folder).absolutePath()).split(QLatin1Char('/'), Qt::SkipEmptyParts);
+    QStringList names;
+    for (qsizetype depth = 1; depth < 100; ++depth) {
+        names.clear();
+        for (const QStringList &path : std::as_const(paths))
+            names << path.mid(std::max<qsizetype>(path.size() - depth, 0)).join(QLatin1Char('/'));
+        if (QSet<QString>(names.begin(), names.end()).size() == names.size())
+            break;
+    }
+    std::vector<std::string> out;
+    for (const QString &name : std::as_const(names))
+        out.push_back(name.toStdString());
     return out;
 }
 
@@ -59,7 +82,7 @@ int runReport(const QStringList &arguments)
         kName,
         QStringLiteral("Writes the report of a finished sweep again, or one report over the sweeps of several machines, "
                        "autopilots or days."));
-    options.addArgument("DIR", "Folders written by sweep --out; their names are those of the machines in the report.");
+    options.addArgument("DIR", "Folders written by sweep --out, by whose names the report calls the sweeps.");
     options.addValue("out", "DIR", "Folder for the report and its figures.");
     if (const auto status = options.parse(arguments))
         return *status;
@@ -68,6 +91,7 @@ int runReport(const QStringList &arguments)
     const QString out = QString::fromStdString(options.required("out"));
     if (const auto status = options.finish())
         return *status;
+    const std::vector<std::string> labels = labelsOf(folders);
     std::vector<experiment::Machine> machines;
     for (const QString &folder : folders) {
         auto read = readFolder(folder);
@@ -77,8 +101,7 @@ int runReport(const QStringList &arguments)
         }
         if (folders.size() == 1)
             return reportOne(*read, out);
-        machines.push_back(
-            {QDir(QDir(folder).absolutePath()).dirName().toStdString(), read->schemaVersion, std::move(read->results)});
+        machines.push_back({labels[machines.size()], read->schemaVersion, std::move(read->results)});
     }
     if (const std::string mismatch = experiment::mismatchOf(machines); !mismatch.empty()) {
         complain(kName, mismatch);

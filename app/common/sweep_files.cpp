@@ -138,7 +138,8 @@ SweepFiles writePooledFiles(const QString &path, const std::vector<experiment::M
     if (!folder.mkpath(QStringLiteral("figures")))
         return {false, path.toStdString() + ": the folder cannot be created"};
     std::vector<std::pair<QString, std::string>> files{{QStringLiteral("report.html"), experiment::pooledHtml(machines)},
-                                                       {QStringLiteral("pooled.csv"), experiment::pooledCsv(machines)}};
+                                                       {QStringLiteral("pooled.csv"), experiment::pooledCsv(machines)},
+                                                       {QStringLiteral("pooled-columns.csv"), experiment::pooledColumnsCsv()}};
     QStringList drawings;
     for (const experiment::ReportFigure &figure : experiment::forestsOf(machines)) {
         files.emplace_back(QStringLiteral("figures/%1.svg").arg(QString::fromStdString(figure.name)), figure.svg);

@@ -20,49 +20,6 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-std::string framingsText(const Plan &plan)
-{
-    std::string out;
-    for (const ArmFraming framing : framingsOf(plan))
-        out += (out.empty() ? "" : ", ") + std::string(name(framing));
-    return out.empty() ? "plain MAVLink only" : out;
-}
-
-std::string loadsText(const Plan &plan)
-{
-    std::string out;
-    for (const Load load : plan.loads)
-        out += (out.empty() ? "" : ", ") + std::string(name(load));
-    return out;
-}
-
-std::string conditionsText(const Plan &plan)
-{
-    std::string out;
-    for (const Condition &condition : plan.conditions)
-        out += (out.empty() ? "" : "; ") + condition.name;
-    return out;
-}
-
-struct Fact
-{
-    const char *what;
-    std::string (*of)(const Machine &machine);
-};
-
-/// Settings that must match for ratios of several sweeps to be comparable.
-const Fact kFacts[] = {
-    {"schema version", [](const Machine &one) { return std::to_string(one.schemaVersion); }},
-    {"framing", [](const Machine &one) { return framingsText(one.results.plan); }},
-    {"load", [](const Machine &one) { return loadsText(one.results.plan); }},
-    {"link", [](const Machine &one) { return conditionsText(one.results.plan); }},
-    {"seconds of a run", [](const Machine &one) { return readable(seconds(one.results.plan.measure)); }},
-    {"warm-up", [](const Machine &one) { return readable(seconds(one.results.plan.warmUp)) + " s"; }},
-    {"reference", [](const Machine &one) { return referenceText(one.results.plan); }},
-    {"message mix", [](const Machine &one) { return settingOf(one.results, "message_mix"); }},
-    {"commit", [](const Machine &one) { return settingOf(one.results, "commit"); }},
-};
-
 /// A ratio as several machines found it.
 struct Pooling
 {
@@ -84,50 +41,122 @@ std::optional<Contrast> contrastOf(const Results &results, const Pooling &wanted
     return std::nullopt;
 }
 
-std::vector<Pooling> poolingsOf(const std::vector<Machine> &machines)
+/// What several days of a machine found together. Days may differ by more than their own errors say.
+MachineEffect joined(const std::vector<MachineEffect> &days)
 {
-    std::vector<Pooling> out;
-    const Plan &plan = machines.front().results.plan;
-    for (const Metric metric : metricsShownIn(kRatio)) {
-        for (std::size_t condition = 0; condition < plan.conditions.size(); ++condition) {
-            for (std::size_t load = 0; load < plan.loads.size(); ++load) {
-                for (const SweepArm &arm : plan.arms) {
-                    if (arm.again || !exists(arm))
-                        continue;
-                    Pooling pooling{metric, condition, load, fullName(arm), isInsecure(arm), {}, {}};
-                    std::vector<MachineEffect> effects;
-                    for (const Machine &machine : machines) {
-                        const auto contrast = contrastOf(machine.results, pooling);
-                        pooling.machines.emplace_back(machine.label, contrast);
-                        if (contrast && contrast->error > 0)
-                            effects.push_back({contrast->estimate, contrast->error});
-                    }
-                    pooling.common = pooled(effects);
-                    const auto measured = std::ranges::count_if(pooling.machines,
-                                                                [](const auto &one) { return one.second.has_value(); });
-                    if (measured >= 2)
-                        out.push_back(std::move(pooling));
-                }
-            }
+    const auto n = static_cast<double>(days.size());
+    double mean = 0, own = 0, between = 0;
+    for (const MachineEffect &day : days) {
+        mean += day.estimate / n;
+        own += day.error * day.error / n;
+    }
+    for (const MachineEffect &day : days)
+        between += (day.estimate - mean) * (day.estimate - mean) / std::max(n - 1, 1.0);
+    return {mean, std::sqrt(std::max(own, between) / n)};
+}
+
+std::optional<RandomEffects> commonOf(const std::vector<Machine> &machines, const Pooling &pooling)
+{
+    std::vector<MachineEffect> effects;
+    for (const std::vector<std::size_t> &sweeps : daysOfMachines(machines)) {
+        std::vector<MachineEffect> days;
+        for (const std::size_t sweep : sweeps) {
+            const std::optional<Contrast> &one = pooling.machines[sweep].second;
+            if (one && one->error > 0)
+                days.push_back({one->estimate, one->error});
+        }
+        if (!days.empty())
+            effects.push_back(joined(days));
+    }
+    return pooled(effects);
+}
+
+/// Of all sweeps, each once.
+std::vector<SweepArm> armsOf(const std::vector<Machine> &machines)
+{
+    std::vector<SweepArm> out;
+    for (const Machine &machine : machines) {
+        for (const SweepArm &arm : machine.results.plan.arms) {
+            if (!arm.again && exists(arm) && std::ranges::find(out, arm) == out.end())
+                out.push_back(arm);
         }
     }
     return out;
 }
 
+std::vector<Pooling> poolingsOf(const std::vector<Machine> &machines)
+{
+    std::vector<Pooling> out;
+    const std::vector<SweepArm> arms = armsOf(machines);
+    for (const Metric metric : metricsShownIn(kRatio)) {
+        forEachPlace(machines.front().results.plan, [&](std::size_t condition, std::size_t load) {
+            for (const SweepArm &arm : arms) {
+                Pooling pooling{metric, condition, load, fullName(arm), isInsecure(arm), {}, {}};
+                for (const Machine &machine : machines)
+                    pooling.machines.emplace_back(machine.label, contrastOf(machine.results, pooling));
+                const auto measured = std::ranges::count_if(pooling.machines,
+                                                            [](const auto &one) { return one.second.has_value(); });
+                if (measured < 2)
+                    continue;
+                pooling.common = commonOf(machines, pooling);
+                out.push_back(std::move(pooling));
+            }
+        });
+    }
+    return out;
+}
+
+/// The arms that not every sweep has, and the machines with several sweeps; as sentences.
+std::string designText(const std::vector<Machine> &machines)
+{
+    std::string out;
+    for (const SweepArm &arm : armsOf(machines)) {
+        std::string missing;
+        for (const Machine &machine : machines) {
+            if (std::ranges::find(machine.results.plan.arms, arm) == machine.results.plan.arms.end())
+                missing += (missing.empty() ? "" : ", ") + machine.label;
+        }
+        if (!missing.empty())
+            out += " " + fullName(arm) + " is not in " + missing + ".";
+    }
+    for (const std::vector<std::size_t> &sweeps : daysOfMachines(machines)) {
+        std::string labels;
+        for (const std::size_t sweep : sweeps)
+            labels += (labels.empty() ? "" : ", ") + machines[sweep].label;
+        if (sweeps.size() > 1)
+            out += " " + labels + " are days of one machine, since their hardware and vehicle are the same.";
+    }
+    return out;
+}
+
+/// As much of both ends as the column of labels has room for. UTF-8.
+std::string shortened(const std::string &label)
+{
+    constexpr std::size_t kMost = 18, kHead = 5;
+    std::vector<std::size_t> starts; ///< of the characters
+    for (std::size_t i = 0; i < label.size(); ++i) {
+        if ((static_cast<unsigned char>(label[i]) & 0xc0) != 0x80)
+            starts.push_back(i);
+    }
+    if (starts.size() <= kMost)
+        return label;
+    return label.substr(0, starts[kHead]) + "…" + label.substr(starts[starts.size() - (kMost - kHead - 1)]);
+}
+
 ForestChart chartOf(const Plan &plan, const Pooling &pooling)
 {
     ForestChart out;
-    out.title = pooling.arm + ": " + std::string(info(pooling.metric).title);
+    out.title = pooling.arm + (pooling.insecure ? " (insecure)" : "") + ": " + std::string(info(pooling.metric).title);
     out.subtitle = "link: " + conditionText(plan.conditions[pooling.condition])
         + "; load: " + std::string(name(plan.loads[pooling.load]));
     out.axis = "ratio to " + referenceText(plan);
     out.margin = plan.margin;
     out.legend = pooling.common ? "95 % intervals; below, all machines by random effects (REML, Hartung–Knapp), grey line: a "
                                   "further machine"
-                                : "95 % intervals; each machine stands alone";
+                                : "95 % intervals; each sweep stands alone";
     for (const auto &[label, contrast] : pooling.machines) {
         ForestRow row;
-        row.label = label;
+        row.label = shortened(label);
         if (contrast) {
             row.value = contrast->value();
             row.low = contrast->low();
@@ -206,29 +235,46 @@ std::vector<ReportFigure> figuresOf(const std::vector<Pooling> &poolings, const 
 
 } // namespace
 
-std::string mismatchOf(const std::vector<Machine> &machines)
-{
-    for (const Machine &other : machines) {
-        for (const Fact &fact : kFacts) {
-            const std::string one = fact.of(machines.front()), two = fact.of(other);
-            if (one != two)
-                return "the sweeps cannot be joined: " + std::string(fact.what) + " of " + machines.front().label + " is "
-                    + (one.empty() ? "not recorded" : one) + ", of " + other.label + " " + (two.empty() ? "not recorded" : two);
-        }
-    }
-    return {};
-}
-
 std::vector<ReportFigure> forestsOf(const std::vector<Machine> &machines)
 {
     return figuresOf(poolingsOf(machines), machines.front().results.plan);
 }
 
+constexpr std::pair<std::string_view, std::string_view> kPooledColumns[] = {
+    {"condition", "link condition: clean, or the impairments of both directions"},
+    {"load", "natural, saturated, or pps and the frames a second of a paced load"},
+    {"metric", "what is compared; a column of sweep.csv"},
+    {"arm", "suite and framing that are compared with the reference"},
+    {"machine", "name of the sweep's folder; all machines: what they have in common"},
+    {"ratio", "the arm to the reference"},
+    {"ci95_low", "lower end of its 95 % interval"},
+    {"ci95_high", "upper end of its 95 % interval"},
+    {"log_ratio", "natural logarithm of the ratio"},
+    {"error", "its standard error"},
+    {"tau2", "variance of the logarithms between machines; of all machines only"},
+    {"prediction_low", "above it, a further machine lies at 95 %; of all machines only"},
+    {"prediction_high", "below it; of all machines only"},
+    {"insecure", "1: a research suite, or a cipher without authentication"},
+    {"sweep", "when the sweep began (UTC); empty for all machines, as are the columns that follow"},
+    {"seed", "of the order of runs and of the impairment"},
+    {"commit", "the programs' version in the repository"},
+    {"hardware", "processor, cores, memory and vehicle; sweeps of one hardware are days of one machine"}};
+
+std::string pooledColumnsCsv()
+{
+    std::string out = "column,unit,description\n";
+    for (const auto &[name, what] : kPooledColumns)
+        out += std::string(name) + ",," + csvText(std::string(what)) + "\n";
+    return out;
+}
+
 std::string pooledCsv(const std::vector<Machine> &machines)
 {
     const Plan &plan = machines.front().results.plan;
-    std::string out = "condition,load,metric,arm,machine,ratio,ci95_low,ci95_high,log_ratio,error,tau2,prediction_low,"
-                      "prediction_high\n";
+    std::string out;
+    for (const auto &[name, what] : kPooledColumns)
+        out += (out.empty() ? "" : ",") + std::string(name);
+    out += "\n";
     for (const Pooling &pooling : poolingsOf(machines)) {
         std::string place = csvText(plan.conditions[pooling.condition].name) + ",";
         place.append(name(plan.loads[pooling.load])).append(",").append(info(pooling.metric).key).append(",");
@@ -237,16 +283,25 @@ std::string pooledCsv(const std::vector<Machine> &machines)
             out += place + csvText(label);
             for (const double value : values)
                 out += "," + csvNumber(value);
-            out += "\n";
+            out += pooling.insecure ? ",1" : ",0";
         };
-        for (const auto &[label, one] : pooling.machines) {
-            if (one)
-                line(label, {one->value(), one->low(), one->high(), one->estimate, one->error, kNaN, kNaN, kNaN});
+        for (std::size_t i = 0; i < machines.size(); ++i) {
+            const auto &[label, one] = pooling.machines[i];
+            if (!one)
+                continue;
+            line(label, {one->value(), one->low(), one->high(), one->estimate, one->error, kNaN, kNaN, kNaN});
+            const Results &results = machines[i].results;
+            for (const std::string &text : {settingOf(results, "time"), std::to_string(results.plan.seed),
+                                            settingOf(results, "commit"), hardwareOf(machines[i])})
+                out += "," + (text.empty() ? std::string() : csvText(text));
+            out += "\n";
         }
-        if (const auto &all = pooling.common)
+        if (const auto &all = pooling.common) {
             line("all machines",
                  {std::exp(all->mean), std::exp(all->low), std::exp(all->high), all->mean, all->error, all->variance,
                   std::exp(all->predictionLow), std::exp(all->predictionHigh)});
+            out += ",,,,\n";
+        }
     }
     return out;
 }
@@ -262,19 +317,19 @@ static std::string pooledBody(const std::vector<Machine> &machines, bool inlineF
     }
     out += "<p>" + std::to_string(machines.size()) + " sweeps. Each ratio to " + escaped(referenceText(plan))
         + " and its 95 % interval come from the launches of one sweep. "
-        + (machines.size() < kLeastMachines
+        + (daysOfMachines(machines).size() < kLeastMachines
                ? "With fewer than three machines nothing can be said of others: each stands alone."
                : "All machines are joined by random effects: the variance between machines by REML, the "
                  "interval of the mean by "
                  "Hartung and Knapp, and a prediction interval, in which a further machine lies at 95 %.")
-        + "</p>\n<h2>Ratios</h2>\n";
+        + escaped(designText(machines)) + "</p>\n<h2>Ratios</h2>\n";
     const std::vector<ReportFigure> figures = figuresOf(poolings, plan);
     if (!inlineFigures)
         out += figuresInPairs(figures);
     for (std::size_t i = 0; inlineFigures && i < figures.size(); ++i)
         out += "<figure>" + figures[i].svg + "</figure>\n";
     if (poolings.empty())
-        out += "<p>No ratio was measured often enough on two machines.</p>\n";
+        out += "<p>No ratio was measured often enough in two sweeps.</p>\n";
     return out + "<h2>Machines</h2>\n" + machineTable(machines);
 }
 

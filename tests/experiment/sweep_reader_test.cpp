@@ -11,12 +11,14 @@
 
 #include <QtCore/QJsonArray>
 #include <QtCore/QJsonDocument>
+#include <QtCore/QXmlStreamReader>
 #include <QtTest/QTest>
 
 #include <cmath>
 #include <fstream>
 #include <random>
 #include <sstream>
+#include <tuple>
 
 using namespace skyseal;
 using namespace skyseal::experiment;
@@ -97,7 +99,11 @@ private Q_SLOTS:
     void randomEffectsAgreeWithSciPy();
     void machinesAreJoined();
     void twoMachinesStandAlone();
+    void daysOfAMachineAreNested();
+    void pooledTableIsComplete();
     void otherSettingsAreRefused();
+    void longNamesFitTheFigure();
+    void sweepsOfOtherProgramsAreRefused();
 };
 
 void SweepReaderTest::whatWasWrittenIsRead()
@@ -281,6 +287,123 @@ void SweepReaderTest::twoMachinesStandAlone()
     const std::string csv = pooledCsv(machines);
     QVERIFY(csv.find("\"board\"") != std::string::npos && csv.find("all machines") == std::string::npos);
     QVERIFY(pooledHtml(machines).find("each stands alone") != std::string::npos);
+}
+
+/// Three days of one machine weigh as much as one day of another, and say nothing of further machines.
+void SweepReaderTest::daysOfAMachineAreNested()
+{
+    std::vector<Machine> machines;
+    unsigned seed = 0;
+    for (const auto &[label, processor, rc4] : {std::tuple("monday", "desk, 2400 MHz", 1.2),
+                                                {"tuesday", "desk, 1800 MHz", 1.2},
+                                                {"wednesday", "desk, 2400 MHz", 1.2},
+                                                {"board", "arm", 1.3},
+                                                {"laptop", "mobile", 1.25}}) {
+        machines.push_back({label, kSweepSchemaVersion, sweepOf(rc4, ++seed)});
+        machines.back().results.setting[0].second = processor;
+    }
+    QCOMPARE(daysOfMachines(machines).size(), std::size_t(3));
+    const auto common = [](const std::vector<Machine> &of) {
+        const std::string csv = pooledCsv(of);
+        const std::size_t at = csv.find("\"clean\",saturated,cpu_per_frame,\"rc4 sealed\",\"all machines\",");
+        return at == std::string::npos ? std::nan("") : std::stod(csv.substr(csv.find("machines\",", at) + 10));
+    };
+    QVERIFY2(std::abs(common(machines) - 1.25) < 0.01, qPrintable(QString::number(common(machines))));
+    QVERIFY(pooledHtml(machines).find("monday, tuesday, wednesday are days of one machine") != std::string::npos);
+    const std::vector<Machine> days(machines.begin(), machines.begin() + 3);
+    QVERIFY(std::isnan(common(days)));
+    QVERIFY(pooledHtml(days).find("each stands alone") != std::string::npos);
+    for (Machine &machine : machines)
+        machine.results.source = machine.label; // another autopilot each
+    QCOMPARE(daysOfMachines(machines).size(), std::size_t(5));
+}
+
+/// An arm that the first sweep has not, what is insecure, and a description of each column.
+void SweepReaderTest::pooledTableIsComplete()
+{
+    std::vector<Machine> machines{{"desk", 4, sweepOf(1.2, 1)}, {"board", 4, sweepOf(1.3, 2)}, {"laptop", 4, sweepOf(1.3, 3)}};
+    Results &first = machines.front().results;
+    QCOMPARE(int(first.plan.arms[2].suite), int(SuiteId::Rc4));
+    first.plan.arms.erase(first.plan.arms.begin() + 2);
+    std::erase_if(first.samples, [](const Sample &sample) { return sample.run.arm == 2; });
+    for (Sample &sample : first.samples)
+        sample.run.arm -= sample.run.arm > 2;
+    QVERIFY2(mismatchOf(machines).empty(), mismatchOf(machines).c_str());
+    const QStringList lines = QString::fromStdString(pooledCsv(machines)).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+    const QStringList columns = lines.first().split(QLatin1Char(','));
+    QStringList described;
+    for (const QString &line : QString::fromStdString(pooledColumnsCsv()).split(QLatin1Char('\n'), Qt::SkipEmptyParts).mid(1))
+        described << line.section(QLatin1Char(','), 0, 0);
+    QCOMPARE(columns, described);
+    const qsizetype insecure = columns.indexOf(QStringLiteral("insecure"));
+    int rc4 = 0;
+    for (const QString &line : lines.mid(1)) {
+        const QStringList cells = line.split(QLatin1Char(','));
+        QCOMPARE(cells.size(), columns.size());
+        const bool isRc4 = line.contains(QLatin1String("\"rc4 sealed\""));
+        rc4 += isRc4;
+        QCOMPARE(cells[insecure], isRc4 ? QStringLiteral("1") : QStringLiteral("0"));
+        QVERIFY(line.contains(QLatin1String("all machines")) || line.contains(QLatin1String("\"abc\"")));
+    }
+    QVERIFY(rc4 >= 2);
+    QVERIFY(pooledHtml(machines).find("rc4 sealed is not in desk.") != std::string::npos);
+    int marked = 0;
+    for (const ReportFigure &figure : forestsOf(machines))
+        marked += figure.svg.find("rc4 sealed (insecure)") != std::string::npos;
+    QVERIFY(marked > 0);
+}
+
+/// Every text lies within the column of 88 mm, by the width that its characters take at most.
+void SweepReaderTest::longNamesFitTheFigure()
+{
+    const std::string name = "an-äußerst-long-name-of-a-folder/";
+    const std::vector<Machine> machines{
+        {name + "desk", 4, sweepOf(1.2, 1)}, {name + "board", 4, sweepOf(1.3, 2)}, {name + "laptop", 4, sweepOf(1.3, 3)}};
+    for (const ReportFigure &figure : forestsOf(machines)) {
+        QXmlStreamReader xml(QString::fromStdString(figure.svg));
+        int shortened = 0;
+        while (!xml.atEnd()) {
+            if (xml.readNext() != QXmlStreamReader::StartElement || xml.name() != QLatin1String("text"))
+                continue;
+            const double size = xml.attributes().value(QLatin1String("font-size")).toDouble();
+            const double x = xml.attributes().value(QLatin1String("x")).toDouble();
+            const QString anchor = xml.attributes().value(QLatin1String("text-anchor")).toString(),
+                          text = xml.readElementText();
+            const double width = 0.65 * size * static_cast<double>(text.size());
+            shortened += text.contains(QChar(0x2026));
+            if (anchor == QLatin1String("end"))
+                QVERIFY2(x - width > -2 && x <= 333, qPrintable(text));
+        }
+        QVERIFY(!xml.hasError());
+        QCOMPARE(shortened, 3);
+        for (const char *end : {"/desk<", "/board<", "/laptop<"})
+            QVERIFY2(figure.svg.find(end) != std::string::npos, figure.svg.c_str());
+    }
+    QVERIFY(pooledCsv(machines).find(name + "laptop") != std::string::npos); // in full
+}
+
+void SweepReaderTest::sweepsOfOtherProgramsAreRefused()
+{
+    const auto said = [](const char *commit, const char *oneHash, const char *otherHash, const char *otherTime = "2026-02-02") {
+        std::vector<Machine> machines{{"desk", 4, sweepOf(1.2, 1)}, {"board", 4, sweepOf(1.2, 1)}};
+        for (Machine &machine : machines) {
+            Setting &setting = machine.results.setting;
+            setting[1].second = commit;
+            const bool isFirst = &machine == &machines.front();
+            setting.emplace_back("time", isFirst ? "2026-01-01" : otherTime);
+            if (const char *hash = isFirst ? oneHash : otherHash)
+                setting.emplace_back("sha256_skyseal-cli", hash);
+        }
+        return mismatchOf(machines);
+    };
+    for (const char *commit : {"abc-changed", "unknown", ""}) {
+        QCOMPARE(said(commit, "12", "12"), std::string());
+        QVERIFY2(said(commit, "12", "34").find("SHA-256 differs") != std::string::npos, said(commit, "12", "34").c_str());
+        QVERIFY(said(commit, nullptr, nullptr).find("SHA-256 is not recorded") != std::string::npos);
+    }
+    QCOMPARE(said("abc", "12", "34"), std::string()); // built for another machine
+    // The same sweep twice.
+    QVERIFY(said("abc", "12", "12", "2026-01-01").find("desk and board are the same sweep") != std::string::npos);
 }
 
 void SweepReaderTest::otherSettingsAreRefused()

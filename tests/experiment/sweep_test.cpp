@@ -492,6 +492,14 @@ void SweepTest::launchesStartAnew()
         QVERIFY(!content.isEmpty());
         QVERIFY2(content == contentOf(again + QLatin1Char('/') + name), qPrintable(name));
     }
+    const RunResult copy = runProgram("skyseal-cli", {q("report"), first, again, q("--out"), joined}, {}, 120000);
+    QCOMPARE(copy.status, 1);
+    QVERIFY2(copy.err.contains("are the same sweep"), copy.err.constData());
+    QByteArray later = contentOf(again + q("/sweep.json"));
+    later.replace(report[QLatin1String("setting")][QLatin1String("time")].toString().toUtf8(), "2020-02-02T00:00:00Z");
+    QFile file(again + q("/sweep.json"));
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(later) == later.size());
+    file.close();
     const RunResult two = runProgram("skyseal-cli", {q("report"), first, again, q("--out"), joined}, {}, 120000);
     QVERIFY2(two.status == 0, two.err.constData());
     QVERIFY(contentOf(joined + q("/report.html")).contains("each stands alone"));
