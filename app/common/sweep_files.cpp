@@ -3,6 +3,7 @@
 #include "core/base/save_file.h"
 #include "core/experiment/cipher_bench.h"
 #include "core/experiment/html_report.h"
+#include "core/experiment/claims_csv.h"
 #include "core/experiment/sweep_csv.h"
 #include "core/experiment/sweep_json.h"
 
@@ -116,6 +117,8 @@ SweepFiles writeSweepFiles(const QString &path, const experiment::Results &resul
         {QStringLiteral("sweep-columns.csv"), experiment::sweepColumnsCsv()},
         {QStringLiteral("ratios.csv"), experiment::ratiosCsv(results)},
         {QStringLiteral("ratios-columns.csv"), experiment::ratioColumnsCsv()},
+        {QStringLiteral("claims.csv"), experiment::claimsCsv(results, claims)},
+        {QStringLiteral("claims-columns.csv"), experiment::claimColumnsCsv()},
         {QStringLiteral("report.html"), experiment::htmlReport(parts)}};
     QStringList drawings;
     for (const experiment::ReportFigure &figure : figures) {

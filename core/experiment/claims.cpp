@@ -181,6 +181,7 @@ public:
     void add(const Pair &pair, double ratio, double low, double high)
     {
         m_intervals.emplace_back(low, high);
+        m_ratios.push_back({nameOf(pair.first), nameOf(pair.second), ratio, low, high});
         m_text += (m_text.empty() ? "" : "; ") + ratioText(nameOf(pair.first), nameOf(pair.second), ratio, low, high);
     }
 
@@ -190,6 +191,7 @@ public:
     }
 
     Finding finding() const { return findingBy(1 + m_margin); }
+    const std::vector<ClaimRatio> &ratios() const { return m_ratios; }
 
     /// Claim::decidable
     double decidable() const
@@ -259,6 +261,7 @@ private:
     const double m_margin;
     Judge m_judge;
     std::vector<std::pair<double, double>> m_intervals;
+    std::vector<ClaimRatio> m_ratios;
     std::string m_text, m_missing;
 };
 
@@ -287,7 +290,8 @@ Claim judged(const Results &results, std::string_view key, std::string text, Met
               gathered.finding(),
               whereText(results.plan, place, metric) + gathered.text(),
               gathered.decidable(),
-              gathered.decidableBelow()};
+              gathered.decidableBelow(),
+              gathered.ratios()};
     if (!isCompared(metric, results.plan.loads[place.load]))
         out.reason += " The vehicle sets this rate under that load, whatever the suite costs.";
     return out;
@@ -351,8 +355,11 @@ Claim judgedMemory(const Results &results, std::string_view key, std::string tex
     out.finding = gathered.finding();
     out.decidable = gathered.decidable();
     out.decidableBelow = gathered.decidableBelow();
+    out.ratios = gathered.ratios();
     out.reason = "The station's process takes " + readable(resident / 1e6) + " MB with any suite; suites differ by the heap of "
-        + (ofSession ? "a session" : "a keyed cipher") + ": " + heaps + ". " + gathered.text();
+        + (ofSession ? "a session" : "a keyed cipher") + ": " + heaps + ". To differ by the margin, a suite would have to take "
+        + readable(results.plan.margin * resident / 1000) + " kB more; heaps are counts, so that the ratio has no interval. "
+        + gathered.text();
     return out;
 }
 
@@ -384,6 +391,25 @@ std::string orderHere(const Results &results, Metric metric, bool mostFirst)
     std::string out;
     for (const Standing &place : places)
         out += (out.empty() ? "" : ", ") + place.text;
+    return out;
+}
+
+/// "plain 1, chacha20 1.0002": the memory of the process with a session of each suite, to that without; counts, no intervals.
+std::string memoryOrderHere(const Results &results)
+{
+    const double resident = residentOf(results);
+    const bool ofSession = std::ranges::all_of(kPapers, [&](SuiteId one) { return std::isfinite(heapOf(results, one, true)); });
+    std::vector<std::pair<double, std::string>> places;
+    for (const SuiteId suite : kPapers) {
+        if (const double heap = heapOf(results, suite, ofSession); std::isfinite(heap))
+            places.emplace_back(heap, nameOf(suite));
+    }
+    if (places.empty() || !std::isfinite(resident))
+        return {};
+    std::ranges::stable_sort(places, {}, &std::pair<double, std::string>::first);
+    std::string out = "plain 1";
+    for (const auto &[heap, name] : places)
+        out += ", " + name + " " + exactText(1 + heap / resident);
     return out;
 }
 
@@ -466,6 +492,8 @@ std::vector<Ordering> orderings(const Results &results)
         false);
     add("CPU time at the drone, the least first", "chacha20 like plain; then the others, rc4 last", Metric::AgentCpuPerFrame,
         false);
+    if (std::string here = memoryOrderHere(results); !out.empty() && !here.empty())
+        out.push_back({"Memory of the process, the least first", "chacha20 like plain; then the others, rc4 last", here});
     return out;
 }
 

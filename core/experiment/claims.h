@@ -16,6 +16,13 @@ enum class Finding : std::uint8_t { Confirmed, Refuted, NotDecided };
 /// "confirmed", "refuted", "not decided"
 std::string_view findingText(Finding finding);
 
+/// One ratio that a claim speaks of, with its 95 % interval; without width where it is a count.
+struct ClaimRatio
+{
+    std::string first, second; ///< suites: the first to the second
+    double ratio = 0, low = 0, high = 0;
+};
+
 struct Claim
 {
     std::string_view key; ///< "packets-best"
@@ -28,6 +35,7 @@ struct Claim
     double decidable = std::numeric_limits<double>::quiet_NaN();
     /// Below this one, which is smaller than Plan::margin, they would decide it as well. NaN likewise.
     double decidableBelow = std::numeric_limits<double>::quiet_NaN();
+    std::vector<ClaimRatio> ratios = {}; ///< as far as they were measured
 };
 
 /// Each claim is judged on the clean link and under the load that it speaks of: CPU under the natural one, as in the paper,

@@ -225,6 +225,17 @@ std::string meterText(const Results &results)
             + out + " (meter_cpu).</p>\n";
 }
 
+/// "12 %; below 2 %", or a dash where no other margin would decide.
+std::string marginText(const Claim &claim)
+{
+    std::string out;
+    if (std::isfinite(claim.decidable))
+        out = readable(100 * claim.decidable) + " %";
+    if (std::isfinite(claim.decidableBelow))
+        out += (out.empty() ? "below " : "; below ") + readable(100 * claim.decidableBelow) + " %";
+    return out.empty() ? "–" : out;
+}
+
 std::string claimsTable(const Results &results, const std::vector<Claim> &claims)
 {
     std::string out =
@@ -233,10 +244,11 @@ std::string claimsTable(const Results &results, const std::vector<Claim> &claims
         + readable(100 * results.plan.margin)
         + " %: an interval that lies wholly on one side of the margin decides, one that reaches over it does not.</p>\n<table "
           "border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
-        + headOfTable({{"claim", "finding", "because"}});
+        + headOfTable({{"claim", "finding", "would be decided by", "because"}});
     for (const Claim &claim : claims)
         out += "<tr><td class=\"text\">" + escaped(claim.text) + "</td><td class=\"text\"><b>"
-            + std::string(findingText(claim.finding)) + "</b></td><td class=\"text\">" + escaped(claim.reason) + "</td></tr>\n";
+            + std::string(findingText(claim.finding)) + "</b></td><td>" + marginText(claim) + "</td><td class=\"text\">"
+            + escaped(claim.reason) + "</td></tr>\n";
     return out + "</table>\n";
 }
 

@@ -306,7 +306,16 @@ std::string sweepJson(const Results &results, const std::vector<Verdict> &verdic
         json.beginObject().field("key", claim.key).field("claim", claim.text);
         json.field("finding", findingText(claim.finding)).field("because", claim.reason);
         number(json, "decidable_margin", claim.decidable);
-        json.endObject();
+        number(json, "decidable_below", claim.decidableBelow);
+        json.key("ratios").beginArray();
+        for (const ClaimRatio &one : claim.ratios) {
+            json.beginObject().field("first", one.first).field("second", one.second);
+            number(json, "ratio", one.ratio);
+            number(json, "ci95_low", one.low);
+            number(json, "ci95_high", one.high);
+            json.endObject();
+        }
+        json.endArray().endObject();
     }
     return json.endArray().endObject().text();
 }

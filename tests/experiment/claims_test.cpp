@@ -1,8 +1,13 @@
 // The claims of the paper: the load and link that each is judged under, the margin, and what is said where nothing is decided.
 #include "core/experiment/claims.h"
+#include "core/experiment/claims_csv.h"
 #include "core/experiment/contrast.h"
+#include "core/experiment/sweep_json.h"
 #include "tests/support/test_runner.h"
 
+#include <QtCore/QJsonArray>
+#include <QtCore/QJsonDocument>
+#include <QtCore/QJsonObject>
 #include <QtTest/QTest>
 
 #include <algorithm>
@@ -68,6 +73,8 @@ private Q_SLOTS:
     void decidableMarginDecides();
     void smallerMarginsMayDecideToo();
     void exactRatiosHaveNoInterval();
+    void numbersAreInTheFiles();
+    void memoryHasAnOrdering();
 };
 
 void ClaimsTest::eachHasItsLoad()
@@ -211,6 +218,59 @@ void ClaimsTest::exactRatiosHaveNoInterval()
     const Claim claim = theClaim(results, "rc4-memory");
     QCOMPARE(claim.finding, Finding::Confirmed);
     QVERIFY2(says(claim, "rc4 to chacha20 1.09998;") && !says(claim, " to 1."), claim.reason.c_str());
+}
+
+/// Whoever reads the files needs no sentence to know what decided, and what margin would have.
+void ClaimsTest::numbersAreInTheFiles()
+{
+    Results results = measured(planOf({Load::Saturated}), Metric::Packets,
+                               [](SuiteId suite, const Run &) { return suite == SuiteId::None ? 1030.0 : 1000.0; });
+    const std::vector<Claim> claims = paperClaims(results);
+    const Claim claim = theClaim(results, "packets-plain-above");
+    QCOMPARE(claim.ratios.size(), std::size_t(1));
+    const ClaimRatio &ratio = claim.ratios.front();
+    QCOMPARE(ratio.first + ratio.second, std::string("nonechacha20"));
+    QVERIFY(std::abs(ratio.ratio - 1.03) < 0.01 && ratio.low < ratio.ratio && ratio.ratio < ratio.high);
+
+    const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(sweepJson(results, {}))).object();
+    QJsonObject written;
+    for (const QJsonValue one : json[QLatin1String("claims")].toArray()) {
+        if (one[QLatin1String("key")] == QLatin1String("packets-plain-above"))
+            written = one.toObject();
+    }
+    QCOMPARE(written[QLatin1String("decidable_margin")].toDouble(), claim.decidable);
+    QCOMPARE(written[QLatin1String("decidable_below")].toDouble(), claim.decidableBelow);
+    const QJsonObject one = written[QLatin1String("ratios")].toArray().first().toObject();
+    QCOMPARE(one[QLatin1String("ratio")].toDouble(), ratio.ratio);
+    QCOMPARE(one[QLatin1String("ci95_low")].toDouble(), ratio.low);
+    QCOMPARE(one[QLatin1String("ci95_high")].toDouble(), ratio.high);
+
+    const QStringList lines = QString::fromStdString(claimsCsv(results, claims)).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+    const QStringList columns = lines.first().split(QLatin1Char(','));
+    QStringList row;
+    for (const QString &line : lines) {
+        QCOMPARE(line.count(QLatin1Char(',')), columns.size() - 1);
+        if (line.startsWith(QLatin1String("packets-plain-above,")))
+            row = line.split(QLatin1Char(','));
+    }
+    const auto cell = [&](const char *name) { return row.value(columns.indexOf(QLatin1String(name))).toDouble(); };
+    QVERIFY(std::abs(cell("ci95_low") - ratio.low) < 1e-5 && std::abs(cell("ci95_high") - ratio.high) < 1e-5);
+    QVERIFY(std::abs(cell("decidable_margin") - claim.decidable) < 1e-5);
+    QVERIFY(std::abs(cell("decidable_below") - claim.decidableBelow) < 1e-5);
+    QCOMPARE(QString::fromStdString(claimColumnsCsv()).count(QLatin1Char('\n')), columns.size() + 1);
+}
+
+void ClaimsTest::memoryHasAnOrdering()
+{
+    Results results = measured(planOf({Load::Natural}), Metric::CpuPerFrame, [](SuiteId, const Run &) { return 1000.0; });
+    for (Sample &sample : results.samples)
+        sample.values[Metric::Memory] = 20e6;
+    results.contextBytes = {
+        {SuiteId::ChaCha20, 2000}, {SuiteId::Aes256Ctr, 4000}, {SuiteId::Aes256Cbc, 6000}, {SuiteId::Rc4, 1000}};
+    const std::vector<Ordering> all = orderings(results);
+    QCOMPARE(all.back().quantity, std::string("Memory of the process, the least first"));
+    QCOMPARE(all.back().here, std::string("plain 1, rc4 1.00005, chacha20 1.0001, aes-256-ctr 1.0002, aes-256-cbc 1.0003"));
+    QVERIFY(says(theClaim(results, "memory-plain"), "a suite would have to take 600 kB more"));
 }
 
 SKYSEAL_TEST_APPLESS(ClaimsTest)
