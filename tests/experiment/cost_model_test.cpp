@@ -1,4 +1,5 @@
-// The cost of a suite as a function of its load, against a solution of the normal equations in fractions (Python), and which
+// The cost of a suite as a function of its load, against a solution of the normal equations in fractions (Python)
+// and against statsmodels (tests/data/vectors/make_cost_models.py), and which
 // runs it is fitted to.
 #include "core/experiment/cost_model.h"
 #include "tests/support/test_runner.h"
@@ -7,6 +8,10 @@
 
 #include <array>
 #include <cmath>
+#include <fstream>
+#include <span>
+#include <sstream>
+#include <vector>
 
 using namespace skyseal;
 using namespace skyseal::experiment;
@@ -50,7 +55,7 @@ constexpr double kMixedErrors[] = {230995.62501547436, 12.301229037184001, 240.3
 constexpr double kWithin = 57270.18152795528, kBetween = 392655.29412954807;
 
 /// One arm, whose station costs that and whose agent costs twice as much.
-template<std::size_t Count> Results observedSweep(const std::array<Observed, Count> &observed, unsigned launches)
+Results observedSweep(std::span<const Observed> observed, unsigned launches)
 {
     Results out;
     out.plan.arms = {{crypto::SuiteId::Aes256Gcm}};
@@ -124,6 +129,45 @@ private Q_SLOTS:
                          kLaunches[0].cost - kMixed[0] - kMixed[1] * kLaunches[0].frames - kMixed[2] * kLaunches[0].wakeUps,
                          1e-4));
         QVERIFY(costModelHtml(observedSweep(kLaunches, 3)).find("the launch as a random effect") != std::string::npos);
+    }
+
+    void launchesAgreeWithStatsmodels()
+    {
+        std::ifstream in(SKYSEAL_SOURCE_DIR "/tests/data/vectors/cost_models.txt");
+        std::vector<Observed> runs;
+        std::array<double, 3> coefficients{}, errors{};
+        int checked = 0;
+        for (std::string line; std::getline(in, line);) {
+            std::istringstream words(line);
+            std::string kind;
+            words >> kind;
+            if (kind == "cost")
+                runs.clear();
+            if (kind == "run") {
+                Observed &run = runs.emplace_back();
+                words >> run.launch >> run.load >> run.frames >> run.wakeUps >> run.cost;
+            }
+            if (kind == "fit") {
+                for (double &value : coefficients)
+                    words >> value;
+                for (double &value : errors)
+                    words >> value;
+            }
+            if (kind != "deviation")
+                continue;
+            double within = 0, between = 0;
+            words >> within >> between;
+            const CostModel model = costModels(observedSweep(runs, runs.back().launch + 1)).front();
+            QCOMPARE(model.launches, runs.back().launch + 1);
+            for (std::size_t term = 0; term < CostModel::kTerms; ++term) {
+                QVERIFY2(std::abs(model.fit.coefficients[term] - coefficients[term]) < 1e-3 * errors[term], line.c_str());
+                QVERIFY2(isWithin(model.fit.errors[term], errors[term], 1e-3), line.c_str());
+            }
+            QVERIFY2(isWithin(model.fit.deviation, within, 1e-3), line.c_str());
+            QVERIFY2(isWithin(model.launchDeviation, between, 1e-3), line.c_str());
+            ++checked;
+        }
+        QCOMPARE(checked, 3);
     }
 
     /// As by chance: the launches add nothing.
