@@ -161,8 +161,13 @@ public:
         return plan(out);
     }
 
+    /// A copter brakes: in LOITER it would sink while the throttle stick of its transmitter is down, as it is without a pilot.
+    /// BRAKE holds place and altitude whatever the sticks do, and is what QGroundControl sends to pause ArduCopter. Without a
+    /// position it is refused, as LOITER would be.
     Plan operator()(const Loiter &) const
     {
+        if (m_kind.isArduPilot() && m_kind.isCopter())
+            return firstMode({"BRAKE"}, {});
         if (m_kind.isArduPilot() || m_kind.isPx4())
             return firstMode({"LOITER", "POSHOLD"}, "this kind of vehicle has no mode to loiter in");
         return plan(order(mavlink::MAV_CMD_NAV_LOITER_UNLIM));

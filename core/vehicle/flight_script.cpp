@@ -223,25 +223,27 @@ StepResult parseWait(ScriptTokens &tokens)
     return Action(*out);
 }
 
-constexpr std::pair<std::string_view, StepResult (*)(ScriptTokens &)> kVerbs[] = {{"mode", parseMode},
-                                                                                  {"arm", parseArming<Arm>},
-                                                                                  {"disarm", parseArming<Disarm>},
-                                                                                  {"takeoff", parseTakeOff},
-                                                                                  {"land", parsePlain<Land>},
-                                                                                  {"rtl", parsePlain<ReturnToLaunch>},
-                                                                                  {"goto", parseGoTo},
-                                                                                  {"altitude", parseChangeAltitude},
-                                                                                  {"loiter", parsePlain<Loiter>},
-                                                                                  {"roi", parsePointing},
-                                                                                  {"sethome", parseSetHome},
-                                                                                  {"speed", parseSpeed},
-                                                                                  {"wait", parseWait},
-                                                                                  {"sleep", parseSleep},
-                                                                                  {"param", parseParam},
-                                                                                  {"item", parseItem},
-                                                                                  {"start", parsePlain<StartMission>},
-                                                                                  {"reboot", parsePlain<Reboot>},
-                                                                                  {"command", parseRaw}};
+constexpr std::pair<std::string_view, StepResult (*)(ScriptTokens &)> kVerbs[] = {
+    {"mode", parseMode},
+    {"arm", parseArming<Arm>},
+    {"disarm", parseArming<Disarm>},
+    {"takeoff", parseTakeOff},
+    {"land", parsePlain<Land>},
+    {"rtl", parsePlain<ReturnToLaunch>},
+    {"goto", parseGoTo},
+    {"altitude", parseChangeAltitude},
+    {"pause", parsePlain<Loiter>},
+    {"loiter", parsePlain<Loiter>}, // as "pause", for older scripts
+    {"roi", parsePointing},
+    {"sethome", parseSetHome},
+    {"speed", parseSpeed},
+    {"wait", parseWait},
+    {"sleep", parseSleep},
+    {"param", parseParam},
+    {"item", parseItem},
+    {"start", parsePlain<StartMission>},
+    {"reboot", parsePlain<Reboot>},
+    {"command", parseRaw}};
 
 /// Takes "12:" off the front when it is there.
 Result<std::optional<std::uint8_t>, InputError> parsePrefix(ScriptTokens &tokens)

@@ -30,7 +30,7 @@ struct CommandText
         return "goto " + exact(place.latitude) + " " + exact(place.longitude) + " " + exact(place.altitudeRelative);
     }
     std::string operator()(const ChangeAltitude &change) const { return "altitude " + exact(change.altitudeRelative); }
-    std::string operator()(const Loiter &) const { return "loiter"; }
+    std::string operator()(const Loiter &) const { return "pause"; }
     std::string operator()(const PointAt &place) const
     {
         return "roi " + exact(place.latitude) + " " + exact(place.longitude) + " " + exact(place.altitudeRelative);

@@ -42,7 +42,7 @@ struct ChangeAltitude
     double altitudeRelative = 0; ///< metres above home
     bool changeMode = false;     ///< as in GoTo
 };
-/// Stops and holds the present place; an aeroplane circles it.
+/// Pause: stops and holds the present place; an aeroplane circles it.
 struct Loiter
 {};
 /// Points the camera at a place until StopPointing; a copter whose camera cannot pan turns its nose.

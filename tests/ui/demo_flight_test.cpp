@@ -133,7 +133,7 @@ private Q_SLOTS:
         m_hands->hold("changeAltitudeDialogGo");
         EVENTUALLY(m_window->view().vehicle->state.altitudeRelative > before + 4);
         confirm(goal, "mapLoiter", QStringLiteral("Loiter: accepted"));
-        EVENTUALLY_EQUAL(strip("stripMode")->text(), QStringLiteral("LOITER"));
+        EVENTUALLY_EQUAL(strip("stripMode")->text(), QStringLiteral("BRAKE"));
     }
 
     void researchSuiteNeedsConsent()

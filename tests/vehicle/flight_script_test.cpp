@@ -73,6 +73,7 @@ void FlightScriptTest::readsEveryVerb()
     const auto &place = command<GoTo>(only("goto -35.36 149.16 20"));
     QCOMPARE(place.longitude, 149.16);
     QCOMPARE(command<ChangeAltitude>(only("altitude 25")).altitudeRelative, 25.);
+    (void)command<Loiter>(only("pause"));
     (void)command<Loiter>(only("loiter"));
     QCOMPARE(command<PointAt>(only("roi -35.36 149.16")).altitudeRelative, 0.);
     QCOMPARE(command<PointAt>(only("roi -35.36 149.16 -3")).altitudeRelative, -3.);

@@ -85,13 +85,20 @@ private Q_SLOTS:
         QCOMPARE(sent[0].param7, 619.f);
     }
 
-    void loiterIsAMode()
+    /// A copter in LOITER would follow a throttle stick that is down.
+    void pauseIsAMode()
     {
         Harness h = copterIn(kGuided);
         h.vehicle.perform(h.now, RequestId{1}, Loiter{});
-        QCOMPARE(h.sentOf<mavlink::CommandLong>().at(0).param2, float(kLoiter));
-        h.feed(heartbeat(kLoiter, true));
+        QCOMPARE(h.sentOf<mavlink::CommandLong>().at(0).param2, float(mavlink::COPTER_MODE_BRAKE));
+        h.feed(heartbeat(mavlink::COPTER_MODE_BRAKE, true));
         QCOMPARE(h.poll<CommandResult>()->outcome, CommandOutcome::Accepted);
+
+        Harness plane;
+        plane.feed(heartbeat(mavlink::PLANE_MODE_AUTO, true, mavlink::MAV_TYPE_FIXED_WING));
+        plane.sent();
+        plane.vehicle.perform(plane.now, RequestId{1}, Loiter{});
+        QCOMPARE(plane.sentOf<mavlink::CommandLong>().at(0).param2, float(mavlink::PLANE_MODE_LOITER));
 
         Harness px4 = px4OverHome();
         px4.vehicle.perform(px4.now, RequestId{1}, Loiter{});

@@ -202,7 +202,7 @@ void ScriptedFlightTest::placesAndAltitudes()
         "wait ekf_ok==1 60; wait gps_fix>=3 60; mode GUIDED; arm; takeoff 10; wait alt_rel>=9.5 60;"
         "roi -35.363261 149.165230; goto -35.3628 149.165230 10; wait distance_home>=45 60; wait ground_speed<0.5 60;"
         "wait heading>=170 20; wait heading<=190 20; altitude 20; wait alt_rel>=19.5 60; wait distance_home>=45 5; roi none;"
-        "loiter; wait mode==LOITER 5; sethome -35.3628 149.165230; wait distance_home<5 20; wait alt_rel>=19 5; land",
+        "pause; wait mode==BRAKE 5; sethome -35.3628 149.165230; wait distance_home<5 20; wait alt_rel>=19 5; land",
         600);
     QVERIFY2(reports.size() == 22 && reports.back().result == StepResult::Accepted, story(reports).c_str());
 }
