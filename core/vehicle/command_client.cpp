@@ -60,6 +60,16 @@ void CommandClient::handleDeadline(TimePoint now)
     }
 }
 
+void CommandClient::cancel(TimePoint now, CommandTicket ticket)
+{
+    const auto found = std::ranges::find(m_pending, ticket, &Pending::ticket);
+    if (found == m_pending.end())
+        return;
+    const std::uint16_t command = found->order.command;
+    m_pending.erase(found);
+    startWaiting(now, command);
+}
+
 TimePoint CommandClient::nextDeadline() const
 {
     TimePoint next = kNever;

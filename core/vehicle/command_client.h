@@ -52,6 +52,8 @@ public:
     bool handleAck(TimePoint now, std::uint16_t command, std::uint8_t result);
     void handleDeadline(TimePoint now);
     TimePoint nextDeadline() const;
+    /// Forgets a command, without an answer; it is not sent again.
+    void cancel(TimePoint now, CommandTicket ticket);
     /// Forgets all commands without an answer.
     void clear() { m_pending.clear(); }
 

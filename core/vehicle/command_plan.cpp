@@ -133,8 +133,13 @@ public:
             reposition->parameters[1] = mavlink::MAV_DO_REPOSITION_FLAGS_CHANGE_MODE;
         reposition->parameters[3] = std::nanf(""); // the vehicle chooses the heading
         CommandPlan out{{*reposition}, {}};
-        if (m_kind.isArduPilot() && guided) { // in other modes, targets are ignored
-            out.alternatives.push_back(RepeatedMessage{positionTarget(place), false});
+        // ArduCopter and Rover know DO_REPOSITION since 4.1. Before, a target in GUIDED does the same.
+        const auto number = m_kind.isArduPilot() ? modeNumber(m_kind, "GUIDED") : std::nullopt;
+        if (number) {
+            RepeatedMessage target{positionTarget(place), false};
+            if (!guided)
+                target.mode = NeededMode{*number, "GUIDED", modeRequest(*number)};
+            out.alternatives.push_back(std::move(target));
             out.effect = TargetIs{reposition->x, reposition->y};
         }
         return out;
@@ -284,12 +289,17 @@ private:
             command.parameters[1] = static_cast<float>(number >> 16 & 0xff);
             command.parameters[2] = static_cast<float>(number >> 24);
         }
+        return CommandPlan{{command, RepeatedMessage{modeRequest(number), true}},
+                           ModeIs{number, modeName(m_kind, kCustomModeEnabled, number)}};
+    }
+
+    OutMessage modeRequest(std::uint32_t number) const
+    {
         mavlink::SetMode message;
         message.target_system = m_addressing.system;
-        message.base_mode = kCustomModeEnabled;
+        message.base_mode = mavlink::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED;
         message.custom_mode = number;
-        return CommandPlan{{command, RepeatedMessage{pack(message, true), true}},
-                           ModeIs{number, modeName(m_kind, kCustomModeEnabled, number)}};
+        return pack(message, true);
     }
 
     OutMessage positionTarget(const GoTo &place) const

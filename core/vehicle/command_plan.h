@@ -33,11 +33,22 @@ struct TargetIs
 };
 using Effect = std::variant<std::monostate, ArmedIs, ModeIs, MissionItemIs, TargetIs>;
 
+/// A mode that has to be entered first.
+struct NeededMode
+{
+    std::uint32_t customMode = 0;
+    std::string name;
+    OutMessage request;
+};
+
 /// A message that is repeated until the effect is reported.
 struct RepeatedMessage
 {
     OutMessage message;
     bool effectExpected = true; ///< false: the vehicle may accept it without ever reporting the effect
+    /// In other modes the vehicle ignores the message. It is sent once a heartbeat reports this mode; until then, the mode is
+    /// requested.
+    std::optional<NeededMode> mode = {};
 };
 
 using Alternative = std::variant<CommandOrder, RepeatedMessage>;

@@ -34,6 +34,13 @@ bool needsConfirmation(const Effect &effect, VehicleKind kind)
     return std::holds_alternative<ArmedIs>(effect) || (std::holds_alternative<ModeIs>(effect) && !kind.isPx4());
 }
 
+/// The message that is being repeated, if it needs a mode.
+const NeededMode *neededMode(const CommandPlan &plan, std::size_t alternative)
+{
+    const auto *message = std::get_if<RepeatedMessage>(&plan.alternatives[alternative]);
+    return message && message->mode ? &*message->mode : nullptr;
+}
+
 std::string reportedState(const Effect &effect, const VehicleState &state)
 {
     if (std::holds_alternative<ArmedIs>(effect))
@@ -81,9 +88,11 @@ bool Commander::handleFrame(TimePoint now, const mavlink::Frame &frame)
     }
 }
 
-void Commander::handleHeartbeat(TimePoint)
+void Commander::handleHeartbeat(TimePoint now)
 {
     for (Action &action : m_actions) {
+        if (action.phase == Phase::Repeating)
+            followMode(now, action);
         if (action.phase == Phase::AwaitingReason || !isInHeartbeat(action.plan.effect))
             continue;
         const bool acknowledged = action.phase == Phase::Confirming;
@@ -168,21 +177,26 @@ void Commander::begin(TimePoint now, RequestId id, const VehicleCommand &command
     }
     action.plan = std::move(*plan);
     action.wasInEffect = isInEffect(action.plan.effect, state());
+    action.changesMode = changesMode(command);
     if (action.plan.replaces)
-        replaceOthers(action);
+        replaceOthers(now, action);
     m_actions.push_back(std::move(action));
     startAlternative(now, m_actions.back());
     takeAnswers(now);
 }
 
-void Commander::replaceOthers(Action &action)
+void Commander::replaceOthers(TimePoint now, Action &action)
 {
     for (Action &other : m_actions) {
-        if (!other.plan.replaces || other.plan.effect.index() != action.plan.effect.index()
-            || other.phase == Phase::AwaitingReason || std::holds_alternative<std::monostate>(other.plan.effect))
+        const bool sameEffect = other.plan.effect.index() == action.plan.effect.index()
+            && !std::holds_alternative<std::monostate>(other.plan.effect);
+        if (!other.plan.replaces || other.phase == Phase::AwaitingReason
+            || !(sameEffect || (action.changesMode && other.changesMode)))
             continue;
+        if (other.ticket)
+            m_client.cancel(now, *other.ticket);
         finish(other, CommandOutcome::Refused, "replaced by a newer command");
-        action.mayRetry = true;
+        action.mayRetry = action.mayRetry || sameEffect;
     }
     removeDone();
 }
@@ -194,8 +208,12 @@ void Commander::handleAck(TimePoint now, std::uint16_t command, std::uint8_t res
     // Some firmware also acknowledges messages, by their message id.
     for (Action &action : m_actions) {
         const auto *message = std::get_if<RepeatedMessage>(&action.plan.alternatives[action.alternative]);
-        if (action.phase == Phase::Repeating && message && message->message.id == command
-            && result != mavlink::MAV_RESULT_IN_PROGRESS)
+        if (action.phase != Phase::Repeating || !message || result == mavlink::MAV_RESULT_IN_PROGRESS)
+            continue;
+        // Of a mode, only a heartbeat tells that it was entered.
+        const bool refusesMode = action.awaitsMode && message->mode->request.id == command
+            && result != mavlink::MAV_RESULT_ACCEPTED;
+        if (refusesMode || (!action.awaitsMode && message->message.id == command))
             answered(now, action, result);
     }
     removeDone();
@@ -212,7 +230,26 @@ void Commander::startAlternative(TimePoint now, Action &action)
         action.ticket = m_client.send(now, *order, action.plan.replaces);
     } else {
         action.phase = Phase::Repeating;
+        const NeededMode *mode = neededMode(action.plan, action.alternative);
+        action.awaitsMode = mode && state().customMode != mode->customMode;
+        action.modeBefore = state().customMode;
         repeat(now, action);
+    }
+}
+
+/// Sends a message once the mode that it needs is entered. Another mode is someone's will that this command must not undo.
+void Commander::followMode(TimePoint now, Action &action)
+{
+    const NeededMode *mode = neededMode(action.plan, action.alternative);
+    if (!mode)
+        return;
+    const std::uint32_t present = state().customMode;
+    if (action.awaitsMode && present == mode->customMode) {
+        action.awaitsMode = false;
+        action.repeats = 0;
+        repeat(now, action);
+    } else if (present != (action.awaitsMode ? action.modeBefore : mode->customMode)) {
+        finish(action, CommandOutcome::Refused, "it needs the mode " + mode->name + ", the vehicle went to " + state().mode);
     }
 }
 
@@ -222,7 +259,10 @@ void Commander::repeat(TimePoint now, Action &action)
     if (action.repeats < kRepeats) {
         ++action.repeats;
         action.deadline = now + kRepeatInterval;
-        m_context.outbox.push(message.message);
+        m_context.outbox.push(action.awaitsMode ? message.mode->request : message.message);
+    } else if (action.awaitsMode) {
+        nextAlternative(now, action, CommandOutcome::TimedOut,
+                        "it needs the mode " + message.mode->name + ", the vehicle stays in " + state().mode);
     } else if (message.effectExpected) {
         nextAlternative(now, action, CommandOutcome::TimedOut, "no answer to " + std::to_string(kRepeats) + " attempts");
     } else {
@@ -303,7 +343,7 @@ template<typename T, typename Predicate> void Commander::effectReported(Predicat
 {
     for (Action &action : m_actions) {
         const T *effect = std::get_if<T>(&action.plan.effect);
-        if (effect && action.phase == Phase::Repeating && matches(*effect))
+        if (effect && action.phase == Phase::Repeating && !action.awaitsMode && matches(*effect))
             finish(action, CommandOutcome::Accepted, {});
     }
     removeDone();

@@ -6,6 +6,9 @@
 //       │ └── not supported, no answer ──→ next alternative (Requesting or Repeating)
 //       └── refused ──→ AwaitingReason, until a STATUSTEXT arrives ──→ refused
 //     Repeating a message ── effect reported, or acknowledged ──→ accepted
+//
+// A message that needs a mode requests the mode first. A later command that changes the mode ends an earlier one, which would
+// undo it by being sent again.
 #pragma once
 
 #include "core/vehicle/command_client.h"
@@ -54,6 +57,9 @@ private:
         std::optional<CommandTicket> ticket;
         TimePoint deadline = kNever;
         int repeats = 0;
+        bool changesMode = false; ///< so that the next command that does replaces it
+        bool awaitsMode = false;  ///< of a message that needs one: it is requested
+        std::uint32_t modeBefore = 0;
         bool wasInEffect = false;   ///< before anything was sent, so the effect alone proves nothing
         bool mayRetry = false;      ///< the acknowledgement may belong to the command that this one replaced
         bool heartbeatSeen = false; ///< since the acknowledgement
@@ -63,11 +69,12 @@ private:
     };
 
     void begin(TimePoint now, RequestId id, const VehicleCommand &command);
-    void replaceOthers(Action &action);
+    void replaceOthers(TimePoint now, Action &action);
     void handleAck(TimePoint now, std::uint16_t command, std::uint8_t result);
     void startAlternative(TimePoint now, Action &action);
     void nextAlternative(TimePoint now, Action &action, CommandOutcome otherwise, std::string reason);
     void repeat(TimePoint now, Action &action);
+    void followMode(TimePoint now, Action &action);
     void takeAnswers(TimePoint now);
     void answered(TimePoint now, Action &action, std::uint8_t result);
     void confirmationTimedOut(TimePoint now, Action &action);

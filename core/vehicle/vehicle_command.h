@@ -87,7 +87,7 @@ inline bool changesMode(const VehicleCommand &command)
     return std::holds_alternative<SetMode>(command) || std::holds_alternative<TakeOff>(command)
         || std::holds_alternative<Land>(command) || std::holds_alternative<ReturnToLaunch>(command)
         || std::holds_alternative<GoTo>(command) || std::holds_alternative<Loiter>(command)
-        || std::holds_alternative<StartMission>(command);
+        || std::holds_alternative<StartMission>(command) || std::holds_alternative<ChangeAltitude>(command);
 }
 
 enum class CommandOutcome : std::uint8_t { Accepted, Refused, TimedOut };

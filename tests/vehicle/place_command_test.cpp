@@ -28,6 +28,19 @@ Harness copterIn(std::uint32_t mode)
     return h;
 }
 
+/// After it has refused DO_REPOSITION, as an unknown command.
+Harness copterOnItsWayToGuided()
+{
+    Harness h = copterIn(kLoiter);
+    h.vehicle.perform(h.now, RequestId{1}, GoTo{-35.3625, 149.1655, 25, true});
+    h.sent();
+    h.ack(mavlink::MAV_CMD_DO_REPOSITION, kUnknownCommand);
+    const auto modes = h.sentOf<mavlink::SetMode>();
+    if (modes.size() != 1 || modes[0].custom_mode != kGuided)
+        qFatal("GUIDED is not requested");
+    return h;
+}
+
 Harness px4OverHome()
 {
     Harness h = Harness::px4();
@@ -53,10 +66,91 @@ private Q_SLOTS:
         QCOMPARE(sent.size(), std::size_t(1));
         QCOMPARE(sent[0].param2, float(mavlink::MAV_DO_REPOSITION_FLAGS_CHANGE_MODE));
         QCOMPARE(sent[0].frame, std::uint8_t(mavlink::MAV_FRAME_GLOBAL_RELATIVE_ALT));
-        h.ack(mavlink::MAV_CMD_DO_REPOSITION, kUnknownCommand); // a target would be ignored outside GUIDED
-        h.runUntil(h.now + std::chrono::seconds(1));
+        h.ack(mavlink::MAV_CMD_DO_REPOSITION, kTaken);
+        QCOMPARE(h.poll<CommandResult>()->outcome, CommandOutcome::Accepted);
+    }
+
+    /// ArduCopter before 4.1 does not know DO_REPOSITION, and ignores targets outside GUIDED.
+    void olderCopterEntersGuidedBeforeItsTarget()
+    {
+        Harness h = copterOnItsWayToGuided();
+        h.feed(heartbeat(kLoiter, true)); // still
         QVERIFY(h.sentOf<mavlink::SetPositionTargetGlobalInt>().empty());
+        h.ack(mavlink::SetMode::kId, kTaken); // not a proof of the mode, nor of the target
+        QVERIFY(!h.poll<CommandResult>());
+        h.runUntil(h.now + std::chrono::seconds(1));
+        QCOMPARE(h.sentOf<mavlink::SetMode>().size(), std::size_t(1)); // again
+        h.feed(heartbeat(kGuided, true));
+        const auto targets = h.sentOf<mavlink::SetPositionTargetGlobalInt>();
+        QCOMPARE(targets.size(), std::size_t(1));
+        QCOMPARE(targets[0].lat_int, -353625000);
+        QCOMPARE(targets[0].alt, 25.f);
+        mavlink::PositionTargetGlobalInt reported;
+        reported.lat_int = targets[0].lat_int;
+        reported.lon_int = targets[0].lon_int;
+        h.feed(reported);
+        QCOMPARE(h.poll<CommandResult>()->outcome, CommandOutcome::Accepted);
+    }
+
+    void refusedModeEndsTheWayToATarget()
+    {
+        Harness h = copterOnItsWayToGuided();
+        h.ack(mavlink::SetMode::kId, mavlink::MAV_RESULT_FAILED);
+        h.runUntil(h.now + std::chrono::seconds(2)); // for a reason in words
         QCOMPARE(h.poll<CommandResult>()->outcome, CommandOutcome::Refused);
+        QVERIFY(h.sentOf<mavlink::SetPositionTargetGlobalInt>().empty());
+    }
+
+    void modeThatIsNotEnteredEndsTheWayToATarget()
+    {
+        Harness h = copterOnItsWayToGuided();
+        h.runUntil(h.now + std::chrono::seconds(10));
+        const auto result = h.poll<CommandResult>();
+        QCOMPARE(result->outcome, CommandOutcome::TimedOut);
+        QCOMPARE(result->reason, std::string("it needs the mode GUIDED, the vehicle stays in LOITER"));
+        QVERIFY(h.sentOf<mavlink::SetPositionTargetGlobalInt>().empty());
+    }
+
+    /// The pilot's switch, or a failsafe.
+    void anotherModeEndsTheWayToATarget()
+    {
+        for (const bool entered : {false, true}) {
+            Harness h = copterOnItsWayToGuided();
+            if (entered)
+                h.feed(heartbeat(kGuided, true));
+            h.feed(heartbeat(mavlink::COPTER_MODE_RTL, true));
+            h.sent();
+            QCOMPARE(h.poll<CommandResult>()->outcome, CommandOutcome::Refused);
+            h.runUntil(h.now + std::chrono::seconds(10));
+            QVERIFY(h.sentOf<mavlink::SetMode>().empty() && h.sentOf<mavlink::SetPositionTargetGlobalInt>().empty());
+        }
+    }
+
+    /// Nothing of the earlier command is sent again once the operator wants something else.
+    void newerCommandEndsTheWayToAPlace_data()
+    {
+        QTest::addColumn<bool>("older");
+        QTest::newRow("DO_REPOSITION on its way") << false;
+        QTest::newRow("GUIDED on its way") << true;
+    }
+
+    void newerCommandEndsTheWayToAPlace()
+    {
+        QFETCH(bool, older);
+        Harness h = copterIn(kLoiter);
+        if (older)
+            h = copterOnItsWayToGuided();
+        else
+            h.vehicle.perform(h.now, RequestId{2}, GoTo{-35.3625, 149.1655, 25, true});
+        h.sent();
+        h.vehicle.perform(h.now, RequestId{3}, ReturnToLaunch{});
+        QCOMPARE(h.poll<CommandResult>()->reason, std::string("replaced by a newer command"));
+        h.sent();
+        h.ack(mavlink::MAV_CMD_DO_SET_MODE, kTaken);
+        h.feed(heartbeat(mavlink::COPTER_MODE_RTL, true));
+        QCOMPARE(h.poll<CommandResult>()->outcome, CommandOutcome::Accepted);
+        h.runUntil(h.now + std::chrono::seconds(10));
+        QVERIFY(h.sentOf<mavlink::CommandInt>().empty());
     }
 
     void altitudeChangesWhereTheCopterIs()

@@ -24,6 +24,7 @@ private Q_SLOTS:
     void wholeFlight_data();
     void wholeFlight();
     void placesAndAltitudes();
+    void olderCopterIsSentToAPlaceOutsideGuided();
     void refusedTakeOffEndsTheScript();
     void missionIsUploadedAndFlown();
     void parametersAreReadAndWritten();
@@ -94,6 +95,7 @@ public:
 
     TimePoint now = at(1000);
     VehicleSet set{VehicleConfig{}};
+    bool knowsReposition = true; ///< as ArduCopter does since 4.1
 
 private:
     using Air = std::multimap<TimePoint, std::vector<std::uint8_t>>;
@@ -110,6 +112,9 @@ private:
                 send(*message);
         }
         deliver(m_up, [this](const mavlink::Frame &frame) {
+            if (!knowsReposition && frame.messageId() == mavlink::CommandInt::kId
+                && unpack<mavlink::CommandInt>(frame).command == mavlink::MAV_CMD_DO_REPOSITION)
+                return refuse(frame);
             for (auto &sim : m_sims)
                 sim.handleFrame(now, frame);
         });
@@ -119,6 +124,16 @@ private:
                 carry(m_down, frame);
         }
         deliver(m_down, [this](const mavlink::Frame &frame) { set.handleFrame(now, {}, frame); });
+    }
+
+    void refuse(const mavlink::Frame &frame)
+    {
+        mavlink::CommandAck ack;
+        ack.command = unpack<mavlink::CommandInt>(frame).command;
+        ack.result = mavlink::MAV_RESULT_UNSUPPORTED;
+        ack.target_system = frame.systemId();
+        ack.target_component = frame.componentId();
+        set.handleFrame(now, {}, m_refuser.frame(ack));
     }
 
     void send(const OutMessage &message)
@@ -149,6 +164,7 @@ private:
     std::bernoulli_distribution m_lost;
     mavlink::FrameWriter m_writer{255, 190};
     GcsHeartbeat m_heartbeat;
+    Sender m_refuser;
     Air m_up, m_down;
     std::uint32_t m_lastId = 0;
 };
@@ -205,6 +221,33 @@ void ScriptedFlightTest::placesAndAltitudes()
         "pause; wait mode==BRAKE 5; sethome -35.3628 149.165230; wait distance_home<5 20; wait alt_rel>=19 5; land",
         600);
     QVERIFY2(reports.size() == 22 && reports.back().result == StepResult::Accepted, story(reports).c_str());
+}
+
+void ScriptedFlightTest::olderCopterIsSentToAPlaceOutsideGuided()
+{
+    World world(0.05, 8);
+    const auto reports = world.fly(
+        "wait ekf_ok==1 60; wait gps_fix>=3 60; mode GUIDED; arm; takeoff 10; wait alt_rel>=9.5 60; pause", 200);
+    QVERIFY2(reports.size() == 7 && reports.back().result == StepResult::Accepted, story(reports).c_str());
+    world.knowsReposition = false;
+    Vehicle &vehicle = *world.set.find(1);
+    QCOMPARE(vehicle.current().mode, std::string("BRAKE"));
+    vehicle.perform(world.now, RequestId{77}, GoTo{-35.3630, 149.1655, 15, true});
+    std::optional<CommandResult> result;
+    QVERIFY(world.run(30, [&] {
+        while (const auto event = vehicle.pollEvent()) {
+            if (const auto *command = std::get_if<CommandResult>(&*event); command && command->id == RequestId{77})
+                result = *command;
+        }
+        return result.has_value();
+    }));
+    QVERIFY2(result->outcome == CommandOutcome::Accepted, result->reason.c_str());
+    QCOMPARE(vehicle.current().mode, std::string("GUIDED"));
+    QVERIFY(world.run(60, [&] {
+        const VehicleState state = vehicle.state(world.now);
+        return std::abs(state.position.latitude + 35.3630) < 2e-5 && std::abs(state.position.longitude - 149.1655) < 2e-5
+            && state.altitudeRelative > 14;
+    }));
 }
 
 void ScriptedFlightTest::refusedTakeOffEndsTheScript()
