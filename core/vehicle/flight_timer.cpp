@@ -2,15 +2,22 @@
 
 namespace skyseal::vehicle {
 
+namespace {
+constexpr double kLeastHeight = 0.5; ///< metres above home
+}
+
 void FlightTimer::update(TimePoint now, bool armed, double altitudeRelative)
 {
     if (armed && !m_armed)
         m_newFlight = true;
     m_armed = armed;
     const bool flying = armed && offGround(altitudeRelative);
+    m_wasOnGround = m_wasOnGround || !armed || onGround(altitudeRelative);
     if (flying && !m_flying) {
-        if (m_newFlight)
+        if (m_newFlight) {
             m_before = {};
+            m_sawTakeOff = m_wasOnGround;
+        }
         m_newFlight = false;
         m_since = now;
     } else if (!flying && m_flying) {
@@ -28,7 +35,15 @@ bool FlightTimer::offGround(double altitudeRelative) const
 {
     if (m_landed != LandedState::Undefined)
         return m_landed != LandedState::OnGround;
-    return altitudeRelative > 0.5; // false for NaN
+    return altitudeRelative > kLeastHeight; // false for NaN
+}
+
+/// False while neither a landed state nor an altitude is known.
+bool FlightTimer::onGround(double altitudeRelative) const
+{
+    if (m_landed != LandedState::Undefined)
+        return m_landed == LandedState::OnGround;
+    return altitudeRelative <= kLeastHeight;
 }
 
 } // namespace skyseal::vehicle

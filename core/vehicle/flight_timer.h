@@ -1,5 +1,6 @@
 // Flight time: the seconds armed and off the ground. It is kept after landing and starts again at the next take-off after
-// arming.
+// arming. No message of ArduPilot or PX4 that both send has it, so a flight that began before the vehicle was heard counts from
+// then, and sawTakeOff() says so.
 #pragma once
 
 #include "core/base/clock.h"
@@ -30,14 +31,20 @@ public:
 
     /// Seconds, counting on while in the air.
     double flightTime(TimePoint now) const;
+    /// False if this flight had begun before the vehicle was first heard.
+    bool sawTakeOff() const { return m_sawTakeOff; }
+    bool isFlying() const { return m_flying; }
 
 private:
     bool offGround(double altitudeRelative) const;
+    bool onGround(double altitudeRelative) const;
 
     LandedState m_landed = LandedState::Undefined;
     bool m_armed = false;
     bool m_flying = false;
     bool m_newFlight = true;
+    bool m_wasOnGround = false; ///< since the start of this object
+    bool m_sawTakeOff = true;
     TimePoint m_since{};
     Duration m_before{};
 };

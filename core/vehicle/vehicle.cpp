@@ -30,6 +30,8 @@ VehicleState Vehicle::state(TimePoint now) const
     out.messageAge = seconds(monitor.messageAge(now));
     out.lost = monitor.isLost(now);
     out.flightTime = m_parts->flightTimer.flightTime(now);
+    out.takeOffSeen = m_parts->flightTimer.sawTakeOff();
+    out.inAir = m_parts->flightTimer.isFlying();
     out.traffic = m_parts->traffic.aircraft(now);
     out.preArmReasons = m_parts->preArm.at(now);
     for (const MicroProtocol *client : m_parts->context.clients) {

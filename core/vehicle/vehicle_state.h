@@ -91,6 +91,8 @@ struct VehicleState
     double throttle = kUnknown;     ///< percent
     double distanceHome = kUnknown; ///< metres
     double flightTime = 0;          ///< seconds armed and off the ground, of this flight
+    bool takeOffSeen = true;        ///< false: the vehicle flew already when it was first heard; flightTime counts from then
+    bool inAir = false;             ///< armed and off the ground, see FlightTimer
 
     double batteryVoltage = kUnknown; ///< volts
     double batteryCurrent = kUnknown; ///< amperes
