@@ -1,6 +1,7 @@
 // A replay with its thread and its clock, on a file: play, pause, speed, seek, and files that cannot be read.
 #include "core/engine/replay/replay.h"
 
+#include "core/engine/replay/replayed_flight.h"
 #include "core/engine/station/snapshot.h"
 #include "core/log/log_index.h"
 #include "recorded_copter.h"
@@ -11,6 +12,8 @@
 #include <QtTest/QTest>
 
 #include <fstream>
+#include <limits>
+#include <sstream>
 
 using namespace skyseal;
 using namespace skyseal::engine;
@@ -95,6 +98,25 @@ private Q_SLOTS:
         QCOMPARE(again.position.latitude, first.position.latitude);
         QCOMPARE(again.flightTime, first.flightTime);
         QCOMPARE(again.messageAge, first.messageAge);
+    }
+
+    /// Also after a seek forward, which passes over a part.
+    void seekBringsTheWaySoFar()
+    {
+        const auto replay = start(*m_url);
+        replay->perform(PauseReplay{});
+        for (const auto &[to, seeks] : {std::pair(30s, 1), {90s, 2}, {40s, 3}}) {
+            replay->perform(SeekReplay{to});
+            EVENTUALLY(arrived(static_cast<std::uint64_t>(seeks)) && status().flown);
+            std::istringstream file(m_recorded.content);
+            ReplayedFlight played(file, [](const Event &) {});
+            played.advance(to, std::numeric_limits<std::size_t>::max());
+            const FlownWays::Way &expected = played.flown().of(1);
+            const FlownWays::Way &way = status().flown->of(1);
+            QVERIFY(!way.empty());
+            QCOMPARE(way.size(), expected.size());
+            QCOMPARE(way.back().at, expected.back().at);
+        }
     }
 
     /// What a seek passes over is not reported as if it happened.

@@ -142,6 +142,42 @@ private Q_SLOTS:
         QCOMPARE(player.picture().vehicles.at(0).state.armed, true);
     }
 
+    void wayLeadsFromTheBeginningToThePosition()
+    {
+        Player player(m_recorded.content);
+        QVERIFY(player.flight.flown().of(1).empty());
+        player.flight.advance(RecordedCopter::kLength, kAll);
+        const FlownWays::Way &way = player.flight.flown().of(1);
+        QVERIFY2(!way.empty() && way.front().begins, qPrintable(QString::number(way.size())));
+        const auto after = std::ranges::find_if(way,
+                                                [](const FlownPlace &place) { return place.at >= RecordedCopter::kGapTo; });
+        QVERIFY(after != way.end());
+        for (auto place = way.begin() + 1; place != way.end(); ++place) {
+            QVERIFY(place->at > (place - 1)->at);
+            QCOMPARE(place->begins, place == after); // lost in the gap
+        }
+        QVERIFY(player.flight.flown().of(2).empty());
+    }
+
+    void waysAreBounded()
+    {
+        FlownWays ways;
+        constexpr int kVehicles = 20, kPlaces = 12'000;
+        for (int i = 0; i < kPlaces; ++i) {
+            for (std::uint8_t id = 1; id <= kVehicles; ++id) {
+                ways.note(id, {.at = std::chrono::seconds(i), .latitude = 47 + i * 2e-5, .longitude = 8});
+                ways.note(id, {.at = std::chrono::seconds(i), .latitude = 47 + i * 2e-5, .longitude = 8}); // hovers
+            }
+        }
+        std::size_t places = 0;
+        for (std::uint8_t id = 1; id <= kVehicles; ++id) {
+            places += ways.of(id).size();
+            QVERIFY(ways.of(id).size() <= FlownWays::kMostOfOne);
+            QCOMPARE(ways.of(id).back().at, Duration(std::chrono::seconds(kPlaces - 1)));
+        }
+        QCOMPARE(places, FlownWays::kMost);
+    }
+
     void gapMakesTheVehicleLostUntilItIsOver()
     {
         Player player(m_recorded.content);

@@ -166,6 +166,8 @@ void ReplayWorker::followFlight(TimePoint now, bool arrived)
         return;
     const bool sought = m_seek.has_value();
     m_seek.reset();
+    if (sought)
+        m_flown = std::make_shared<const FlownWays>(m_flight->flown());
     if (sought || !arrived || m_flight->isOver())
         m_clock.setPosition(now, m_flight->position());
     if (!m_flight->isOver() || m_link.phase == LinkPhase::Finished)
@@ -202,6 +204,8 @@ ReplayStatus ReplayWorker::status(TimePoint now) const
     out.ended = m_link.phase == LinkPhase::Finished;
     out.seeks = m_seeks;
     out.index = m_index;
+    if (!m_seek)
+        out.flown = m_flown;
     if (m_flight)
         out.time = m_flight->time();
     return out;

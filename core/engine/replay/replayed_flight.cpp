@@ -94,12 +94,33 @@ bool ReplayedFlight::passTime(Duration until, std::size_t &most)
         m_fleet.vehicles().handleDeadline(now);
         if (next >= m_nextSample) {
             m_fleet.sample(now, m_notify);
+            noteWays(now, next);
             m_nextSample += kSampleEvery;
         }
         for (auto &[systemId, vehicle] : m_fleet.vehicles().all())
             drain(vehicle);
     }
     return true;
+}
+
+void ReplayedFlight::noteWays(TimePoint now, Duration at)
+{
+    for (const auto &[systemId, vehicle] : m_fleet.vehicles().all()) {
+        const vehicle::VehicleState &state = vehicle.current();
+        if (vehicle.isLost(now)) {
+            m_flown.interrupt(systemId);
+        } else if (state.position.known()) {
+            VehicleSnapshot watched;
+            m_fleet.watches().describe(now, systemId, watched);
+            m_flown.note(systemId,
+                         {.at = at,
+                          .latitude = state.position.latitude,
+                          .longitude = state.position.longitude,
+                          .quality = static_cast<float>(100 - watched.lossPercent),
+                          .altitude = static_cast<float>(state.altitudeRelative),
+                          .speed = static_cast<float>(state.groundSpeed)});
+        }
+    }
 }
 
 Duration ReplayedFlight::nextDeadline() const
