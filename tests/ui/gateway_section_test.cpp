@@ -2,6 +2,7 @@
 #include "window_rig.h"
 
 #include "core/engine/text/state_text.h"
+#include "ui/status/strip_item.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QTimer>
@@ -66,6 +67,43 @@ private Q_SLOTS:
         QVERIFY(find<QCheckBox>("serveOn")->isChecked());
         QCOMPARE(find<QComboBox>("serveUrl")->currentText(), QStringLiteral("udpin:127.0.0.1:14600"));
         QCOMPARE(find<QComboBox>("serveRights")->currentIndex(), 1);
+    }
+
+    /// Beside the choice at once, and in the strip while others may write.
+    void writeRightsAreSaid()
+    {
+        const auto *warning = find<QLabel>("serveWarning");
+        auto *sign = find<StripItem>("stripSharing");
+        QVERIFY(!warning->isVisible() && !sign->isVisible());
+        chooseRights(1);
+        QVERIFY(warning->isVisible());
+        QVERIFY2(warning->text().contains(QStringLiteral("arm, fly and stop the vehicles")), qPrintable(warning->text()));
+        QVERIFY(!sign->isVisible()); // not switched on
+        find<QCheckBox>("serveOn")->click();
+        QVERIFY(sign->isVisible());
+        QCOMPARE(sign->text(), QStringLiteral("Others may command"));
+        QVERIFY2(sign->toolTip().contains(QStringLiteral("arm, fly and stop the vehicles")), qPrintable(sign->toolTip()));
+        for (const char *workspace : {"workspace_plan", "workspace_vehicle", "workspace_lab", "workspace_fly"}) {
+            find<QAction>(workspace)->trigger();
+            QVERIFY(sign->isVisible());
+            QVERIFY(sign->width() >= sign->sizeHint().width());
+        }
+        find<QDockWidget>("dockLinks")->hide();
+        QVERIFY(!find<QCheckBox>("serveOn")->isVisible());
+        QTest::mouseClick(sign, Qt::LeftButton);
+        QVERIFY(find<QCheckBox>("serveOn")->isVisible());
+
+        type("tcpin:127.0.0.1:5790,write=mission,param");
+        QCOMPARE(sign->text(), QStringLiteral("Others may write"));
+        QVERIFY(!warning->text().contains(QStringLiteral("arm")) && warning->text().contains(QStringLiteral("missions")));
+        type("tcpin:127.0.0.1:5790,write=none");
+        QVERIFY(!sign->isVisible() && !warning->isVisible());
+        type("tcpin:127.0.0.1:99999"); // invalid: nobody is served
+        QVERIFY(!sign->isVisible());
+        type("tcpin:127.0.0.1:5790");
+        QVERIFY(sign->isVisible());
+        find<QCheckBox>("serveOn")->click();
+        QVERIFY(!sign->isVisible());
     }
 
     void addressNeverWidensTheRights()

@@ -6,6 +6,7 @@
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
+#include <QtCore/QEvent>
 #include <QtCore/QRegularExpression>
 #include <QtCore/QSignalBlocker>
 #include <QtWidgets/QCheckBox>
@@ -50,6 +51,44 @@ QString withRights(const QString &address, const engine::WriteRights &rights)
     if (rights != engine::WriteRights::all())
         kept.append(QLatin1String("write=") + fromStd(rights.toText()));
     return kept.join(QLatin1Char(','));
+}
+
+/// What stations may write at some of these addresses, as keywords of classes.
+QStringList writtenAt(const QString &addresses)
+{
+    QStringList out;
+    for (const QString &address : addressesIn(addresses)) {
+        const auto config = engine::ServeConfig::parse(address.toStdString(), engine::WriteRights::all());
+        if (config && config->write.any())
+            out += QString::fromStdString(config->write.toText()).split(QLatin1Char(','));
+    }
+    return out;
+}
+
+bool mayCommand(const QStringList &classes)
+{
+    return classes.contains(QLatin1String("all")) || classes.contains(QLatin1String("command"))
+        || classes.contains(QLatin1String("rc"));
+}
+
+/// Empty for none.
+QString consequenceOf(const QStringList &classes)
+{
+    const auto may = [&](const char *keyword) {
+        return classes.contains(QLatin1String("all")) || classes.contains(QLatin1String(keyword));
+    };
+    QStringList parts;
+    if (mayCommand(classes))
+        parts << GatewaySection::tr("arm, fly and stop the vehicles");
+    if (may("mission"))
+        parts << GatewaySection::tr("change missions, fences and rally points");
+    if (may("param"))
+        parts << GatewaySection::tr("change parameters");
+    if (may("ftp"))
+        parts << GatewaySection::tr("change files and logs");
+    return parts.isEmpty()
+        ? QString()
+        : GatewaySection::tr("Other stations can do as this window: %1.").arg(parts.join(QStringLiteral(" · ")));
 }
 
 /// The link that best describes all of them: one with a problem, or else one that is not ready yet.
@@ -109,6 +148,12 @@ GatewaySection::GatewaySection(StationInterface &station, QWidget *parent) : QWi
     m_classesButton->setFocusPolicy(Qt::StrongFocus);
     m_classesButton->setMenu(m_classes);
     m_classesButton->setEnabled(false);
+    m_warning = new QLabel(this);
+    m_warning->setObjectName(QStringLiteral("serveWarning"));
+    m_warning->setAccessibleName(tr("What other stations can do"));
+    m_warning->setTextFormat(Qt::PlainText);
+    m_warning->setWordWrap(true);
+    m_warning->hide();
     m_state = new QLabel(this);
     m_state->setObjectName(QStringLiteral("serveState"));
     m_state->setAccessibleName(tr("State of the gateway"));
@@ -138,6 +183,7 @@ GatewaySection::GatewaySection(StationInterface &station, QWidget *parent) : QWi
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(kGrid);
     column->addLayout(line);
+    column->addWidget(m_warning);
     column->addWidget(m_state);
     column->addWidget(m_view, 1);
 
@@ -191,6 +237,28 @@ void GatewaySection::set(const Serving &serving)
     m_serving = serving;
     if (changesService)
         serve();
+    showRights();
+}
+
+void GatewaySection::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && m_view)
+        showRights();
+}
+
+void GatewaySection::showRights()
+{
+    const QStringList classes = m_serving.write ? writtenAt(m_serving.url) : QStringList();
+    const QString consequence = consequenceOf(classes);
+    m_warning->setVisible(!consequence.isEmpty());
+    m_warning->setText(QStringLiteral("▲ ") + consequence);
+    QPalette colors = palette();
+    colors.setColor(QPalette::WindowText, stateColors(colors).warning);
+    m_warning->setPalette(colors);
+    const bool shared = m_isServing && !consequence.isEmpty();
+    const QString word = mayCommand(classes) ? tr("Others may command") : tr("Others may write");
+    Q_EMIT sharingChanged(shared ? word : QString(), shared ? consequence : QString());
 }
 
 void GatewaySection::serve()
@@ -198,7 +266,7 @@ void GatewaySection::serve()
     const StateColors &colors = stateColors(palette());
     m_clients.setClients({});
     m_view->hide();
-    m_open = false;
+    m_open = m_isServing = false;
     if (!m_serving.on) {
         m_station.serve({});
         showState(tr("off"), colors.dim);
@@ -218,6 +286,7 @@ void GatewaySection::serve()
         m_open = m_open || config->isOpenToOthers();
         configs.push_back(std::move(*config));
     }
+    m_isServing = true;
     showState(engine::linkPhaseText(engine::LinkPhase::Opening), colors.dim);
     m_station.serve(std::move(configs));
 }

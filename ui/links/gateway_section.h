@@ -31,25 +31,32 @@ public:
 Q_SIGNALS:
     /// The operator chose this.
     void servingChanged(const skyseal::ui::Serving &serving);
+    /// What other stations may do now in a few words and in a sentence; both empty while they may at most read.
+    void sharingChanged(const QString &word, const QString &sentence);
+
+protected:
+    void changeEvent(QEvent *event) override;
 
 private:
     void choose();
     void chooseRights(const engine::WriteRights &rights);
     void set(const Serving &serving);
     void serve();
+    void showRights();
     void showState(const QString &text, const QColor &color);
 
     StationInterface &m_station;
     ClientModel m_clients;
     Serving m_serving;
-    bool m_open = false; ///< programs of other computers can become clients
+    bool m_open = false;      ///< programs of other computers can become clients
+    bool m_isServing = false; ///< switched on, and all addresses are valid
     QCheckBox *m_on;
     QComboBox *m_url;
     QComboBox *m_rights;
     RightsMenu *m_classes;
     QToolButton *m_classesButton;
-    QLabel *m_state;
-    QTreeView *m_view;
+    QLabel *m_warning, *m_state;
+    QTreeView *m_view = nullptr;
 };
 
 } // namespace skyseal::ui

@@ -51,6 +51,7 @@ LinksPanel::LinksPanel(StationInterface &station, QWidget *parent) : DockPanel(p
     column->addWidget(m_gateway);
 
     connect(m_gateway, &GatewaySection::servingChanged, this, &LinksPanel::servingChanged);
+    connect(m_gateway, &GatewaySection::sharingChanged, this, &LinksPanel::sharingChanged);
     connect(add, &QPushButton::clicked, this, &LinksPanel::addRequested);
     connect(m_remove, &QPushButton::clicked, this, &LinksPanel::removeChosen);
     const auto allow = [this] { m_remove->setEnabled(m_view->currentIndex().isValid()); };

@@ -24,6 +24,8 @@ public:
 Q_SIGNALS:
     void addRequested();
     void servingChanged(const skyseal::ui::Serving &serving);
+    /// See GatewaySection.
+    void sharingChanged(const QString &word, const QString &sentence);
 
 private:
     void removeChosen();

@@ -32,8 +32,8 @@ const QString kDot = QStringLiteral(" · ");
 StatusStrip::StatusStrip(QWidget *parent)
     : QWidget(parent), m_vehicle(new StripItem(tr("Vehicle"), this)), m_armed(new StripItem(tr("Armed state"), this)),
       m_mode(new StripItem(tr("Flight mode"), this)), m_gps(new StripItem(tr("GPS"), this)),
-      m_battery(new StripItem(tr("Battery"), this)), m_lock(new StripItem(tr("Link security"), this)),
-      m_link(new StripItem(tr("Link quality"), this))
+      m_battery(new StripItem(tr("Battery"), this)), m_sharing(new StripItem(tr("Other stations"), this)),
+      m_lock(new StripItem(tr("Link security"), this)), m_link(new StripItem(tr("Link quality"), this))
 {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     m_vehicle->setObjectName(QStringLiteral("stripVehicle"));
@@ -41,6 +41,7 @@ StatusStrip::StatusStrip(QWidget *parent)
     m_mode->setObjectName(QStringLiteral("stripMode"));
     m_gps->setObjectName(QStringLiteral("stripGps"));
     m_battery->setObjectName(QStringLiteral("stripBattery"));
+    m_sharing->setObjectName(QStringLiteral("stripSharing"));
     m_lock->setObjectName(QStringLiteral("stripLock"));
     m_link->setObjectName(QStringLiteral("stripLink"));
 
@@ -48,22 +49,35 @@ StatusStrip::StatusStrip(QWidget *parent)
     m_armed->setSamples({tr("DISARMED")});
     m_gps->setSamples({tr("RTK fixed") + kDot + tr("%1 sat").arg(88), QString(), QString()});
     m_battery->setSamples({QStringLiteral("88.8 V · 100 %"), QStringLiteral("100 %")});
+    m_sharing->setClickable(true);
+    m_sharing->setStrong(true);
+    m_sharing->hide();
     m_lock->setClickable(true);
     m_vehicle->setClickable(true);
     m_link->setClickable(true);
     connect(m_lock, &QAbstractButton::clicked, this, &StatusStrip::lockClicked);
     connect(m_vehicle, &QAbstractButton::clicked, this, &StatusStrip::vehicleClicked);
     connect(m_link, &QAbstractButton::clicked, this, &StatusStrip::linkClicked);
-    for (StripItem *item : {m_vehicle, m_armed, m_mode, m_gps, m_battery, m_lock, m_link})
+    connect(m_sharing, &QAbstractButton::clicked, this, &StatusStrip::sharingClicked);
+    for (StripItem *item : {m_vehicle, m_armed, m_mode, m_gps, m_battery, m_sharing, m_lock, m_link})
         connect(item, &StripItem::widthChanged, this, &StatusStrip::arrange);
     showViewState({});
 }
 
 void StatusStrip::showViewState(const ViewState &view)
 {
+    m_sharing->setTextColor(stateColors(palette()).warning); // the theme may have changed
     showVehicle(view);
     showLock(view);
     showLink(view);
+}
+
+void StatusStrip::showSharing(const QString &word, const QString &sentence)
+{
+    m_sharing->setVisible(!word.isEmpty());
+    m_sharing->setContent({word, tr("Shared")}, QStringLiteral("warning"));
+    m_sharing->setToolTip(tr("%1\nA click opens the links.").arg(sentence));
+    arrange();
 }
 
 void StatusStrip::showVehicle(const ViewState &view)
@@ -182,25 +196,26 @@ void StatusStrip::showLink(const ViewState &view)
 void StatusStrip::arrange()
 {
     // Order in which the items shorten.
-    StripItem *const order[] = {m_link, m_lock, m_gps, m_battery, m_vehicle, m_link, m_lock, m_gps, m_mode};
+    StripItem *const order[] = {m_link, m_lock, m_gps, m_battery, m_vehicle, m_sharing, m_link, m_lock, m_gps, m_mode};
     StripItem *const left[] = {m_vehicle, m_armed, m_mode, m_gps, m_battery};
-    StripItem *const right[] = {m_link, m_lock};
-    int variants[7] = {};
-    StripItem *const all[7] = {m_vehicle, m_armed, m_mode, m_gps, m_battery, m_lock, m_link};
+    StripItem *const right[] = {m_link, m_lock, m_sharing};
+    StripItem *const all[] = {m_vehicle, m_armed, m_mode, m_gps, m_battery, m_sharing, m_lock, m_link};
+    constexpr int kItems = std::size(all);
+    int variants[kItems] = {};
     const auto total = [&] {
         int sum = 2 * kHalfGrid;
-        for (int i = 0; i < 7; ++i)
+        for (int i = 0; i < kItems; ++i)
             sum += all[i]->isHidden() ? 0 : all[i]->widthOf(variants[i]);
         return sum;
     };
     for (StripItem *item : order) {
         if (total() <= width())
             break;
-        for (int i = 0; i < 7; ++i)
+        for (int i = 0; i < kItems; ++i)
             if (all[i] == item && variants[i] + 1 < item->variantCount())
                 ++variants[i];
     }
-    for (int i = 0; i < 7; ++i)
+    for (int i = 0; i < kItems; ++i)
         all[i]->setVariant(variants[i]);
 
     int x = kHalfGrid;
@@ -212,6 +227,8 @@ void StatusStrip::arrange()
     }
     int end = width() - kHalfGrid;
     for (StripItem *item : right) {
+        if (item->isHidden())
+            continue;
         const int wide = item->sizeHint().width();
         item->setGeometry(end - wide, 0, wide, height());
         end -= wide;

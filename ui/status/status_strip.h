@@ -17,6 +17,8 @@ public:
     explicit StatusStrip(QWidget *parent = nullptr);
 
     void showViewState(const ViewState &view);
+    /// That other stations may write through this one, in a few words and a sentence; both empty if they may not.
+    void showSharing(const QString &word, const QString &sentence);
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -25,6 +27,7 @@ Q_SIGNALS:
     void lockClicked();
     void vehicleClicked();
     void linkClicked();
+    void sharingClicked();
 
 protected:
     void resizeEvent(QResizeEvent *) override;
@@ -37,7 +40,7 @@ private:
     void showLock(const ViewState &view);
     void arrange();
 
-    StripItem *m_vehicle, *m_armed, *m_mode, *m_gps, *m_battery, *m_lock, *m_link;
+    StripItem *m_vehicle, *m_armed, *m_mode, *m_gps, *m_battery, *m_sharing, *m_lock, *m_link;
 };
 
 } // namespace skyseal::ui

@@ -212,7 +212,9 @@ void MainWindow::connectParts()
         if (!wasOpen)
             m_docks->growTo("dockVehicles", kListHeight);
     });
-    connect(m_strip, &StatusStrip::linkClicked, this, [this] { m_docks->reveal("dockLinks"); });
+    for (const auto clicked : {&StatusStrip::linkClicked, &StatusStrip::sharingClicked})
+        connect(m_strip, clicked, this, [this] { m_docks->reveal("dockLinks"); });
+    connect(m_docks->panel<LinksPanel>(), &LinksPanel::sharingChanged, m_strip, &StatusStrip::showSharing);
     connect(m_empty, &EmptyState::demoRequested, this, &MainWindow::demoRequested);
     connect(m_empty, &EmptyState::connectRequested, m_dialogs, &WindowDialogs::openLink);
     connect(m_empty, &EmptyState::keysRequested, m_dialogs, &WindowDialogs::openKeys);
