@@ -36,7 +36,7 @@ private Q_SLOTS:
         QTest::addColumn<QString>("line");
         QTest::newRow("take off") << QStringLiteral("takeOffButton") << QStringLiteral("Take off to 10 m: requested…");
         QTest::newRow("start") << QStringLiteral("startMissionButton") << QStringLiteral("Start mission: requested…");
-        QTest::newRow("pause") << QStringLiteral("pauseButton") << QStringLiteral("Loiter: requested…");
+        QTest::newRow("pause") << QStringLiteral("pauseButton") << QStringLiteral("Pause: requested…");
         QTest::newRow("land") << QStringLiteral("landButton") << QStringLiteral("Land: requested…");
         QTest::newRow("return") << QStringLiteral("returnButton") << QStringLiteral("RTL: requested…");
     }
@@ -68,6 +68,9 @@ private Q_SLOTS:
         row("disarmed", "armButton", "");
         row("disarmed", "setModeButton", "");
         row("in LOITER", "takeOffButton", "Not now: take-off needs the mode GUIDED, the vehicle is in LOITER");
+        row("flying", "takeOffButton", "Not now: the vehicle is already flying");
+        row("flying", "landButton", "");
+        row("flying a while ago", "takeOffButton", ""); // it may have landed since
         row("without a mission", "startMissionButton", "Not now: the mission last read is empty: read it again");
         row("without a position", "pauseButton", "Not now: its position is not known");
         row("disarmed a while ago", "landButton", ""); // it may have been armed since
@@ -88,6 +91,7 @@ private Q_SLOTS:
         vehicle.heartbeatAge = state.endsWith(QLatin1String("ago")) ? 4 : 0.4;
         if (state == QLatin1String("in LOITER"))
             vehicle.mode = "LOITER";
+        vehicle.inAir = state.startsWith(QLatin1String("flying"));
         if (state == QLatin1String("without a mission"))
             snapshot.vehicles.front().mission = std::make_shared<std::vector<vehicle::MissionItem>>(1);
         if (state == QLatin1String("without a position"))
@@ -97,6 +101,25 @@ private Q_SLOTS:
         QCOMPARE(control->isEnabled(), reason.isEmpty());
         if (!reason.isEmpty())
             QCOMPARE(control->toolTip(), reason);
+    }
+
+    /// However narrow the bar is.
+    void everyActionIsNamedByAVerb()
+    {
+        VehicleCommands commands(*m_station);
+        ActionBar bar(commands);
+        bar.show();
+        bar.showViewState(viewOf(std::make_shared<const engine::Snapshot>(sealedSnapshot(1)), 0));
+        const auto *start = bar.findChild<HoldButton *>(QStringLiteral("startMissionButton"));
+        QSet<QString> words;
+        for (int width = bar.minimumSizeHint().width(); width < 2000; width += 37) {
+            bar.resize(width, bar.height());
+            QCoreApplication::processEvents();
+            words.insert(start->text());
+            QCOMPARE(start->accessibleName(), QStringLiteral("Start mission"));
+            QVERIFY2(start->toolTip().contains(QStringLiteral("mission")), qPrintable(start->toolTip()));
+        }
+        QCOMPARE(words, (QSet<QString>{QStringLiteral("Start"), QStringLiteral("Start mission")}));
     }
 
     void namesTheVehicleAmongSeveral()

@@ -102,7 +102,7 @@ private Q_SLOTS:
         m_hands->picture(QStringLiteral("flight"));
     }
 
-    /// By the map's menu: home moves to a place, the copter flies to another one, turns its nose to home, climbs, and loiters.
+    /// By the map's menu: home moves to a place, the copter flies to another one, turns its nose to home, climbs, and pauses.
     void fliesByTheMap()
     {
         auto *map = find<MapView>("map");
@@ -132,7 +132,7 @@ private Q_SLOTS:
         altitude->setValue(std::round(before) + 5);
         m_hands->hold("changeAltitudeDialogGo");
         EVENTUALLY(m_window->view().vehicle->state.altitudeRelative > before + 4);
-        confirm(goal, "mapLoiter", QStringLiteral("Loiter: accepted"));
+        confirm(goal, "mapPause", QStringLiteral("Pause: accepted"));
         EVENTUALLY_EQUAL(strip("stripMode")->text(), QStringLiteral("BRAKE"));
     }
 

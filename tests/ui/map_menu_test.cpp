@@ -169,7 +169,7 @@ private Q_SLOTS:
             QTest::newRow(action) << QString::fromLatin1(action) << static_cast<int>(expected.index())
                                   << QString::fromUtf8(result);
         };
-        row("mapLoiter", vehicle::Loiter{}, "Loiter: requested…");
+        row("mapPause", vehicle::Loiter{}, "Pause: requested…");
         row("mapPointAt", vehicle::PointAt{}, "Point camera here: requested…");
         row("mapStopPointing", vehicle::StopPointing{}, "Stop pointing camera: requested…");
         row("mapSetHome", vehicle::SetHome{}, "Set home here: requested…");
@@ -220,7 +220,7 @@ private Q_SLOTS:
         };
         row("go, disarmed", State::Disarmed, "mapGoHere", "the vehicle is disarmed");
         row("altitude, disarmed", State::Disarmed, "mapChangeAltitude", "the vehicle is disarmed");
-        row("loiter, disarmed", State::Disarmed, "mapLoiter", "the vehicle is disarmed");
+        row("pause, disarmed", State::Disarmed, "mapPause", "the vehicle is disarmed");
         row("home, disarmed", State::Disarmed, "mapSetHome");
         row("point, disarmed", State::Disarmed, "mapPointAt");
         row("go, no position", State::NoPosition, "mapGoHere", "its position is not known");

@@ -79,7 +79,7 @@ private Q_SLOTS:
                 << QString::fromLatin1(mode) << armed << QString::fromLatin1(action) << QString::fromLatin1(reason);
         };
         const char *const disarmed = "Not now: the vehicle is disarmed";
-        for (const char *action : {"actionLoiter", "actionChangeAltitude", "actionStartMission"}) {
+        for (const char *action : {"actionPause", "actionChangeAltitude", "actionStartMission"}) {
             row("GUIDED", false, action, disarmed);
             row("GUIDED", true, action, "");
         }

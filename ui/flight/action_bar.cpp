@@ -38,7 +38,8 @@ ActionBar::ActionBar(VehicleCommands &commands, QWidget *parent)
     connect(m_altitude, &AltitudeBox::metresChanged, &commands, &VehicleCommands::setTakeOffAltitude);
     connect(&commands, &VehicleCommands::takeOffAltitudeChanged, m_altitude, &AltitudeBox::setMetres);
     addTarget("takeOffButton", tr("Take off"), tr("Take off"), [this] { return vehicle::TakeOff{m_altitude->metres()}; });
-    addTarget("startMissionButton", tr("Start mission"), tr("Mission"), [] { return vehicle::StartMission{}; });
+    addTarget("startMissionButton", tr("Start mission"), tr("Start"), [] { return vehicle::StartMission{}; });
+    m_targets.back().button->setPurpose(tr("Starts or continues the mission."));
     addTarget("pauseButton", tr("Pause"), tr("Pause"), [] { return vehicle::Loiter{}; });
     m_targets.back().button->setPurpose(tr("Stops and holds the present position; a plane circles it."));
     addTarget("landButton", tr("Land"), tr("Land"), [] { return vehicle::Land{}; });

@@ -32,6 +32,10 @@ public:
         return heard() && m_vehicle.state.armed ? Text::tr("the vehicle is armed") : QString();
     }
 
+    QString operator()(const vehicle::TakeOff &) const
+    {
+        return heard() && m_vehicle.state.inAir ? Text::tr("the vehicle is already flying") : QString();
+    }
     QString operator()(const vehicle::Loiter &) const { return movesDisabledReason(m_view); }
     QString operator()(const vehicle::ChangeAltitude &) const { return climbsDisabledReason(m_view); }
 

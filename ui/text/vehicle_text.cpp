@@ -66,7 +66,7 @@ QString commandText(const vehicle::VehicleCommand &command, UnitSystem units)
                    [&](const vehicle::ChangeAltitude &c) {
                        return Text::tr("Change altitude to %1").arg(altitude(c.altitudeRelative));
                    },
-                   [](const vehicle::Loiter &) { return Text::tr("Loiter"); },
+                   [](const vehicle::Loiter &) { return Text::tr("Pause"); },
                    [](const vehicle::PointAt &) { return Text::tr("Point camera here"); },
                    [](const vehicle::StopPointing &) { return Text::tr("Stop pointing camera"); },
                    [](const vehicle::SetHome &) { return Text::tr("Set home here"); },
