@@ -414,6 +414,9 @@ void play(FakeStation &station, MainWindow &window, const QString &state)
                 refuseArming(snapshot.vehicles.front().state);
             if (state == QLatin1String("served"))
                 addClients(snapshot);
+            snapshot.vehicles.front().state.inAir = snapshot.vehicles.front().state.armed;
+            if (state == QLatin1String("heardlate"))
+                snapshot.vehicles.front().state.takeOffSeen = false;
             if (state == QLatin1String("limits"))
                 addFields(snapshot);
             if (state == QLatin1String("several"))

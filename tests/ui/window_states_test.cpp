@@ -141,6 +141,26 @@ private Q_SLOTS:
         QVERIFY(find<StripItem>("stripGps")->text().contains(QStringLiteral("3D fix")));
     }
 
+    void flightTimeSaysThatItsBeginningWasNotSeen()
+    {
+        engine::Snapshot snapshot = plainSnapshot(1);
+        m_station->show(snapshot);
+        const auto *cell = find<ValueCell>("value_flight_time");
+        QVERIFY(cell->note().isEmpty());
+        const QString title = cell->toolTip();
+        snapshot.time += 1;
+        snapshot.vehicles.front().state.takeOffSeen = false;
+        m_station->show(snapshot);
+        QCOMPARE(cell->note(), QStringLiteral("since first heard"));
+        QVERIFY2(cell->toolTip().startsWith(title) && cell->toolTip().contains(QStringLiteral("already flying")),
+                 qPrintable(cell->toolTip()));
+        snapshot.time += 1;
+        snapshot.vehicles.front().state.takeOffSeen = true;
+        m_station->show(snapshot);
+        QVERIFY(cell->note().isEmpty());
+        QCOMPARE(cell->toolTip(), title);
+    }
+
     void staleValuesTurnGreyWithTheirAge()
     {
         engine::Snapshot snapshot = sealedSnapshot(1);

@@ -35,10 +35,14 @@ void ValueCell::showReading(const ValueReading &reading, UnitSystem units)
         : Figure{!reading.word.isEmpty() ? reading.word : number(reading.number, 0), {}};
     const bool stale = reading.age > kStaleAfterSeconds;
     const LimitSide limit = m_choice.sideOf(reading.number);
-    QString note = limit == LimitSide::Low ? tr("▼ low") : limit == LimitSide::High ? tr("▲ high") : QString();
+    QString note = limit == LimitSide::Low ? tr("▼ low") : limit == LimitSide::High ? tr("▲ high") : reading.note;
     // The age of the derived quantities is that of the vehicle, which stands below the grid once.
     if (stale && m_choice.source.field)
         note = note.isEmpty() ? durationText(reading.age) : tr("%1, %2").arg(note, durationText(reading.age));
+    const QString title = m_choice.source.state ? m_choice.source.title() : m_choice.source.id();
+    const QString tip = reading.explanation.isEmpty() ? title : title + QLatin1Char('\n') + reading.explanation;
+    if (toolTip() != tip)
+        setToolTip(tip);
     const bool bad = limit != LimitSide::Within || reading.isBad;
     if (figure.value == m_value && figure.unit == m_unit && note == m_note && stale == m_stale && bad == m_bad)
         return;
@@ -108,7 +112,7 @@ void ValueCell::paintEvent(QPaintEvent *)
     painter.setPen(colors.dim);
     painter.drawText(QPointF(inner.left(), small.ascent()),
                      small.elidedText(m_choice.shownCaption(), Qt::ElideRight, captionRoom));
-    painter.setPen(m_stale ? colors.dim : colors.alarm);
+    painter.setPen(m_stale || !m_bad ? colors.dim : colors.alarm);
     painter.drawText(QPointF(inner.right() - noteWidth, small.ascent()), m_note);
 
     QFont digits = font();

@@ -29,7 +29,7 @@ public:
 
     QString value() const { return m_value; }
     QString unit() const { return m_unit; }
-    /// "▲ high", "▼ low", or the age of an old value; else empty.
+    /// "▲ high", "▼ low", what qualifies the value, or the age of an old one; else empty.
     QString note() const { return m_note; }
     bool isStale() const { return m_stale; }
 

@@ -29,6 +29,11 @@ ValueReading readState(const ValueSource &source, const vehicle::VehicleState &s
     const double number = field.number(state);
     if (source.isNumber()) {
         out.number = number * source.unit().factor;
+        if (field.name == "flight_time" && !state.takeOffSeen) {
+            out.note = Text::tr("since first heard");
+            out.explanation = Text::tr("The vehicle was already flying when this station first heard it. The time counts from "
+                                       "then: the flight itself is longer.");
+        }
     } else if (!std::isfinite(number)) {
         return out;
     } else if (field.name == "gps_fix") {

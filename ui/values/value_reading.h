@@ -13,6 +13,8 @@ struct ValueReading
     double number = vehicle::kUnknown; ///< in the metric unit that is shown
     QString word = {};                 ///< for values that are words; then shown in place of the number
     bool isBad = false;                ///< the word says that something is wrong
+    QString note = {};                 ///< a few words that qualify the value
+    QString explanation = {};          ///< of the note, a sentence
     double age = vehicle::kUnknown;    ///< seconds; unknown if the source never came
 
     bool isKnown() const { return !word.isEmpty() || std::isfinite(number); }
