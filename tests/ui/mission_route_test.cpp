@@ -1,6 +1,7 @@
 // The drawn route is the flown one: every command with a place is on it, with splines, loiters and jumps.
 #include "tests/support/test_runner.h"
 #include "ui/map/altitude_profile.h"
+#include "ui/map/axis_ticks.h"
 #include "ui/map/mission_painter.h"
 #include "ui/map/mission_route.h"
 
@@ -106,6 +107,31 @@ private Q_SLOTS:
             auto item = at(1, MAV_CMD_NAV_WAYPOINT, 10);
             item.altitude = altitude;
             QVERIFY(std::isnan(profileOf(route({item}), 500).front().altitude));
+        }
+    }
+
+    void axisTicksDiffer_data()
+    {
+        QTest::addColumn<double>("length");
+        QTest::addColumn<int>("units");
+        for (const double length : {0.4, 1.0, 3.0, 10.0, 47.0, 900.0, 9'900.0, 23'456.0, 1e6})
+            for (const UnitSystem units : {UnitSystem::Metric, UnitSystem::Imperial, UnitSystem::Aviation})
+                QTest::addRow("%g m, %d", length, int(units)) << length << int(units);
+    }
+
+    void axisTicksDiffer()
+    {
+        QFETCH(double, length);
+        QFETCH(int, units);
+        for (const UnitScale scale : {distanceScale(length, UnitSystem(units)), altitudeScale(UnitSystem(units))}) {
+            const auto ticks = axisTicks(-0.2 * length, length, length / 6, scale);
+            QVERIFY(!ticks.empty() && ticks.size() <= 8);
+            QSet<QString> texts;
+            for (const AxisTick &tick : ticks) {
+                QVERIFY(tick.value >= -0.2001 * length && tick.value <= 1.0001 * length);
+                texts.insert(tick.text);
+            }
+            QCOMPARE(std::size_t(texts.size()), ticks.size());
         }
     }
 

@@ -1,6 +1,6 @@
 #include "ui/map/profile_view.h"
 
-#include "ui/map/nice_step.h"
+#include "ui/map/axis_ticks.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
@@ -18,6 +18,7 @@ namespace {
 constexpr double kRadius = 9;                        ///< pixels: circle of a point
 constexpr double kRowHeight = 32, kColumnWidth = 96; ///< pixels between two lines of the grid, at least
 constexpr double kLeastRange = 10;                   ///< metres, so that a level route is a level line
+constexpr double kLeastLength = 10;                  ///< metres, of a route of one point
 
 } // namespace
 
@@ -69,7 +70,7 @@ ProfileView::Range ProfileView::range() const
     range.highest += margin;
     if (range.lowest < 0)
         range.lowest -= margin;
-    range.length = std::max(range.length, 1.0);
+    range.length = std::max(range.length, kLeastLength);
     return range;
 }
 
@@ -109,23 +110,19 @@ void ProfileView::paintGrid(QPainter &painter, const QRectF &area, const Range &
         painter.setPen(colors.dim);
     };
     const double rise = range.highest - range.lowest;
-    const auto roundStep = [](double least, const UnitScale &scale) { return niceStep(least * scale.factor) / scale.factor; };
-    const double step = roundStep(rise * kRowHeight / area.height(), altitudeScale(m_units));
-    for (double altitude = std::ceil(range.lowest / step) * step; altitude <= range.highest; altitude += step) {
-        const double y = std::floor(area.bottom() - area.height() * (altitude - range.lowest) / rise) + 0.5;
+    for (const AxisTick &tick :
+         axisTicks(range.lowest, range.highest, rise * kRowHeight / area.height(), altitudeScale(m_units))) {
+        const double y = std::floor(area.bottom() - area.height() * (tick.value - range.lowest) / rise) + 0.5;
         line({area.left(), y}, {area.right(), y});
         painter.drawText(QRectF(0, y - height / 2, area.left() - kRadius - kHalfGrid, height),
-                         Qt::AlignRight | Qt::AlignVCenter, altitudeFigure(altitude, m_units).text());
+                         Qt::AlignRight | Qt::AlignVCenter, tick.text);
     }
-    UnitScale ways = distanceScale(range.length, m_units); // one unit along the axis
-    const double way = roundStep(range.length * kColumnWidth / area.width(), ways);
-    if (way * ways.factor >= 1)
-        ways.decimals = 0;
-    for (double distance = 0; distance <= range.length; distance += way) {
-        const double x = std::floor(area.left() + area.width() * distance / range.length) + 0.5;
+    const UnitScale ways = distanceScale(range.length, m_units); // one unit along the axis
+    for (const AxisTick &tick : axisTicks(0, range.length, range.length * kColumnWidth / area.width(), ways)) {
+        const double x = std::floor(area.left() + area.width() * tick.value / range.length) + 0.5;
         line({x, area.top()}, {x, area.bottom()});
         painter.drawText(QRectF(x - kColumnWidth / 2, area.bottom() + kHalfGrid, kColumnWidth, height), Qt::AlignCenter,
-                         figureIn(ways, distance).text());
+                         tick.text);
     }
 }
 
