@@ -146,6 +146,53 @@ private Q_SLOTS:
         QCOMPARE(track.points().size(), std::size_t(1));
     }
 
+    /// A jump to another time shows the way that led there.
+    void seekShowsTheTrackUpToThere()
+    {
+        m_window->startReplay(QStringLiteral("tlog:/logs/own.tlog"));
+        engine::Snapshot picture = recorded(7);
+        picture.replay.emplace().position = std::chrono::seconds(7);
+        m_station->showReplay(picture);
+        const auto *map = find<MapView>("map");
+        QCOMPARE(map->content().track().points().size(), std::size_t(1));
+
+        engine::FlownWays ways;
+        const vehicle::Position end = recorded(90).vehicles.front().state.position;
+        for (int i = 0; i <= 40; ++i) {
+            if (i == 20)
+                ways.interrupt(1);
+            ways.note(1,
+                      {.at = std::chrono::seconds(50 + i),
+                       .latitude = end.latitude - (40 - i) * 5e-5,
+                       .longitude = end.longitude,
+                       .quality = 98,
+                       .altitude = float(i)});
+        }
+        picture = recorded(90);
+        picture.replay.emplace().position = std::chrono::seconds(90);
+        picture.replay->seeks = 1;
+        picture.replay->seeking = true; // the picture of before
+        m_station->showReplay(picture);
+        picture.replay->seeking = false;
+        const auto flown = std::make_shared<const engine::FlownWays>(ways);
+        picture.replay->flown = flown;
+        m_station->showReplay(picture);
+        const auto &points = map->content().track().points();
+        QCOMPARE(points.size(), std::size_t(41));
+        for (std::size_t i = 0; i < points.size(); ++i)
+            QCOMPARE(points[i].begins, i == 0 || i == 20);
+        QCOMPARE(points[40].values.altitude, 40.f);
+
+        picture = recorded(91); // it goes on from there
+        picture.vehicles.front().state.position = {end.latitude + 5e-5, end.longitude, end.altitude};
+        picture.replay.emplace().position = std::chrono::seconds(91);
+        picture.replay->seeks = 1;
+        picture.replay->flown = flown;
+        m_station->showReplay(picture);
+        QCOMPARE(map->content().track().points().size(), std::size_t(42));
+        QVERIFY(!map->content().track().points().back().begins);
+    }
+
     void linksOfAReplayAreThoseOfTheStation()
     {
         m_station->show(sealedSnapshot(1));

@@ -59,6 +59,28 @@ TrackValues trackValues(const ViewState &view)
 
 } // namespace
 
+/// Takes the way that the vehicle flew before a seek of a replay, or before it was selected. Returns true if there is one.
+bool MapContent::showFlown(const engine::Snapshot &snapshot, bool another)
+{
+    const auto flown = snapshot.replay ? snapshot.replay->flown : nullptr;
+    const bool sought = flown != m_flown;
+    m_flown = flown;
+    if (!flown || (!sought && !another))
+        return false;
+    m_track.clear();
+    for (const engine::FlownPlace &place : flown->of(m_systemId)) {
+        const QPointF now = mercator::project({place.latitude, place.longitude});
+        if (place.begins || isJump(now, seconds(place.at)))
+            m_track.interrupt();
+        m_lastKnown = now;
+        m_positionAt = seconds(place.at);
+        m_track.append(now, crypto::SuiteId::None, {place.quality, place.altitude, place.speed});
+    }
+    if (!sought)
+        m_track.interrupt(); // the part since the seek is not known
+    return true;
+}
+
 MapContent::Changes MapContent::show(const ViewState &view, double metresPerPixel)
 {
     Changes changes;
@@ -66,6 +88,7 @@ MapContent::Changes MapContent::show(const ViewState &view, double metresPerPixe
         return changes;
     const auto &state = view.vehicle->state;
     changes.ground = startOver(state.systemId);
+    changes.ground |= showFlown(*view.snapshot, changes.ground);
     std::vector<VehicleMarker> others = otherVehicles(view);
     const int age = staleAge(state);
     changes.vehicle = age != m_age || !looksTheSame(others, m_others, metresPerPixel);

@@ -13,6 +13,11 @@
 #include <optional>
 #include <vector>
 
+namespace skyseal::engine {
+class FlownWays;
+struct Snapshot;
+} // namespace skyseal::engine
+
 namespace skyseal::ui {
 
 class MapContent
@@ -48,6 +53,7 @@ public:
 
 private:
     bool startOver(std::uint8_t systemId);
+    bool showFlown(const engine::Snapshot &snapshot, bool another);
     bool isJump(const QPointF &now, double time) const;
     bool showMission(const engine::VehicleSnapshot &vehicle, bool homeMoved);
 
@@ -60,7 +66,8 @@ private:
     Track m_track;
     TrackColors m_trackColors = TrackColors::Suite;
     QPointF m_lastKnown;
-    double m_positionAt = 0; ///< time of the snapshot with the last position, seconds
+    double m_positionAt = 0;                          ///< time of the snapshot with the last position, seconds
+    std::shared_ptr<const engine::FlownWays> m_flown; ///< of the last seek of a replay
     std::shared_ptr<const std::vector<vehicle::MissionItem>> m_mission;
     std::optional<MissionRoute> m_route;
     int m_missionCurrent = -1;
