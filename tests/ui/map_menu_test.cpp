@@ -51,6 +51,8 @@ private Q_SLOTS:
         QVERIFY(question()->text().contains(QStringLiteral("above home")));
         QVERIFY(question()->text().contains(QStringLiteral("from the vehicle")));
         QVERIFY(m_station->commands.empty());
+        QVERIFY(!question()->frameGeometry().contains(m_map->mapToGlobal(at))); // beside the place
+        QVERIFY(!m_map->target());
         QTest::mouseClick(question()->button(QMessageBox::Yes), Qt::LeftButton);
         EVENTUALLY_EQUAL(m_station->commands.size(), std::size_t(1));
         const auto &order = std::get<vehicle::GoTo>(m_station->commands[0].second);

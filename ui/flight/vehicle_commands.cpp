@@ -76,7 +76,11 @@ bool VehicleCommands::maySend(std::uint8_t systemId, const QString &text)
 
 void VehicleCommands::request(std::uint8_t systemId, vehicle::Request request, const QString &text)
 {
+    const auto *asCommand = std::get_if<vehicle::VehicleCommand>(&request);
+    const auto command = asCommand ? std::optional(*asCommand) : std::nullopt;
     const vehicle::RequestId id = m_station.perform(systemId, std::move(request));
+    if (command)
+        Q_EMIT commandSent(systemId, id, *command);
     m_asked.insert(static_cast<quint32>(id), text);
     Q_EMIT resultReported(tr("%1: requested…").arg(text), true);
 }
@@ -92,10 +96,12 @@ void VehicleCommands::setTakeOffAltitude(double metres)
 
 void VehicleCommands::handleEvent(const engine::Event &event)
 {
-    if (const auto *result = std::get_if<vehicle::CommandResult>(&event))
+    if (const auto *result = std::get_if<vehicle::CommandResult>(&event)) {
         reportResult(result->id, engine::commandOutcomeText(*result), result->outcome == vehicle::CommandOutcome::Accepted);
-    else if (const auto *mission = std::get_if<vehicle::MissionResult>(&event))
+        Q_EMIT commandEnded(result->id, result->outcome);
+    } else if (const auto *mission = std::get_if<vehicle::MissionResult>(&event)) {
         reportResult(mission->id, engine::eventText(event, {}).sentence, mission->ok);
+    }
 }
 
 void VehicleCommands::reportResult(vehicle::RequestId id, const QString &outcome, bool ok)

@@ -49,6 +49,9 @@ public:
 Q_SIGNALS:
     void takeOffAltitudeChanged(double metres);
     void disabledReasonChanged(const QString &reason);
+    /// A command has been sent; commandEnded() follows with its answer.
+    void commandSent(std::uint8_t systemId, skyseal::vehicle::RequestId id, const skyseal::vehicle::VehicleCommand &command);
+    void commandEnded(skyseal::vehicle::RequestId id, skyseal::vehicle::CommandOutcome outcome);
     /// One line for the operator; `ok` is false if the vehicle refused or did not answer.
     void resultReported(const QString &line, bool ok);
 

@@ -252,7 +252,16 @@ void MapPainter::paintArrow(const QPointF &at, double heading, double size, cons
     m_painter.restore();
 }
 
-void MapPainter::paintMark(const QPointF &metres)
+void MapPainter::paintTarget(const QPointF &metres, const QString &label)
+{
+    if (m_content.vehicle()) {
+        m_painter.setPen(QPen(stateColors(m_palette).accent, 2, Qt::DashLine));
+        m_painter.drawLine(m_viewport.toPixels(*m_content.vehicle()), m_viewport.toPixels(metres));
+    }
+    paintMark(metres, label);
+}
+
+void MapPainter::paintMark(const QPointF &metres, const QString &label)
 {
     const QPointF at = m_viewport.toPixels(metres);
     constexpr double kRadius = 9, kArm = 16;
@@ -263,6 +272,8 @@ void MapPainter::paintMark(const QPointF &metres)
         for (const QPointF &arm : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
             m_painter.drawLine(at + arm * kRadius / 2, at + arm * kArm);
     }
+    if (!label.isEmpty())
+        paintLabel(m_painter, at + QPointF(0, kArm + kNameOffset), label, m_palette);
 }
 
 void MapPainter::paintScale(UnitSystem units)

@@ -32,8 +32,10 @@ public:
                      bool moving);
     /// All of them; with words beside each if there are several.
     void paintVehicles();
-    /// A place that the operator is asked about.
-    void paintMark(const QPointF &metres);
+    /// A place that the operator is asked about. `label` may be empty.
+    void paintMark(const QPointF &metres, const QString &label);
+    /// The place that the selected vehicle flies to, with the way there.
+    void paintTarget(const QPointF &metres, const QString &label);
     /// The place under the pointer, above the scale bar.
     void paintCoordinates(const QString &text);
     /// The most that paintCoordinates() covers with a text as wide as `widest`, in pixels.

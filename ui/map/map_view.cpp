@@ -144,15 +144,28 @@ void MapView::startOver()
 
 void MapView::forgetFlight()
 {
+    const TrackColors colors = m_content.trackColors();
     m_content = MapContent();
+    m_content.setTrackColors(colors);
     m_fence = FenceContent();
     m_traffic = TrafficContent();
     markGroundDirty();
 }
 
-void MapView::setMark(const std::optional<LatLong> &place)
+void MapView::setMark(const std::optional<LatLong> &place, const QString &label)
 {
     m_mark = place ? std::optional(mercator::project(*place)) : std::nullopt;
+    m_markLabel = label;
+    update();
+}
+
+void MapView::setTarget(const std::optional<LatLong> &place, const QString &label)
+{
+    const auto target = place ? std::optional(mercator::project(*place)) : std::nullopt;
+    if (target == m_target && label == m_targetLabel)
+        return;
+    m_target = target;
+    m_targetLabel = label;
     update();
 }
 
@@ -246,9 +259,11 @@ void MapView::paintEvent(QPaintEvent *)
     painter.setRenderHint(QPainter::Antialiasing);
     MapPainter map(painter, m_content, m_viewport, palette());
     TrafficPainter(painter, m_viewport, palette()).paint(m_traffic, m_units);
+    if (m_target)
+        map.paintTarget(*m_target, m_targetLabel);
     map.paintVehicles();
     if (m_mark)
-        map.paintMark(*m_mark);
+        map.paintMark(*m_mark, m_markLabel);
     if (m_measure.isOn())
         MeasurePainter(painter, m_viewport, palette()).paint(m_measure, pointedPlace(), m_units);
     if (const auto place = pointedPlace())

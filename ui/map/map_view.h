@@ -57,9 +57,13 @@ public:
     CoordinateFormat coordinateFormat() const { return m_coordinates; }
     /// The place under the pointer or, while the map has the focus without it, in the middle; nullopt otherwise.
     std::optional<LatLong> pointedPlace() const;
-    /// Marks a place that the operator is asked about; nullopt: none.
-    void setMark(const std::optional<LatLong> &place);
+    /// Marks a place that the operator is asked about, with a word beside it; nullopt: none.
+    void setMark(const std::optional<LatLong> &place, const QString &label = {});
     const std::optional<QPointF> &mark() const { return m_mark; }
+    /// Marks the place that the selected vehicle flies to; nullopt: none.
+    void setTarget(const std::optional<LatLong> &place, const QString &label = {});
+    const std::optional<QPointF> &target() const { return m_target; }
+    QPoint pixelOf(const LatLong &place) const { return m_viewport.toPixels(mercator::project(place)).toPoint(); }
 
 Q_SIGNALS:
     /// The operator clicked a vehicle that is not the selected one.
@@ -119,8 +123,9 @@ private:
     CoordinateFormat m_coordinates = CoordinateFormat::Decimal;
     std::optional<QPointF> m_pointer; ///< pixels
     bool m_follow = true;
-    bool m_placed = false;         ///< a vehicle was shown, or the operator has moved the map
-    std::optional<QPointF> m_mark; ///< metres of the projection
+    bool m_placed = false;                   ///< a vehicle was shown, or the operator has moved the map
+    std::optional<QPointF> m_mark, m_target; ///< metres of the projection
+    QString m_markLabel, m_targetLabel;
     /// Pixels.
     struct Drag
     {

@@ -23,6 +23,7 @@
 #include "ui/text/vehicle_text.h"
 #include "ui/theme/icons.h"
 #include "ui/vehicles/vehicles_panel.h"
+#include "ui/window/flight_target.h"
 #include "ui/window/map_alerts.h"
 #include "ui/window/map_menu.h"
 #include "ui/window/panel_table.h"
@@ -183,6 +184,7 @@ void MainWindow::makeMenus(const ProgramFacts &facts)
     connect(m_selection, &ViewSelection::viewChanged, menuBar(), addMenus(*menuBar(), windowMenus(targets)));
     shortcuts->take(*menuBar());
     new MapMenu(*m_map, *m_selection, *m_commands, *m_dialogs, *this);
+    new FlightTarget(*m_map, *m_selection, *m_commands);
 }
 
 void MainWindow::connectParts()

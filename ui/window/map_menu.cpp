@@ -10,12 +10,15 @@
 #include "ui/text/coordinates.h"
 #include "ui/text/units.h"
 #include "ui/text/vehicle_text.h"
+#include "ui/window/flight_target.h"
+#include "ui/window/place_beside.h"
 #include "ui/window/view_selection.h"
 #include "ui/window/window_dialogs.h"
 
 #include <QtGui/QAction>
 #include <QtGui/QClipboard>
 #include <QtGui/QGuiApplication>
+#include <QtGui/QScreen>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QMessageBox>
 
@@ -24,13 +27,6 @@
 namespace skyseal::ui {
 
 namespace {
-
-/// The mode in which the vehicle flies to places; empty if that is no mode of its own.
-QString modeOfPlaces(const vehicle::VehicleState &state)
-{
-    const vehicle::VehicleKind kind{state.type, state.autopilot};
-    return kind.isArduPilot() ? QStringLiteral("GUIDED") : kind.isPx4() ? QStringLiteral("LOITER") : QString();
-}
 
 bool flies(const vehicle::VehicleState &state)
 {
@@ -133,7 +129,7 @@ MenuItem MapMenu::goHere(const LatLong &place)
         const vehicle::VehicleState *state = vehicle();
         if (!state)
             return;
-        const QString mode = modeOfPlaces(*state);
+        const QString mode = modeOfTargets(*state);
         const QString altitude = altitudeFigure(state->altitudeRelative, m_map.units()).text();
         QString question = tr("Go to this location?\n%1").arg(describe(place));
         if (flies(*state))
@@ -142,7 +138,7 @@ MenuItem MapMenu::goHere(const LatLong &place)
             ? QString()
             : tr("The mode changes from %1 to %2.").arg(fromStd(state->mode), mode);
         const vehicle::GoTo order{place.latitude, place.longitude, state->altitudeRelative, true};
-        ask(place, confirmCommand(m_commands, order, question, details, &m_window));
+        ask(place, confirmCommand(m_commands, order, question, details, &m_window), tr("Target"));
     };
     return {.id = QStringLiteral("mapGoHere"), .text = tr("&Go here…"), .trigger = trigger, .disabledReason = [this] {
                 return movesDisabledReason(m_selection.view());
@@ -165,15 +161,18 @@ MenuItem MapMenu::setHome(const LatLong &place)
             }};
 }
 
-void MapMenu::ask(const LatLong &place, QMessageBox *question)
+void MapMenu::ask(const LatLong &place, QMessageBox *question, const QString &label)
 {
     m_question = question;
-    markUntilClosed(place, question);
+    markUntilClosed(place, question, label);
 }
 
-void MapMenu::markUntilClosed(const LatLong &place, QDialog *dialog)
+/// The dialog stands beside the place, which the operator wants to see while confirming.
+void MapMenu::markUntilClosed(const LatLong &place, QDialog *dialog, const QString &label)
 {
-    m_map.setMark(place);
+    m_map.setMark(place, label);
+    dialog->move(placeBeside(dialog->frameGeometry().size(), m_map.mapToGlobal(m_map.pixelOf(place)),
+                             m_window.screen()->availableGeometry()));
     connect(dialog, &QDialog::finished, &m_map, [this] { m_map.setMark(std::nullopt); });
 }
 

@@ -37,9 +37,9 @@ private:
     MenuItems itemsFor(const LatLong &place);
     MenuItem goHere(const LatLong &place);
     MenuItem setHome(const LatLong &place);
-    /// Marks `place` until the question is answered.
-    void ask(const LatLong &place, QMessageBox *question);
-    void markUntilClosed(const LatLong &place, QDialog *dialog);
+    /// Marks `place` until the question is answered, with a word beside it that may be empty.
+    void ask(const LatLong &place, QMessageBox *question, const QString &label = {});
+    void markUntilClosed(const LatLong &place, QDialog *dialog, const QString &label = {});
     QString describe(const LatLong &place) const;
     const vehicle::VehicleState *vehicle() const;
 
