@@ -2,7 +2,9 @@
 
 #include "ui/command_guard.h"
 #include "ui/modeless.h"
+#include "ui/theme/grid.h"
 
+#include <QtWidgets/QGridLayout>
 #include <QtWidgets/QPushButton>
 
 namespace skyseal::ui {
@@ -17,6 +19,15 @@ QMessageBox *askToConfirm(const Question &question, QWidget *parent, QObject *co
     box->setDefaultButton(QMessageBox::Cancel);
     box->setEscapeButton(QMessageBox::Cancel);
     box->button(QMessageBox::Yes)->setText(question.yes);
+    if (auto *grid = qobject_cast<QGridLayout *>(box->layout())) {
+        // Window systems draw the title between icon and buttons, and cut it where the box is narrow. A box takes its size from
+        // its layout.
+        constexpr int kFrameRoom = 20 * kGrid;
+        QFont bold = box->font();
+        bold.setBold(true);
+        const int width = QFontMetrics(bold).horizontalAdvance(question.title) + kFrameRoom;
+        grid->addItem(new QSpacerItem(width, 0), grid->rowCount(), 0, 1, grid->columnCount());
+    }
     new CommandGuard(*box->button(QMessageBox::Yes));
     QObject::connect(box, &QMessageBox::finished, context, [confirmed = std::move(confirmed)](int result) {
         if (result == QMessageBox::Yes)

@@ -71,7 +71,8 @@ private Q_SLOTS:
         m_window->setDemo(true);
         QVERIFY(bar->isVisible());
         QVERIFY(bar->width() >= m_window->width() - 32); // across the window
-        QVERIFY(find<QLabel>("sourceTitle")->text().startsWith(QStringLiteral("DEMO")));
+        QVERIFY(find<QLabel>("sourceTitle")->text().startsWith(QStringLiteral("DEMO: a simulated copter takes off")));
+        QVERIFY(find<QLabel>("sourceTitle")->toolTip().contains(QStringLiteral("End the demo")));
         QSignalSpy ended(m_window.get(), &MainWindow::demoEndRequested);
         QTest::mouseClick(find<QPushButton>("sourceEnd"), Qt::LeftButton);
         QCOMPARE(ended.size(), 1);
@@ -222,6 +223,11 @@ private Q_SLOTS:
         QTest::keyClick(m_window.get(), Qt::Key_Q, Qt::ControlModifier);
         EVENTUALLY(m_window->findChild<QMessageBox *>(QStringLiteral("confirmQuit")));
         QVERIFY(m_window->isVisible());
+        const auto *box = find<QMessageBox>("confirmQuit");
+        QFont bold = box->font();
+        bold.setBold(true);
+        const int title = QFontMetrics(bold).horizontalAdvance(box->windowTitle());
+        QVERIFY(box->width() >= title + 120); // beside the icon and the buttons of a frame
         QTest::keyClick(find<QMessageBox>("confirmQuit"), Qt::Key_Escape);
         EVENTUALLY(!m_window->findChild<QMessageBox *>(QStringLiteral("confirmQuit")));
         QVERIFY(m_window->isVisible());

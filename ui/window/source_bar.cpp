@@ -59,8 +59,12 @@ void SourceBar::showSource(Source source, const QString &name)
     m_name = name;
     setState({}, false);
     const bool demo = source == Source::Demo;
-    m_title->setText(demo ? tr("DEMO: simulated vehicle, simulated data") : tr("REPLAY: %1").arg(name));
-    m_title->setToolTip(plainTip(m_title->text()));
+    m_title->setText(demo ? tr("DEMO: a simulated copter takes off and flies by itself until you command it")
+                          : tr("REPLAY: %1").arg(name));
+    m_title->setToolTip(
+        demo ? tr("All data are simulated. Your first command ends the flight of the demo. End the demo, here or in "
+                  "the menu Tools, returns to your links.")
+             : plainTip(m_title->text()));
     m_end->setText(demo ? tr("End the demo") : tr("Back to live"));
     m_end->setAccessibleName(m_end->text());
     paintSource();
