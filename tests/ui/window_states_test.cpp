@@ -64,6 +64,7 @@ private Q_SLOTS:
         QVERIFY(find<QLabel>("emptyTitle")->text().contains(QStringLiteral("0.0.0.0:14550")));
         QVERIFY(find<QLabel>("emptyText")->text().contains(QStringLiteral("skyseal-air")));
         QVERIFY(find<QLabel>("emptyCommand")->text().contains(QStringLiteral("udpout:127.0.0.1:14550")));
+        QVERIFY(find<QLabel>("emptyCommand")->text().startsWith(QStringLiteral("skyseal-cli keys new --out air.key")));
         engine::Snapshot elsewhere = waitingSnapshot();
         elsewhere.time = 1;
         elsewhere.links.front().localAddress = "0.0.0.0:14661";

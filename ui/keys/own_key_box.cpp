@@ -86,7 +86,8 @@ void OwnKeyBox::refresh()
         widget->setVisible(has);
     m_file->setVisible(!own.file.isEmpty());
     if (!has) {
-        m_intro->setText(own.problem.isEmpty() ? tr("This station has no key: it can use only plain MAVLink.")
+        m_intro->setText(own.problem.isEmpty() ? tr("This station has no key: it can use only plain MAVLink. Create one with\n"
+                                                    "skyseal-cli keys new --out FILE\nand start with --identity FILE.")
                                                : tr("No key is in use: %1").arg(own.problem));
         m_file->setText(own.file);
         return;

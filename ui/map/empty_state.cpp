@@ -143,9 +143,12 @@ void EmptyState::showViewState(const ViewState &view)
         text = tr("Add a link to the vehicle, or listen for one on UDP port 14550.");
     } else {
         title = tr("Waiting for a vehicle on %1").arg(listening);
-        text = tr("Start an agent, skyseal-air, beside an autopilot:");
+        text = tr(
+            "Start an agent, skyseal-air, beside an autopilot. If it has no key yet, the first line creates one; then pair "
+            "the two in Security → Keys and peers:");
         // The port that is open, which may differ from the settings.
-        command = QStringLiteral("skyseal-air --vehicle tcp:127.0.0.1:5760 \\\n"
+        command = QStringLiteral("skyseal-cli keys new --out air.key\n"
+                                 "skyseal-air --vehicle tcp:127.0.0.1:5760 \\\n"
                                  "  --ground udpout:127.0.0.1:%1 \\\n"
                                  "  --identity air.key --peers air.peers")
                       .arg(listening.section(QLatin1Char(':'), -1));
