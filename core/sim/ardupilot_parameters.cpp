@@ -8,6 +8,9 @@ using enum ParameterType;
 
 // As ArduPilot's simulator names them (SITL.cpp).
 constexpr ParameterRow kSimulationRows[] = {
+    {"SIM_ADSB_ALT", Real32, 1000, 0, 20000},
+    {"SIM_ADSB_COUNT", Int16, -1, -1, 100},
+    {"SIM_ADSB_RADIUS", Real32, 10000, 0, 100000},
     {"SIM_BARO_DISABLE", Int8, 0, 0, 1},
     {"SIM_BATT_VOLTAGE", Real32, 12.6f, 0, 12.6f},
     {"SIM_ENGINE_FAIL", Int32, 0, 0, 15},

@@ -17,14 +17,18 @@ struct Group
     std::string_view parameter;
 };
 
-constexpr std::array<Group, 8> kGroups{{{MAV_DATA_STREAM_RAW_SENSORS, "SR0_RAW_SENS"},
+/// Of the reports of aircraft. No station can request it by REQUEST_DATA_STREAM, not even as one of all.
+constexpr std::uint8_t kAircraft = 13;
+
+constexpr std::array<Group, 9> kGroups{{{MAV_DATA_STREAM_RAW_SENSORS, "SR0_RAW_SENS"},
                                         {MAV_DATA_STREAM_EXTENDED_STATUS, "SR0_EXT_STAT"},
                                         {MAV_DATA_STREAM_RC_CHANNELS, "SR0_RC_CHAN"},
                                         {MAV_DATA_STREAM_RAW_CONTROLLER, "SR0_RAW_CTRL"},
                                         {MAV_DATA_STREAM_POSITION, "SR0_POSITION"},
                                         {MAV_DATA_STREAM_EXTRA1, "SR0_EXTRA1"},
                                         {MAV_DATA_STREAM_EXTRA2, "SR0_EXTRA2"},
-                                        {MAV_DATA_STREAM_EXTRA3, "SR0_EXTRA3"}}};
+                                        {MAV_DATA_STREAM_EXTRA3, "SR0_EXTRA3"},
+                                        {kAircraft, "SR0_ADSB"}}};
 
 constexpr std::uint8_t kNoGroup = MAV_DATA_STREAM_ALL; // no message is a member of "all"
 constexpr std::uint8_t kPx4Only = 255;
@@ -38,7 +42,7 @@ struct Member
 
 // Grouped as in ArduCopter's GCS_Mavlink.cpp. The rates of PX4 are those of MAVLINK_MODE_NORMAL in its mavlink_main.cpp, of the
 // messages that are simulated.
-constexpr std::array<Member, 31> kMembers{{
+constexpr std::array<Member, 32> kMembers{{
     {Heartbeat::kId, kNoGroup, 1}, // 1 Hz by itself
     {RawImu::kId, MAV_DATA_STREAM_RAW_SENSORS},
     {ScaledImu2::kId, MAV_DATA_STREAM_RAW_SENSORS},
@@ -70,6 +74,7 @@ constexpr std::array<Member, 31> kMembers{{
     {EstimatorStatus::kId, kPx4Only, 0.5},
     {AttitudeTarget::kId, kPx4Only, 2},
     {PositionTargetLocalNed::kId, kPx4Only, 1.5},
+    {AdsbVehicle::kId, kAircraft, 5},
 }};
 
 std::optional<std::size_t> find(std::uint32_t message)
@@ -123,7 +128,7 @@ bool StreamScheduler::requestGroup(Parameters &parameters, std::uint8_t stream, 
     if (parameters.type().isPx4())
         return false; // it knows no groups
     for (const Group &group : kGroups) {
-        if (stream == MAV_DATA_STREAM_ALL || stream == group.stream) {
+        if (group.stream != kAircraft && (stream == MAV_DATA_STREAM_ALL || stream == group.stream)) {
             const auto index = parameters.find(group.parameter);
             parameters.set(*index, std::min(static_cast<float>(rate), parameters.info(*index).maximum));
             known = true;

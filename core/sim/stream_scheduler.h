@@ -37,7 +37,7 @@ public:
     void skipTo(TimePoint now);
 
 private:
-    static constexpr std::size_t kMessages = 31;
+    static constexpr std::size_t kMessages = 32;
     static constexpr unsigned kNoRevision = ~0u; ///< look at the parameters again, changed or not
 
     struct Slot
@@ -54,7 +54,7 @@ private:
     TimePoint m_start;
     const Firmware m_firmware;
     std::array<Slot, kMessages> m_slots{};
-    std::array<int, 13> m_rates{}; ///< Hz per MAV_DATA_STREAM
+    std::array<int, 14> m_rates{}; ///< Hz per MAV_DATA_STREAM, and of the aircraft
     unsigned m_revision = kNoRevision;
     bool m_started = false;
 };

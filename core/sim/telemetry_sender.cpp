@@ -16,7 +16,7 @@ constexpr std::size_t kTextChunk = 50;
 
 TelemetrySender::TelemetrySender(const Autopilot &autopilot, FrameQueue &outbox, std::uint64_t seed)
     : m_autopilot(autopilot), m_outbox(outbox), m_noise(seed, 4), m_serial(Noise(seed, 5).next()),
-      m_motion(autopilot, outbox, m_noise)
+      m_motion(autopilot, outbox, m_noise), m_traffic(autopilot)
 {}
 
 bool TelemetrySender::send(std::uint32_t message)
@@ -38,6 +38,7 @@ bool TelemetrySender::sendSystem(std::uint32_t message)
     case mavlink::ExtendedSysState::kId: extendedState(); return true;
     case mavlink::FenceStatus::kId: return fenceStatus();
     case mavlink::AutopilotVersion::kId: version(); return true;
+    case mavlink::AdsbVehicle::kId: return aircraft();
     case mavlink::EstimatorStatus::kId: return px4 && (estimatorStatus(), true);
     case mavlink::PowerStatus::kId: {
         mavlink::PowerStatus out;
@@ -114,6 +115,14 @@ bool TelemetrySender::sendSystem(std::uint32_t message)
     }
     default: return false;
     }
+}
+
+bool TelemetrySender::aircraft()
+{
+    const auto report = m_traffic.nextReport();
+    if (report)
+        m_outbox.send(*report);
+    return report.has_value();
 }
 
 std::uint8_t TelemetrySender::baseMode() const

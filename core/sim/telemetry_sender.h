@@ -2,6 +2,7 @@
 // radio and identity; MotionMessages has the others.
 #pragma once
 
+#include "core/sim/air_traffic.h"
 #include "core/sim/autopilot.h"
 #include "core/sim/motion_messages.h"
 
@@ -35,6 +36,7 @@ private:
     void extendedState();
     bool fenceStatus();
     void version();
+    bool aircraft();
     void estimatorStatus();
     std::uint8_t baseMode() const;
 
@@ -45,6 +47,7 @@ private:
     Noise m_noise;
     std::uint64_t m_serial;
     MotionMessages m_motion;
+    AirTraffic m_traffic;
     WallTime m_wallTime{};
     std::uint16_t m_textId = 0;
 };

@@ -1,5 +1,6 @@
 // Messages of the simulated vehicle to a station: parameters, streams at exact rates, texts, time; and two runs that are equal
 // to the last byte.
+#include "core/sim/air_traffic.h"
 #include "tests/sim/test_station.h"
 #include "tests/support/test_runner.h"
 
@@ -24,6 +25,7 @@ private Q_SLOTS:
     void parametersTakeEffect();
     void streamRatesAreExact();
     void requestedMessagesComeOnce();
+    void aircraftAreReported();
     void timeAndPing();
     void longTextsAreChunked();
     void rebootKeepsParameters();
@@ -162,6 +164,50 @@ void SimTelemetryTest::requestedMessagesComeOnce()
     QVERIFY(std::abs(station.last<HomePosition>().latitude + 353632610) < 100);
     QCOMPARE(station.command(MAV_CMD_DO_SET_HOME, {0, 0, 0, 0, -35.3600f, 149.1650f, 584}), int(MAV_RESULT_ACCEPTED));
     QVERIFY(std::abs(station.last<HomePosition>().latitude + 353600000) < 100);
+}
+
+void SimTelemetryTest::aircraftAreReported()
+{
+    TestStation station;
+    station.setParameter("SIM_ADSB_COUNT", 3);
+    station.setParameter("SIM_ADSB_RADIUS", 400);
+    station.setParameter("SIM_ADSB_ALT", 60);
+    RequestDataStream request;
+    request.target_system = 1;
+    request.req_message_rate = 10;
+    request.start_stop = 1;
+    station.send(request); // all streams, of which this is none
+    station.run(3);
+    QCOMPARE(station.count<AdsbVehicle>(), std::size_t(0));
+    station.setParameter("SR0_ADSB", 6);
+    station.run(0.5);
+    station.forget();
+    station.run(10);
+    const auto reports = station.all<AdsbVehicle>();
+    QVERIFY2(std::abs(int(reports.size()) - 60) <= 1, qPrintable(QString::number(reports.size())));
+    const GeoFrame world(AutopilotConfig{}.start);
+    std::map<std::uint32_t, std::vector<AdsbVehicle>> aircraft;
+    for (const AdsbVehicle &report : reports) {
+        const Vector3 place = world.toLocal({report.lat * 1e-7, report.lon * 1e-7, report.altitude * 1e-3});
+        QVERIFY(std::abs(place.horizontal() - 400) < 0.1 && std::abs(place.z + 60) < 0.1);
+        QVERIFY(report.flags & ADSB_FLAGS_SIMULATED);
+        aircraft[report.ICAO_address].push_back(report);
+    }
+    QCOMPARE(aircraft.size(), std::size_t(3));
+    for (const auto &[address, path] : aircraft) {
+        const AdsbVehicle &one = path[5], &next = path[6];
+        const auto north = [&](const AdsbVehicle &at) { return world.toLocal({at.lat * 1e-7, at.lon * 1e-7, 0}).x; };
+        const double course = one.heading * 0.01 + degrees(AirTraffic::kSpeed * 0.25 / 400); // the mean of the arc between
+        const double flown = north(next) - north(one);
+        QVERIFY2(std::abs(flown - AirTraffic::kSpeed * 0.5 * std::cos(radians(course))) < 2,
+                 qPrintable(QString::number(flown)));
+        QCOMPARE(int(one.hor_velocity), 5000);
+    }
+    station.setParameter("SIM_ADSB_COUNT", 0);
+    station.run(0.5);
+    station.forget();
+    station.run(3);
+    QCOMPARE(station.count<AdsbVehicle>(), std::size_t(0));
 }
 
 void SimTelemetryTest::timeAndPing()
