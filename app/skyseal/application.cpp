@@ -275,6 +275,12 @@ void Application::startDemo()
         return;
     }
     m_demo = std::move(*demo);
+    if (const auto &snapshot = m_window->view().station()) {
+        m_linksBeforeDemo.emplace();
+        for (const engine::LinkSnapshot &link : snapshot->links)
+            if (!link.listenOnly) // such a link needs its key as well
+                *m_linksBeforeDemo << QString::fromStdString(link.url);
+    }
     m_station->exchange(configOf(m_window->settings(), m_demo->stationKeys()));
     m_keyProblem.clear();
     useKeys(m_demo->stationKeys());
@@ -300,9 +306,19 @@ void Application::endDemo()
         m_station->exchange(configOf(m_window->settings(), {}));
     }
     useKeys(keys);
-    openLinks();
+    openLinksAgain();
     if (!m_keyProblem.isEmpty())
         showKeyProblem();
+}
+
+/// Those that the user had when the demo took their place, whether the operator or the command line opened them.
+void Application::openLinksAgain()
+{
+    const auto before = std::exchange(m_linksBeforeDemo, {});
+    if (!before)
+        return openLinks();
+    for (const QString &url : *before)
+        m_window->addLink(url);
 }
 
 /// The vehicle of the demo is met on a port of its own on loopback, unless the command line names links.

@@ -42,6 +42,7 @@ private:
     void reportLeftOutPeers(const keys::PeersInForce &peers);
     void makeWindow();
     void openLinks();
+    void openLinksAgain();
     void markRun(const engine::Snapshot &snapshot);
     void offerRescue();
     void startDemo();
@@ -68,6 +69,7 @@ private:
     std::unique_ptr<ui::MainWindow> m_window;
     std::unique_ptr<Demo> m_demo;
     std::unique_ptr<DemoFlight> m_demoFlight;
+    std::optional<QStringList> m_linksBeforeDemo; ///< of the user; empty: those of the start
 };
 
 } // namespace skyseal::app
