@@ -74,6 +74,11 @@ ParametersPanel::ParametersPanel(StationInterface &station, QWidget *parent) : D
     column->addLayout(tools);
     column->addWidget(view, 1);
 
+    // A key edits the value, wherever in its row the operator is: a list of rows has no key that goes from column to column.
+    connect(view->selectionModel(), &QItemSelectionModel::currentChanged, view, [view](const QModelIndex &now) {
+        if (now.isValid() && now.column() != ParameterModel::Value)
+            view->setCurrentIndex(now.siblingAtColumn(ParameterModel::Value));
+    });
     connect(m_fetch, &QPushButton::clicked, this, &ParametersPanel::fetch);
     connect(&m_model, &ParameterModel::writeRequested, this, [this](const QString &name, double value) {
         if (m_disabledReason.isEmpty())
