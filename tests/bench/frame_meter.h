@@ -6,6 +6,7 @@
 #include <QtWidgets/QApplication>
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 namespace skyseal::test {
@@ -55,6 +56,11 @@ public:
         auto sorted = m_frames;
         std::sort(sorted.begin(), sorted.end());
         return static_cast<double>(sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))]) / 1e6;
+    }
+    double meanFrameMs() const
+    {
+        const auto sum = static_cast<double>(std::accumulate(m_frames.begin(), m_frames.end(), qint64(0)));
+        return m_frames.empty() ? 0 : sum / static_cast<double>(m_frames.size()) / 1e6;
     }
     /// Of the longest time without a pause, with or without a frame.
     double worstStretchMs() const { return static_cast<double>(m_worstStretch) / 1e6; }

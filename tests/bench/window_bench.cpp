@@ -1,7 +1,7 @@
-// What the window costs: a process that flies one vehicle over a map, how soon the program shows itself, and the frames of the
-// window with fifty vehicles and with a thousand map tiles. Needs no display; under a real one with QT_QPA_PLATFORM=xcb. The
-// programs come from the same build. Exit status 1 if a limit is exceeded, which says something only on a machine that does
-// nothing else.
+// What the window costs: a process that flies one vehicle over a map, how soon the program shows itself and ends, and the
+// frames of the window with fifty vehicles, with a thousand map tiles and with the longest track. Needs no display; under a
+// real one with QT_QPA_PLATFORM=xcb. The programs come from the same build. Exit status 1 if a limit is exceeded, which says
+// something only on a machine that does nothing else.
 #include "frame_meter.h"
 #include "window_scene.h"
 
@@ -12,6 +12,7 @@
 #include "core/metrics/process_usage.h"
 #include "tests/support/flight.h"
 #include "ui/map/map_view.h"
+#include "ui/map/track.h"
 #include "ui/window/main_window.h"
 
 #include <QtCore/QDateTime>
@@ -28,7 +29,8 @@ using namespace skyseal::test;
 
 namespace {
 
-constexpr double kMostCpu = 3, kMostMegabytes = 100, kMostStartMs = 500, kMostFrameMs = 33;
+constexpr double kMostCpu = 3, kMostMegabytes = 100, kMostStartMs = 500, kMostQuitMs = 500, kMostFrameMs = 33;
+constexpr double kMostMeanFrameMs = 16.7; // sixty a second
 constexpr int kSceneSeconds = 15;
 constexpr QSize kWindow(1366, 768);
 
@@ -90,6 +92,16 @@ public:
         m_process.terminate();
         m_process.waitForFinished();
     }
+    /// As the desktop ends its programs. Returns how many milliseconds the program needed.
+    double quit()
+    {
+        QElapsedTimer clock;
+        clock.start();
+        m_process.terminate();
+        if (!m_process.waitForFinished() || m_process.exitStatus() != QProcess::NormalExit)
+            qFatal("the program does not quit");
+        return static_cast<double>(clock.nsecsElapsed()) / 1e6;
+    }
     void start(const QStringList &arguments) { m_process.start(QStringLiteral(SKYSEAL_BIN_DIR "/skyseal"), arguments); }
     QString path(const QString &name) const { return m_home.filePath(name); }
     QProcess &process() { return m_process; }
@@ -148,6 +160,32 @@ void oneVehicle(const QString &tiles)
     report("resident memory", rollupMegabytes(pid, "Rss"), "MB", kMostMegabytes);
     std::printf("  of that, its share of what processes have in common (Pss)  %8.1f MB; private %.1f MB\n",
                 rollupMegabytes(pid, "Pss"), rollupMegabytes(pid, "Private_Dirty") + rollupMegabytes(pid, "Private_Clean"));
+}
+
+/// From the request to the end of the process, while a vehicle is connected over a sealed link and recorded.
+void quitting()
+{
+    std::printf("The end of the program, one vehicle sealed and recorded\n");
+    Flight flight;
+    Program sim(QStringLiteral("skyseal-sim"), flight.simArguments());
+    Program air(QStringLiteral("skyseal-air"), flight.airArguments());
+    std::vector<double> times;
+    for (int i = 0; i < 7; ++i) {
+        Skyseal program;
+        program.start({QStringLiteral("--identity"), flight.path(QStringLiteral("ground.key")), QStringLiteral("--peers"),
+                       flight.path(QStringLiteral("ground.peers")), QStringLiteral("--link"),
+                       QStringLiteral("udpin:127.0.0.1:%1").arg(flight.groundPort)});
+        const auto isUp = [](const QJsonObject &event) {
+            return event[QLatin1String("state")].toString() == QLatin1String("up");
+        };
+        if (air.waitFor(QStringLiteral("session"), isUp).isEmpty())
+            qFatal("no session");
+        run(3000); // of flight, on the map and in the recording
+        times.push_back(program.quit());
+    }
+    std::sort(times.begin(), times.end());
+    report("time to quit, median of 7", times[3], "ms", kMostQuitMs);
+    report("the longest", times.back(), "ms", kMostQuitMs);
 }
 
 /// The window in this process, with a real station.
@@ -266,9 +304,42 @@ void thousandTiles(MeteredApplication &application, MapServer &server)
     reportFrames(application, "Fly");
 }
 
+/// A survey of parallel lanes, two metres between its points.
+void flyTrack(ui::MainWindow &window, ui::MapView &map)
+{
+    engine::Snapshot snapshot = *window.view().snapshot;
+    constexpr double kDegree = 111319.5;
+    for (int i = 0; i < static_cast<int>(ui::Track::kMost); ++i) {
+        const int lane = i / 250, along = lane % 2 ? 249 - i % 250 : i % 250;
+        auto &state = snapshot.vehicles.front().state;
+        state.position.latitude = 47.3977 + lane * 10 / kDegree;
+        state.position.longitude = 8.5456 + along * 2 / kDegree / 0.677;
+        map.showViewState(ui::viewOf(std::make_shared<const engine::Snapshot>(snapshot), state.systemId));
+    }
+}
+
+void longTrack(MeteredApplication &application, const QString &tiles)
+{
+    BenchWindow window(tiles);
+    const OnThread<CirclingFleet> vehicle(window.port, 1);
+    if (!eventually([&] { return window.vehicles() > 0 && (*window).view().vehicle->state.position.known(); }))
+        qFatal("no vehicle");
+    flyTrack(*window, window.map());
+    run(3000); // the tiles of the first picture
+    std::printf("Pan and zoom with %zu track points over tiles, one vehicle at %d Hz, %d s\n", ui::Track::kMost,
+                CirclingFleet::kHz, kSceneSeconds);
+    application.restart();
+    {
+        const Mover mover(window.map());
+        run(kSceneSeconds * 1000);
+    }
+    report("the mean frame", application.meanFrameMs(), "ms", kMostMeanFrameMs);
+    reportFrames(application, "Fly");
+}
+
 } // namespace
 
-/// Arguments choose scenes: start, one, fifty, tiles. None: all.
+/// Arguments choose scenes: start, quit, one, fifty, tiles, track. None: all.
 int main(int argc, char **argv)
 {
     if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
@@ -283,11 +354,15 @@ int main(int argc, char **argv)
     std::printf("platform %s\n", qPrintable(QGuiApplication::platformName()));
     if (wanted("start"))
         firstWindow();
+    if (wanted("quit"))
+        quitting();
     if (wanted("one"))
         oneVehicle(server->address());
     if (wanted("fifty"))
         fiftyVehicles(application, server->address());
     if (wanted("tiles"))
         thousandTiles(application, *server);
+    if (wanted("track"))
+        longTrack(application, server->address());
     return failed ? 1 : 0;
 }

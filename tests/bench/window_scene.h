@@ -1,4 +1,4 @@
-// What the window of a benchmark shows: fifty vehicles that fly in circles, and a server of map tiles, each on a thread of its
+// What the window of a benchmark shows: vehicles that fly in circles, and a server of map tiles, each on a thread of its
 // own.
 #pragma once
 
@@ -52,18 +52,18 @@ class CirclingFleet
 public:
     static constexpr int kVehicles = 50, kHz = 10;
 
-    explicit CirclingFleet(quint16 port) : m_port(port)
+    explicit CirclingFleet(quint16 port, int vehicles = kVehicles) : m_port(port), m_vehicles(vehicles)
     {
         QObject::connect(&m_timer, &QTimer::timeout, &m_timer, [this] { step(); });
         m_timer.setTimerType(Qt::PreciseTimer);
-        m_timer.start(1000 / (kVehicles * kHz));
+        m_timer.start(1000 / (m_vehicles * kHz));
     }
 
 private:
     /// One vehicle after the other.
     void step()
     {
-        const int vehicle = m_step % kVehicles, round = m_step / kVehicles;
+        const int vehicle = m_step % m_vehicles, round = m_step / m_vehicles;
         ++m_step;
         const auto id = static_cast<std::uint8_t>(vehicle + 1);
         const double angle = 0.01 * round + vehicle, radius = 60 + 8 * vehicle; // metres
@@ -100,6 +100,7 @@ private:
     }
 
     quint16 m_port;
+    int m_vehicles;
     QUdpSocket m_socket;
     QTimer m_timer;
     int m_step = 0;
