@@ -1,6 +1,7 @@
 #include "ui/alerts/alert_stack.h"
 
 #include "ui/alerts/alert_row.h"
+#include "ui/control_action.h"
 #include "ui/text/plain_tip.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/instrument_style.h"
@@ -40,6 +41,7 @@ AlertStack::AlertStack(QWidget &ground) : QFrame(ground.parentWidget()), m_groun
         row->button()->installEventFilter(this);
         connect(row, &AlertRow::dismissed, this, [this, i] { dismissRow(i); });
     }
+    addAction(pressAction(*m_rows.front()->button(), Qt::CTRL | Qt::SHIFT | Qt::Key_Y));
     m_more = new QLabel(this);
     m_more->setObjectName(QStringLiteral("alertMore"));
     m_more->setTextFormat(Qt::PlainText);

@@ -52,6 +52,8 @@ DiagnosticsPanel::DiagnosticsPanel(QWidget *parent)
     connectTools();
     showGroup();
     m_tools->showRange(m_range);
+    addActions(m_tools->actions());
+    addActions(m_sweep->actions());
 
     m_timer->setInterval(kRefreshMs);
     connect(m_timer, &QTimer::timeout, this, [this] {
@@ -80,6 +82,8 @@ void DiagnosticsPanel::connectTools()
     connect(m_tools, &DiagnosticsTools::groupChanged, this, &DiagnosticsPanel::showGroup);
     connect(m_tools, &DiagnosticsTools::spanChosen, this,
             [this](double span) { changeRange([span](ChartRange &range) { range.setSpan(span); }); });
+    connect(m_tools, &DiagnosticsTools::spanStepped, this,
+            [this](int steps) { changeRange([steps](ChartRange &range) { range.zoom(steps); }); });
     connect(m_tools, &DiagnosticsTools::freezeChosen, this, [this](bool frozen) {
         changeRange([&](ChartRange &range) { frozen ? range.freeze(m_history.newest()) : range.goLive(); });
     });

@@ -2,6 +2,7 @@
 
 #include "ui/charts/chart_range.h"
 #include "ui/charts/suite_legend.h"
+#include "ui/control_action.h"
 #include "ui/text/units.h"
 #include "ui/theme/grid.h"
 
@@ -49,10 +50,10 @@ DiagnosticsTools::DiagnosticsTools(QWidget *parent) : QWidget(parent), m_groups(
     m_save->setPopupMode(QToolButton::InstantPopup);
     m_save->setFocusPolicy(Qt::StrongFocus);
     auto *menu = new QMenu(m_save);
-    menu->addAction(tr("Samples shown, as &CSV…"), this, &DiagnosticsTools::csvRequested)
-        ->setObjectName(QStringLiteral("chartCsv"));
-    menu->addAction(tr("&Picture as PNG or SVG…"), this, &DiagnosticsTools::pictureRequested)
-        ->setObjectName(QStringLiteral("chartPicture"));
+    QAction *csv = menu->addAction(tr("Samples shown, as &CSV…"), this, &DiagnosticsTools::csvRequested);
+    csv->setObjectName(QStringLiteral("chartCsv"));
+    QAction *picture = menu->addAction(tr("&Picture as PNG or SVG…"), this, &DiagnosticsTools::pictureRequested);
+    picture->setObjectName(QStringLiteral("chartPicture"));
     m_save->setMenu(menu);
 
     auto *row = new QHBoxLayout(this);
@@ -62,14 +63,25 @@ DiagnosticsTools::DiagnosticsTools(QWidget *parent) : QWidget(parent), m_groups(
     for (QWidget *tool : std::initializer_list<QWidget *>{m_view, m_group, m_span, m_freeze, m_save})
         row->addWidget(tool, 0, Qt::AlignTop);
 
-    connect(m_view, &QComboBox::currentIndexChanged, this, [this] {
+    connect(m_view, &QComboBox::currentIndexChanged, this, [this, csv, picture] {
         for (QWidget *tool : std::initializer_list<QWidget *>{m_legend, m_group, m_span, m_freeze, m_save})
             tool->setEnabled(view() != DiagnosticsView::Sweep); // the page of the sweep has its own tools
+        for (QAction *save : {csv, picture}) {
+            save->setEnabled(m_save->isEnabled());
+            save->setStatusTip(m_save->isEnabled() ? QString() : tr("The view \"Sweep\" is shown"));
+        }
         Q_EMIT viewChanged();
     });
     connect(m_group, &QComboBox::currentIndexChanged, this, &DiagnosticsTools::groupChanged);
     connect(m_span, &QComboBox::activated, this, [this] { Q_EMIT spanChosen(m_span->currentData().toDouble()); });
     connect(m_freeze, &QCheckBox::toggled, this, &DiagnosticsTools::freezeChosen);
+    const auto stepSpan = [this](const char *id, const QString &text, const QKeySequence &keys, int steps) {
+        return new ControlAction(*m_span, QLatin1String(id), text, keys, [this, steps] { Q_EMIT spanStepped(steps); });
+    };
+    addActions({pressAction(*m_freeze, Qt::CTRL | Qt::Key_F9),
+                stepSpan("chartShorter", tr("Shorter time range"), Qt::CTRL | Qt::Key_F10, 1),
+                stepSpan("chartLonger", tr("Longer time range"), Qt::CTRL | Qt::Key_F11, -1),
+                focusAction(*m_view, tr("Choose the view")), focusAction(*m_group, tr("Choose the quantities")), csv, picture});
 }
 
 QComboBox *DiagnosticsTools::addChoice(const char *objectName, const QString &accessible)

@@ -33,6 +33,8 @@ Q_SIGNALS:
     void viewChanged();
     void groupChanged();
     void spanChosen(double seconds);
+    /// To the next shorter range if positive, to the next longer one if negative.
+    void spanStepped(int steps);
     void freezeChosen(bool frozen);
     void csvRequested();
     void pictureRequested();

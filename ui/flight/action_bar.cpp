@@ -1,6 +1,7 @@
 #include "ui/flight/action_bar.h"
 
 #include "core/engine/station/snapshot.h"
+#include "ui/control_action.h"
 #include "ui/flight/altitude_box.h"
 #include "ui/flight/confirm_command.h"
 #include "ui/flight/emergency_stop.h"
@@ -79,6 +80,9 @@ ActionBar::ActionBar(VehicleCommands &commands, QWidget *parent)
     m_preArm->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
     m_preArm->setMinimumHeight(kTargetHeight);
     connect(&commands, &VehicleCommands::resultReported, this, &ActionBar::say);
+    addAction(new ControlAction(*m_preArm, QStringLiteral("press_preArmButton"), tr("Checklist and pre-arm checks…"),
+                                Qt::CTRL | Qt::Key_L, [this] { m_preArm->click(); }));
+    addActions(m_stop->actions());
     showViewState({});
     arrange();
 }

@@ -1,6 +1,7 @@
 #include "ui/flight/emergency_stop.h"
 
 #include "ui/command_guard.h"
+#include "ui/control_action.h"
 #include "ui/text/vehicle_name.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
@@ -42,6 +43,8 @@ EmergencyStop::EmergencyStop(QWidget *parent)
         lock();
         Q_EMIT confirmed();
     });
+    // No key and no entry of a list fires it: they lead to its lock.
+    addAction(focusAction(*m_unlock, tr("Go to the lock of the emergency stop"), Qt::CTRL | Qt::SHIFT | Qt::Key_E));
     showLock();
 }
 

@@ -1,6 +1,7 @@
 #include "ui/inspector/inspector_panel.h"
 
 #include "core/engine/station/snapshot.h"
+#include "ui/control_action.h"
 #include "ui/empty_text.h"
 #include "ui/theme/grid.h"
 
@@ -73,6 +74,7 @@ InspectorPanel::InspectorPanel(StationInterface &station, QWidget *parent)
     column->addWidget(wanted);
     column->addWidget(split, 1);
     connect(m_list->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &InspectorPanel::showFields);
+    addAction(focusAction(*wanted, tr("Find a message type")));
 }
 
 void InspectorPanel::showViewState(const ViewState &view)

@@ -2,6 +2,7 @@
 
 #include "core/engine/station/snapshot.h"
 #include "core/engine/text/state_text.h"
+#include "ui/control_action.h"
 #include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
@@ -147,7 +148,6 @@ GatewaySection::GatewaySection(StationInterface &station, QWidget *parent) : QWi
     m_classesButton->setPopupMode(QToolButton::InstantPopup);
     m_classesButton->setFocusPolicy(Qt::StrongFocus);
     m_classesButton->setMenu(m_classes);
-    m_classesButton->setEnabled(false);
     m_warning = new QLabel(this);
     m_warning->setObjectName(QStringLiteral("serveWarning"));
     m_warning->setAccessibleName(tr("What other stations can do"));
@@ -197,6 +197,11 @@ GatewaySection::GatewaySection(StationInterface &station, QWidget *parent) : QWi
         m_classes->setRights(first ? first->write : engine::WriteRights::all());
     });
     connect(m_classes, &RightsMenu::rightsChosen, this, &GatewaySection::chooseRights);
+    m_classes->menuAction()->setObjectName(QStringLiteral("menuServeClasses"));
+    m_classes->setTitle(m_classesButton->accessibleName());
+    addActions({pressAction(*m_on), focusAction(*m_url, tr("Change the address for other stations")),
+                focusAction(*m_rights, tr("Change the rights of other stations")), m_classes->menuAction()});
+    allowClasses(false);
     showState(tr("off"), stateColors(palette()).dim);
 }
 
@@ -230,9 +235,17 @@ void GatewaySection::chooseRights(const engine::WriteRights &rights)
     choose();
 }
 
+/// In the panel and in the command palette.
+void GatewaySection::allowClasses(bool allowed)
+{
+    m_classesButton->setEnabled(allowed);
+    m_classes->menuAction()->setEnabled(allowed);
+    m_classes->menuAction()->setStatusTip(allowed ? QString() : tr("\"Read and write\" is not chosen"));
+}
+
 void GatewaySection::set(const Serving &serving)
 {
-    m_classesButton->setEnabled(serving.write);
+    allowClasses(serving.write);
     const bool changesService = serving.on || m_serving.on;
     m_serving = serving;
     if (changesService)

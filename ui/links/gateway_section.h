@@ -40,6 +40,7 @@ protected:
 private:
     void choose();
     void chooseRights(const engine::WriteRights &rights);
+    void allowClasses(bool allowed);
     void set(const Serving &serving);
     void serve();
     void showRights();

@@ -2,6 +2,7 @@
 
 #include "core/engine/station/snapshot.h"
 #include "ui/confirm_box.h"
+#include "ui/control_action.h"
 #include "ui/empty_text.h"
 #include "ui/theme/grid.h"
 
@@ -54,10 +55,16 @@ LinksPanel::LinksPanel(StationInterface &station, QWidget *parent) : DockPanel(p
     connect(m_gateway, &GatewaySection::sharingChanged, this, &LinksPanel::sharingChanged);
     connect(add, &QPushButton::clicked, this, &LinksPanel::addRequested);
     connect(m_remove, &QPushButton::clicked, this, &LinksPanel::removeChosen);
-    const auto allow = [this] { m_remove->setEnabled(m_view->currentIndex().isValid()); };
+    const auto allow = [this] {
+        const bool any = m_view->currentIndex().isValid();
+        m_remove->setEnabled(any);
+        m_remove->setToolTip(any ? QString() : tr("Select a link first"));
+    };
     connect(m_view->selectionModel(), &QItemSelectionModel::currentChanged, this, allow);
     connect(&m_model, &LinkModel::modelReset, this, allow);
     allow();
+    addAction(pressAction(*m_remove));
+    addActions(m_gateway->actions());
 }
 
 /// Asks if an armed vehicle is at the link.

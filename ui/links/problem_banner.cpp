@@ -1,5 +1,6 @@
 #include "ui/links/problem_banner.h"
 
+#include "ui/control_action.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/palettes.h"
@@ -28,6 +29,7 @@ ProblemBanner::ProblemBanner(QWidget *parent) : QFrame(parent)
     m_act->setObjectName(QStringLiteral("problemRemedy"));
     m_act->setAccessibleName(tr("Resolve the problem"));
     m_close = new QPushButton(tr("Dismiss"), this);
+    m_close->setObjectName(QStringLiteral("problemDismiss"));
     m_close->setAccessibleName(tr("Dismiss the problem"));
     m_close->setFlat(true);
     row->addWidget(m_icon);
@@ -40,6 +42,7 @@ ProblemBanner::ProblemBanner(QWidget *parent) : QFrame(parent)
         if (m_remedy)
             m_remedy();
     });
+    addActions({pressAction(*m_act), pressAction(*m_close)});
     hide();
 }
 

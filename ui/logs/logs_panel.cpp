@@ -1,6 +1,7 @@
 #include "ui/logs/logs_panel.h"
 
 #include "core/engine/station/snapshot.h"
+#include "ui/control_action.h"
 #include "ui/text/figures.h"
 #include "ui/text/units.h"
 #include "ui/text/vehicle_text.h"
@@ -72,6 +73,7 @@ LogsPanel::LogsPanel(StationInterface &station, const QString &folder, QWidget *
     connect(m_record, &QCheckBox::clicked, this, [this](bool on) { m_station.setRecording(on); });
     connect(open, &QPushButton::clicked, this, [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(m_folder)); });
     connect(replay, &QPushButton::clicked, this, &LogsPanel::replayRequested);
+    addActions({pressAction(*m_record), pressAction(*open)});
     showViewState({});
 }
 

@@ -1,6 +1,7 @@
 #include "ui/messages/messages_panel.h"
 
 #include "core/engine/text/event_text.h"
+#include "ui/control_action.h"
 #include "ui/empty_text.h"
 #include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
@@ -71,11 +72,14 @@ MessagesPanel::MessagesPanel(QWidget *parent) : DockPanel(parent)
     connect(grave, &QComboBox::currentIndexChanged, this,
             [this, grave] { m_filter.setLeastGrave(grave->currentData().toInt()); });
     auto *copyButton = new QPushButton(tr("Copy"), this);
+    copyButton->setObjectName(QStringLiteral("messageCopy"));
     copyButton->setAccessibleName(tr("Copy the messages"));
     connect(copyButton, &QPushButton::clicked, this, &MessagesPanel::copySelected);
     auto *clear = new QPushButton(tr("Clear"), this);
+    clear->setObjectName(QStringLiteral("messageClear"));
     clear->setAccessibleName(tr("Clear the messages"));
     connect(clear, &QPushButton::clicked, &m_model, &MessageModel::clear);
+    addActions({focusAction(*wanted, tr("Find a message"), QKeySequence::Find), pressAction(*copyButton), pressAction(*clear)});
 
     auto *tools = new QHBoxLayout;
     tools->setSpacing(kGrid);

@@ -5,6 +5,7 @@
 #include "core/engine/text/event_text.h"
 #include "core/vehicle/mission_file.h"
 #include "ui/ask_file.h"
+#include "ui/control_action.h"
 #include "ui/result_label.h"
 #include "ui/settings.h"
 #include "ui/text/command_permits.h"
@@ -73,6 +74,8 @@ MissionPanel::MissionPanel(StationInterface &station, QWidget *parent)
     connect(m_send, &QPushButton::clicked, this, &MissionPanel::askAndSend);
     connect(m_save, &QPushButton::clicked, this, &MissionPanel::askAndSave);
     connect(&station, &StationInterface::eventOccurred, this, &MissionPanel::handleEvent);
+    addActions({pressAction(*m_read, Qt::CTRL | Qt::Key_F5), pressAction(*m_send, Qt::CTRL | Qt::Key_F6),
+                pressAction(*m_save, Qt::CTRL | Qt::Key_S)});
     showViewState({});
 }
 
@@ -160,6 +163,7 @@ void MissionPanel::showViewState(const ViewState &view)
         m_read->setToolTip(tr("The mission, and the fence and rally points if the vehicle has them"));
     const bool hasItems = m_mission && !m_mission->empty();
     m_save->setEnabled(hasItems);
+    m_save->setToolTip(hasItems ? QString() : tr("There are no items to save"));
     m_pages->setCurrentIndex(hasItems ? 1 : 0);
     const QString why = !view.vehicle ? tr("No vehicle.")
         : m_mission                   ? tr("The vehicle has no mission. Send a file to write one.")

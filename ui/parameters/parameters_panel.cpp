@@ -1,6 +1,7 @@
 #include "ui/parameters/parameters_panel.h"
 
 #include "core/engine/station/vehicle_snapshot.h"
+#include "ui/control_action.h"
 #include "ui/empty_text.h"
 #include "ui/result_label.h"
 #include "ui/text/command_permits.h"
@@ -87,6 +88,7 @@ ParametersPanel::ParametersPanel(StationInterface &station, QWidget *parent) : D
             m_model.written({name.toStdString(), value}, false, m_disabledReason);
     });
     connect(&station, &StationInterface::eventOccurred, this, &ParametersPanel::handleEvent);
+    addActions({pressAction(*m_fetch, Qt::CTRL | Qt::Key_F7), focusAction(*wanted, tr("Find a parameter"))});
     showViewState({});
 }
 

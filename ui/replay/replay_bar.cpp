@@ -1,6 +1,7 @@
 #include "ui/replay/replay_bar.h"
 
 #include "core/log/log_index.h"
+#include "ui/control_action.h"
 #include "ui/replay/link_event_text.h"
 #include "ui/replay/replay_timeline.h"
 #include "ui/text/figures.h"
@@ -22,6 +23,7 @@ namespace skyseal::ui {
 
 namespace {
 
+constexpr int kStep = 10'000; ///< milliseconds
 constexpr double kSpeeds[] = {0.1, 0.25, 0.5, 1, 2, 5, 10, 20, 50};
 
 QString speedText(double speed)
@@ -60,10 +62,42 @@ ReplayBar::ReplayBar(QWidget *parent)
     row->addWidget(m_position);
 
     connect(m_play, &QPushButton::clicked, this, &ReplayBar::playOrPause);
-    connect(m_speed, &QComboBox::activated, this,
-            [this](int index) { Q_EMIT commandRequested(engine::SetReplaySpeed{m_speed->itemData(index).toDouble()}); });
+    connect(m_speed, &QComboBox::activated, this, &ReplayBar::chooseSpeed);
     connect(m_line, &ReplayTimeline::seekRequested, this, &ReplayBar::seek);
+    makeActions();
     startOver();
+}
+
+void ReplayBar::makeActions()
+{
+    const auto onLine = [this](const char *id, const QString &text, Qt::Key key, std::function<void()> act) {
+        return new ControlAction(*m_line, QLatin1String(id), text, Qt::SHIFT | key, std::move(act));
+    };
+    const auto onSpeed = [this](const char *id, const QString &text, Qt::Key key, int steps) {
+        return new ControlAction(*m_speed, QLatin1String(id), text, Qt::SHIFT | key, [this, steps] { stepSpeed(steps); });
+    };
+    const auto skip = [this](int milliseconds) {
+        return [this, milliseconds] { m_line->seekTo(m_line->value() + milliseconds); };
+    };
+    addActions({pressAction(*m_play, Qt::SHIFT | Qt::Key_F3), onLine("replayBack", tr("Back 10 s"), Qt::Key_F2, skip(-kStep)),
+                onLine("replayForward", tr("Forward 10 s"), Qt::Key_F4, skip(kStep)),
+                onSpeed("replaySlower", tr("Slower"), Qt::Key_F6, -1), onSpeed("replayFaster", tr("Faster"), Qt::Key_F7, 1),
+                onLine("replayPreviousEvent", tr("Previous event"), Qt::Key_F8, [this] { m_line->goToMark(false); }),
+                onLine("replayNextEvent", tr("Next event"), Qt::Key_F9, [this] { m_line->goToMark(true); })});
+}
+
+void ReplayBar::stepSpeed(int steps)
+{
+    const int index = std::clamp(m_speed->currentIndex() + steps, 0, m_speed->count() - 1);
+    if (index == m_speed->currentIndex())
+        return;
+    m_speed->setCurrentIndex(index);
+    chooseSpeed(index);
+}
+
+void ReplayBar::chooseSpeed(int index)
+{
+    Q_EMIT commandRequested(engine::SetReplaySpeed{m_speed->itemData(index).toDouble()});
 }
 
 void ReplayBar::startOver()

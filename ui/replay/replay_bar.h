@@ -34,6 +34,9 @@ protected:
 
 private:
     void playOrPause();
+    void makeActions();
+    void stepSpeed(int steps);
+    void chooseSpeed(int index);
     void seek(Duration to);
     void showPlaying(bool playing);
     void showPosition();

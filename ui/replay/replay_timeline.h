@@ -26,6 +26,8 @@ public:
     void showPosition(Duration position);
     /// As if the operator had chosen the place, in milliseconds.
     void seekTo(int place);
+    /// As above, to the next mark after or before the position, or to an end.
+    void goToMark(bool forward);
 
     /// Places of the gaps, mode changes, times armed and cipher switches in words, for the tool tip at a pixel and for screen
     /// readers; empty where there is none.
@@ -57,7 +59,6 @@ private:
     void collectMarks();
     void collectSuites();
     void describeMarks();
-    void goToMark(bool forward);
     void paintMark(QPainter &painter, const Mark &mark) const;
     qreal pixelOf(Duration at) const;
     int millisecondsAt(int x) const;

@@ -1,5 +1,6 @@
 #include "ui/replay/rescue_bar.h"
 
+#include "ui/control_action.h"
 #include "ui/text/plain_tip.h"
 #include "ui/theme/form_pieces.h"
 #include "ui/theme/grid.h"
@@ -51,6 +52,7 @@ RescueBar::RescueBar(const UnfinishedRun &run, QWidget *parent) : QFrame(parent)
         Q_EMIT linksRequested(urls);
     });
     connect(dismiss, &QPushButton::clicked, this, &QWidget::close);
+    addActions({pressAction(*replay), pressAction(*links), pressAction(*dismiss)});
 }
 
 } // namespace skyseal::ui

@@ -62,7 +62,7 @@ QVariant ShortcutModel::headerData(int section, Qt::Orientation orientation, int
         return {};
     switch (section) {
     case Action: return tr("Action");
-    case Menu: return tr("Menu");
+    case Menu: return tr("Menu or panel");
     case Keys: return tr("Shortcut");
     case First: return tr("Default");
     default: return {};

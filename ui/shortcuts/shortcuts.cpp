@@ -42,11 +42,16 @@ Shortcuts::Shortcuts(QSettings &store, QObject *parent) : QObject(parent), m_sto
 void Shortcuts::take(const QMenuBar &bar)
 {
     for (const QAction *top : bar.actions()) {
-        const QMenu *menu = top->menu();
-        for (QAction *action : menu ? menu->actions() : QList<QAction *>()) {
-            if (!action->objectName().isEmpty() && !action->isSeparator() && !action->menu())
-                m_items.push_back({action, withoutMnemonic(top->text()), action->shortcut(), storedKeys(m_store, *action)});
-        }
+        if (const QMenu *menu = top->menu())
+            take(withoutMnemonic(top->text()), menu->actions());
+    }
+}
+
+void Shortcuts::take(const QString &title, const QList<QAction *> &actions)
+{
+    for (QAction *action : actions) {
+        if (!action->objectName().isEmpty() && !action->isSeparator() && !action->menu())
+            m_items.push_back({action, title, action->shortcut(), storedKeys(m_store, *action)});
     }
     apply();
 }

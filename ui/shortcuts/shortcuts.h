@@ -1,5 +1,5 @@
-// The shortcuts of the actions in the menus. The operator's choices are kept by the object name of each action, as
-// "shortcuts/ID" in the settings; all other actions have their first shortcut. Lives on the GUI thread.
+// The shortcuts of the actions in the menus and of those that panels publish. The operator's choices are kept by the object
+// name of each action, as "shortcuts/ID" in the settings; all other actions have their first shortcut. Lives on the GUI thread.
 #pragma once
 
 #include <QtCore/QObject>
@@ -22,7 +22,7 @@ public:
     struct Item
     {
         QAction *action;
-        QString menu;                       ///< title of the menu that the action is in
+        QString menu;                       ///< title of the menu or panel that the action is in
         QKeySequence first;                 ///< of the program
         std::optional<QKeySequence> chosen; ///< by the operator; empty keys: no shortcut
     };
@@ -34,6 +34,8 @@ public:
     /// them the stored ones. What is stored for other names stays; invalid or refused keys are ignored. The actions must
     /// outlive this. Entries of menus that fill themselves, such as the modes of a vehicle, have no name and no shortcut.
     void take(const QMenuBar &bar);
+    /// As above, for the actions of a panel or bar. Those that are menus have no shortcut.
+    void take(const QString &title, const QList<QAction *> &actions);
 
     const std::vector<Item> &items() const { return m_items; }
     /// Title of an action as a text.

@@ -1,6 +1,7 @@
 #include "ui/sweep/sweep_page.h"
 
 #include "core/experiment/analysis.h"
+#include "ui/control_action.h"
 #include "ui/theme/form_pieces.h"
 #include "ui/sweep/ratio_chart.h"
 #include "ui/sweep/sweep_bars.h"
@@ -93,6 +94,7 @@ SweepPage::SweepPage(QWidget *parent)
     setStatus(tr("No sweep yet. A sweep measures the cost of each suite in turn."));
     showStatus();
     setPossible(false);
+    addActions({pressAction(*m_cancel), pressAction(*m_save)});
 }
 
 SweepPage::~SweepPage() = default;

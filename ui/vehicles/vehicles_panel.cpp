@@ -1,6 +1,7 @@
 #include "ui/vehicles/vehicles_panel.h"
 
 #include "core/engine/station/snapshot.h"
+#include "ui/control_action.h"
 #include "ui/list_keys.h"
 #include "ui/theme/form_pieces.h"
 #include "ui/theme/grid.h"
@@ -72,6 +73,7 @@ VehiclesPanel::VehiclesPanel(StationInterface &station, QWidget *parent) : DockP
     column->addLayout(tools);
     column->addWidget(m_pages, 1);
     setFocusProxy(m_list);
+    addAction(focusAction(*m_typed, tr("Find a vehicle"), Qt::CTRL | Qt::SHIFT | Qt::Key_V));
 
     connect(m_typed, &QLineEdit::textChanged, this, [this](const QString &typed) {
         m_order.setTyped(typed);

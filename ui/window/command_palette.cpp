@@ -5,6 +5,7 @@
 #include "ui/text/menu_text.h"
 #include "ui/text/plain_tip.h"
 #include "ui/theme/grid.h"
+#include "ui/window/window_actions.h"
 
 #include <QtGui/QAction>
 #include <QtGui/QKeyEvent>
@@ -27,16 +28,16 @@ constexpr int kPaletteWidth = 76 * kGrid, kPaletteHeight = 44 * kGrid;
 
 } // namespace
 
-void CommandPalette::open(QMainWindow &window)
+void CommandPalette::open(QMainWindow &window, WindowActions &others)
 {
     if (raiseOpen<CommandPalette>(window))
         return;
-    auto *palette = new CommandPalette(window);
+    auto *palette = new CommandPalette(window, others);
     palette->move(window.mapToGlobal(QPoint((window.width() - kPaletteWidth) / 2, window.height() / 8)));
     showModeless(*palette);
 }
 
-CommandPalette::CommandPalette(QMainWindow &window) : QDialog(&window)
+CommandPalette::CommandPalette(QMainWindow &window, WindowActions &others) : QDialog(&window)
 {
     setObjectName(QStringLiteral("commandPalette"));
     setAttribute(Qt::WA_DeleteOnClose);
@@ -70,6 +71,10 @@ CommandPalette::CommandPalette(QMainWindow &window) : QDialog(&window)
     for (QAction *top : window.menuBar()->actions())
         if (QMenu *menu = top->menu())
             collect(*menu, withoutMnemonic(top->text()));
+    for (const WindowActions::Group &group : others.groups())
+        for (const auto &action : group.actions)
+            if (action)
+                collect(*action, group.title);
     // A long reason must not take the room of the name; its tip says all of it.
     m_list->resizeColumnToContents(1);
     m_list->header()->resizeSection(1, std::min(m_list->header()->sectionSize(1), kPaletteWidth * 2 / 5));
@@ -86,15 +91,19 @@ CommandPalette::CommandPalette(QMainWindow &window) : QDialog(&window)
 void CommandPalette::collect(QMenu &menu, const QString &path)
 {
     Q_EMIT menu.aboutToShow();
-    for (QAction *action : menu.actions()) {
-        if (action->isSeparator())
-            continue;
-        const QString name = path + QStringLiteral(" › ") + withoutMnemonic(action->text());
-        if (QMenu *submenu = action->menu(); submenu && action->isEnabled())
-            collect(*submenu, name);
-        else
-            add(*action, name);
-    }
+    for (QAction *action : menu.actions())
+        collect(*action, path);
+}
+
+void CommandPalette::collect(QAction &action, const QString &path)
+{
+    if (action.isSeparator() || !action.isVisible())
+        return;
+    const QString name = path + QStringLiteral(" › ") + withoutMnemonic(action.text());
+    if (QMenu *submenu = action.menu(); submenu && action.isEnabled())
+        collect(*submenu, name);
+    else
+        add(action, name);
 }
 
 void CommandPalette::add(QAction &action, const QString &path)

@@ -1,4 +1,5 @@
-// Finds any entry of the menus by typing parts of its name, and chooses it. Lives on the GUI thread.
+// Finds any entry of the menus, and any action of the panels and bars, by typing parts of its name, and chooses it. Lives
+// on the GUI thread.
 #pragma once
 
 #include <QtCore/QPointer>
@@ -15,20 +16,23 @@ class QTreeView;
 
 namespace skyseal::ui {
 
+class WindowActions;
+
 class CommandPalette : public QDialog
 {
     Q_OBJECT
 
 public:
-    /// Opens a palette over the menus of `window` as they are now, or raises the one that is open.
-    static void open(QMainWindow &window);
+    /// Opens a palette over the menus of `window` and its other actions as they are now, or raises the one that is open.
+    static void open(QMainWindow &window, WindowActions &others);
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
-    explicit CommandPalette(QMainWindow &window);
+    CommandPalette(QMainWindow &window, WindowActions &others);
     void collect(QMenu &menu, const QString &path);
+    void collect(QAction &action, const QString &path);
     void add(QAction &action, const QString &path);
     void filter(const QString &typed);
     void choose();

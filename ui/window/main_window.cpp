@@ -31,6 +31,7 @@
 #include "ui/window/remembered_checklists.h"
 #include "ui/window/source_bar.h"
 #include "ui/window/view_selection.h"
+#include "ui/window/window_actions.h"
 #include "ui/window/window_dialogs.h"
 #include "ui/window/window_docks.h"
 #include "ui/window/window_menus.h"
@@ -132,8 +133,8 @@ void MainWindow::makeBars()
 void MainWindow::makeCentre(const ProgramFacts &facts)
 {
     auto *centre = new QWidget(this);
-    auto *banner = new ProblemBanner(centre);
-    m_problems = new ProblemReports(m_station, *banner, *this);
+    m_banner = new ProblemBanner(centre);
+    m_problems = new ProblemReports(m_station, *m_banner, *this);
     m_map = new MapView({QStringLiteral("Skyseal/") + facts.version, facts.cacheFolder}, centre);
     m_empty = new EmptyState(centre);
     m_empty->setDemoAvailable(facts.demoAvailable);
@@ -144,13 +145,13 @@ void MainWindow::makeCentre(const ProgramFacts &facts)
     auto *ground = new QGridLayout;
     ground->addWidget(m_map, 0, 0);
     ground->addWidget(m_empty, 0, 0, Qt::AlignCenter);
-    column->addWidget(banner);
+    column->addWidget(m_banner);
     column->addLayout(ground, 1);
-    auto *actions = new ActionBar(*m_commands, centre);
-    actions->setUnits(m_settings.units);
-    connect(this, &MainWindow::settingsChanged, actions, [actions](const Settings &now) { actions->setUnits(now.units); });
-    connect(m_selection, &ViewSelection::numbersDue, actions, &ActionBar::showViewState);
-    column->addWidget(actions);
+    m_actionBar = new ActionBar(*m_commands, centre);
+    m_actionBar->setUnits(m_settings.units);
+    connect(this, &MainWindow::settingsChanged, m_actionBar, [this](const Settings &now) { m_actionBar->setUnits(now.units); });
+    connect(m_selection, &ViewSelection::numbersDue, m_actionBar, &ActionBar::showViewState);
+    column->addWidget(m_actionBar);
     setCentralWidget(centre);
 }
 
@@ -159,6 +160,7 @@ void MainWindow::makeMenus(const ProgramFacts &facts)
     const auto *alerts = new MapAlerts(m_station, *m_selection, *m_dialogs, *m_map, m_settings);
     connect(alerts, &MapAlerts::alertsShown, m_docks->panel<VehiclesPanel>(), &VehiclesPanel::showAlerts);
     auto *shortcuts = new Shortcuts(m_store, this);
+    m_actions = new WindowActions(*this, *shortcuts);
     MenuTargets targets{.window = *this,
                         .station = m_station,
                         .selection = *m_selection,
@@ -169,6 +171,7 @@ void MainWindow::makeMenus(const ProgramFacts &facts)
                         .workspaces = *m_workspaces,
                         .map = *m_map,
                         .shortcuts = *shortcuts,
+                        .actions = *m_actions,
                         .goToAlerts = alerts->goToAction(),
                         .version = facts.version,
                         .openSweep = [this] { openSweep(); },
@@ -183,8 +186,14 @@ void MainWindow::makeMenus(const ProgramFacts &facts)
     // At each view: a shortcut works as if the menu had been opened just before.
     connect(m_selection, &ViewSelection::viewChanged, menuBar(), addMenus(*menuBar(), windowMenus(targets)));
     shortcuts->take(*menuBar());
-    new MapMenu(*m_map, *m_selection, *m_commands, *m_dialogs, *this);
+    const auto *mapMenu = new MapMenu(*m_map, *m_selection, *m_commands, *m_dialogs, *this);
     new FlightTarget(*m_map, *m_selection, *m_commands);
+    m_docks->publish(*m_actions);
+    m_actions->add(tr("Flight actions"), m_actionBar->actions());
+    m_actions->add(tr("Place on the map"), mapMenu->placeActions());
+    m_actions->add(tr("Alerts"), alerts->actions());
+    m_actions->add(tr("Replay and demo"), m_source->actions());
+    m_actions->add(tr("Problem"), m_banner->actions());
 }
 
 void MainWindow::connectParts()
@@ -331,6 +340,7 @@ void MainWindow::offerRescue(const UnfinishedRun &run)
 {
     auto *bar = new RescueBar(run, centralWidget());
     static_cast<QVBoxLayout *>(centralWidget()->layout())->insertWidget(0, bar);
+    m_actions->addPassing(tr("Last run"), bar->actions());
     connect(bar, &RescueBar::replayRequested, this,
             [this](const QString &file) { startReplay(fromStd(link::LinkUrl::ofRecording(file.toStdString()))); });
     connect(bar, &RescueBar::linksRequested, this, [this](const QStringList &urls) {

@@ -14,11 +14,13 @@
 
 namespace skyseal::ui {
 
+class ActionBar;
 class EmptyState;
 class KeyringInterface;
 class LinkDialog;
 class MapView;
 class PairingInterface;
+class ProblemBanner;
 class ProblemReports;
 class SourceBar;
 class StatusStrip;
@@ -28,6 +30,7 @@ class SweepPresenter;
 class TrafficBar;
 class VehicleCommands;
 class ViewSelection;
+class WindowActions;
 class WindowDialogs;
 class WindowDocks;
 class Workspaces;
@@ -116,9 +119,12 @@ private:
     TrafficBar *m_traffic;
     MapView *m_map;
     EmptyState *m_empty;
+    ActionBar *m_actionBar;
+    ProblemBanner *m_banner;
     ProblemReports *m_problems;
     WindowDocks *m_docks;
     Workspaces *m_workspaces;
+    WindowActions *m_actions;
     bool m_quitting = false; ///< without a question
 };
 

@@ -60,6 +60,11 @@ MapAlerts::MapAlerts(StationInterface &station, ViewSelection &selection, Window
     });
 }
 
+QList<QAction *> MapAlerts::actions() const
+{
+    return m_stack->actions();
+}
+
 double MapAlerts::now() const
 {
     return static_cast<double>(m_clock.elapsed()) / 1000;

@@ -30,6 +30,8 @@ public:
 
     /// Moves the focus to the first alert; for a menu. Enabled while there is one.
     QAction *goToAction() const { return m_goTo; }
+    /// For the palette and for shortcuts.
+    QList<QAction *> actions() const;
 
 Q_SIGNALS:
     /// All alerts that are shown now, of all vehicles.

@@ -22,6 +22,7 @@
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QMessageBox>
 
+#include <algorithm>
 #include <cmath>
 
 namespace skyseal::ui {
@@ -44,9 +45,49 @@ bool knowsHomeAltitude(const vehicle::VehicleState &state)
 
 MapMenu::MapMenu(MapView &map, const ViewSelection &selection, VehicleCommands &commands, WindowDialogs &dialogs,
                  QWidget &window)
-    : QObject(&window), m_map(map), m_selection(selection), m_commands(commands), m_dialogs(dialogs), m_window(window)
+    : QObject(&window), m_map(map), m_selection(selection), m_commands(commands), m_dialogs(dialogs), m_window(window),
+      m_placeActions(new QMenu(&window))
 {
     connect(&map, &MapView::menuRequested, this, &MapMenu::open);
+    makePlaceActions();
+}
+
+/// The entries are made anew for the place of the moment that they are chosen in.
+void MapMenu::makePlaceActions()
+{
+    const auto place = [this] {
+        const MapViewport &viewport = m_map.viewport();
+        const QPointF middle(m_map.width() / 2.0, m_map.height() / 2.0);
+        return m_map.pointedPlace().value_or(mercator::unproject(viewport.toMetres(middle)));
+    };
+    const std::pair<const char *, QKeySequence> chosen[] = {{"mapGoHere", Qt::CTRL | Qt::Key_G},
+                                                            {"mapAddWaypoint", {}},
+                                                            {"mapPointAt", {}},
+                                                            {"mapStopPointing", {}},
+                                                            {"mapSetHome", {}},
+                                                            {"mapMeasure", {}},
+                                                            {"mapCopy", Qt::CTRL | Qt::SHIFT | Qt::Key_C}};
+    MenuItems items;
+    for (MenuItem &item : itemsFor(place())) {
+        const auto found = std::ranges::find(chosen, item.id, [](const auto &row) { return QLatin1String(row.first); });
+        if (found == std::ranges::end(chosen))
+            continue;
+        item.shortcut = found->second;
+        item.trigger = [this, place, id = item.id] {
+            const MenuItems now = itemsFor(place());
+            std::ranges::find(now, id, &MenuItem::id)->trigger();
+        };
+        item.id = QStringLiteral("at_") + item.id;
+        items.push_back(std::move(item));
+    }
+    const auto refresh = fillMenu(*m_placeActions, items);
+    connect(&m_selection, &ViewSelection::viewChanged, m_placeActions, refresh);
+    refresh();
+}
+
+QList<QAction *> MapMenu::placeActions() const
+{
+    return m_placeActions->actions();
 }
 
 const vehicle::VehicleState *MapMenu::vehicle() const

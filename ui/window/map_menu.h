@@ -1,5 +1,5 @@
-// The menu of the map: commands for the place that was clicked. Each is asked once, while the map marks the place; what makes
-// no sense now is disabled with its reason. Lives on the GUI thread.
+// The menu of the map: commands for the place that was clicked, or without the menu for the one that is pointed at. Each is
+// asked once, while the map marks the place; what makes no sense now is disabled with its reason. Lives on the GUI thread.
 #pragma once
 
 #include "ui/window/menu_table.h"
@@ -7,7 +7,9 @@
 #include <QtCore/QObject>
 #include <QtCore/QPointer>
 
+class QAction;
 class QDialog;
+class QMenu;
 class QMessageBox;
 class QPoint;
 class QWidget;
@@ -32,7 +34,11 @@ public:
     /// All must outlive this; `window` becomes its parent and that of the questions.
     MapMenu(MapView &map, const ViewSelection &selection, VehicleCommands &commands, WindowDialogs &dialogs, QWidget &window);
 
+    /// For the palette and for shortcuts: those that need a place, for the one under the pointer or in the middle of the map.
+    QList<QAction *> placeActions() const;
+
 private:
+    void makePlaceActions();
     void open(const LatLong &place, const QPoint &at);
     MenuItems itemsFor(const LatLong &place);
     MenuItem goHere(const LatLong &place);
@@ -48,6 +54,7 @@ private:
     VehicleCommands &m_commands;
     WindowDialogs &m_dialogs;
     QWidget &m_window;
+    QMenu *m_placeActions;            ///< never opened
     QPointer<QMessageBox> m_question; ///< about the marked place
 };
 

@@ -81,6 +81,14 @@ std::vector<Refresh> addItems(QMenu &menu, const MenuItems &items)
     return refreshes;
 }
 
+Refresh asOne(std::vector<Refresh> refreshes)
+{
+    return [all = std::move(refreshes)] {
+        for (const Refresh &refresh : all)
+            refresh();
+    };
+}
+
 std::vector<Refresh> fill(QMenu &menu, const MenuItems &items)
 {
     menu.setToolTipsVisible(std::ranges::any_of(items, [](const MenuItem &item) { return !!item.disabledReason; }));
@@ -89,9 +97,9 @@ std::vector<Refresh> fill(QMenu &menu, const MenuItems &items)
 
 } // namespace
 
-void fillMenu(QMenu &menu, const MenuItems &items)
+std::function<void()> fillMenu(QMenu &menu, const MenuItems &items)
 {
-    fill(menu, items);
+    return asOne(fill(menu, items));
 }
 
 std::function<void()> addMenus(QMenuBar &bar, const std::vector<Menu> &menus)
@@ -103,10 +111,7 @@ std::function<void()> addMenus(QMenuBar &bar, const std::vector<Menu> &menus)
         for (Refresh &refresh : fill(*menu, table.items))
             all.push_back(std::move(refresh));
     }
-    return [all = std::move(all)] {
-        for (const Refresh &refresh : all)
-            refresh();
-    };
+    return asOne(std::move(all));
 }
 
 } // namespace skyseal::ui

@@ -41,7 +41,8 @@ struct Menu
 };
 
 /// Adds `items` to `menu`, which owns everything that is made. What the functions of the items refer to must outlive it.
-void fillMenu(QMenu &menu, const MenuItems &items);
+/// Returns a function that enables or disables the items anew, as the opening of the menu does; valid while `menu` exists.
+std::function<void()> fillMenu(QMenu &menu, const MenuItems &items);
 
 /// Adds `menus` to `bar`, which owns everything that is made. What the functions of the items refer to must outlive it. Returns
 /// a function that enables or disables the items anew, as the opening of their menu does, for their shortcuts; valid while

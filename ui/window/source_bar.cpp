@@ -1,6 +1,7 @@
 #include "ui/window/source_bar.h"
 
 #include "core/engine/station/snapshot.h"
+#include "ui/control_action.h"
 #include "ui/replay/replay_bar.h"
 #include "ui/text/lock_face.h"
 #include "ui/text/plain_tip.h"
@@ -51,6 +52,8 @@ SourceBar::SourceBar(QWidget *parent) : QFrame(parent), m_replay(new ReplayBar(p
 
     connect(m_end, &QPushButton::clicked, this, &SourceBar::endRequested);
     showSource(Source::Live);
+    addActions({pressAction(*m_end, Qt::SHIFT | Qt::Key_F12)});
+    addActions(m_replay->actions());
 }
 
 void SourceBar::showSource(Source source, const QString &name)

@@ -3,10 +3,12 @@
 #include "ui/dock_panel.h"
 #include "ui/fitting_scroll.h"
 #include "ui/window/panel_table.h"
+#include "ui/window/window_actions.h"
 
 #include <QtCore/QEvent>
 #include <QtCore/QTimer>
 #include <QtGui/QAction>
+#include <QtWidgets/QApplication>
 #include <QtWidgets/QDockWidget>
 #include <QtWidgets/QMainWindow>
 #include <QtWidgets/QTabBar>
@@ -23,8 +25,11 @@ constexpr std::array kKeys{Qt::Key_1, Qt::Key_2, Qt::Key_3, Qt::Key_4, Qt::Key_5
                            Qt::Key_7, Qt::Key_8, Qt::Key_9, Qt::Key_0, Qt::Key_Minus};
 } // namespace
 
-WindowDocks::WindowDocks(QMainWindow &window, const PanelContext &context) : QObject(&window), m_window(window)
+WindowDocks::WindowDocks(QMainWindow &window, const PanelContext &context)
+    : QObject(&window), m_window(window), m_close(new QAction(tr("Close the panel that has the focus"), this)),
+      m_float(new QAction(tr("Float or dock the panel that has the focus"), this))
 {
+    makeFocusActions();
     for (const PanelRow &row : panelTable())
         add(row, context);
     arrange(Workspace::Fly);
@@ -105,6 +110,47 @@ std::vector<QAction *> WindowDocks::viewActions() const
     for (const Dock &dock : m_docks)
         actions.push_back(dock.viewAction);
     return actions;
+}
+
+void WindowDocks::publish(WindowActions &actions) const
+{
+    for (const Dock &dock : m_docks)
+        actions.add(dock.widget->windowTitle(), dock.panel->actions());
+    actions.add(tr("Panels"), {m_close, m_float});
+}
+
+void WindowDocks::makeFocusActions()
+{
+    m_close->setObjectName(QStringLiteral("panelClose"));
+    m_close->setShortcut(Qt::CTRL | Qt::Key_W);
+    m_float->setObjectName(QStringLiteral("panelFloat"));
+    m_float->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_W);
+    connect(m_close, &QAction::triggered, this, [this] {
+        if (m_focused)
+            m_focused->close();
+    });
+    connect(m_float, &QAction::triggered, this, [this] {
+        if (m_focused)
+            m_focused->setFloating(!m_focused->isFloating());
+    });
+    connect(qApp, &QApplication::focusChanged, this, [this](QWidget *, QWidget *now) { noteFocus(now); });
+    noteFocus(nullptr);
+}
+
+/// A dialog, such as the palette, takes the focus without changing which panel has that of the window.
+void WindowDocks::noteFocus(QWidget *now)
+{
+    QWidget *at = now;
+    while (at && at != &m_window && !qobject_cast<QDockWidget *>(at) && !at->isWindow())
+        at = at->parentWidget();
+    auto *dock = qobject_cast<QDockWidget *>(at);
+    if (dock || at == &m_window)
+        m_focused = dock;
+    for (QAction *action : {m_close, m_float}) {
+        action->setAutoRepeat(false);
+        action->setEnabled(m_focused);
+        action->setStatusTip(m_focused ? QString() : tr("No panel has the focus"));
+    }
 }
 
 void WindowDocks::onSnapshot(const ViewState &view)

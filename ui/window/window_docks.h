@@ -5,6 +5,7 @@
 #include "ui/window/workspace_table.h"
 
 #include <QtCore/QObject>
+#include <QtCore/QPointer>
 
 #include <optional>
 #include <vector>
@@ -16,6 +17,7 @@ class QMainWindow;
 namespace skyseal::ui {
 
 class DockPanel;
+class WindowActions;
 struct PanelContext;
 struct PanelRow;
 struct Settings;
@@ -38,6 +40,8 @@ public:
     }
     /// For the View menu, in the order of the table: each brings its dock to the front.
     std::vector<QAction *> viewActions() const;
+    /// Adds the actions that the panels publish, under their titles, and those of the dock that has the focus.
+    void publish(WindowActions &actions) const;
 
     /// For each snapshot.
     void onSnapshot(const ViewState &view);
@@ -70,6 +74,8 @@ private:
 
     void add(const PanelRow &row, const PanelContext &context);
     QAction *makeViewAction(QDockWidget *dock);
+    void makeFocusActions();
+    void noteFocus(QWidget *now);
     void raiseFloating();
     void toFront(QDockWidget *dock);
     int tabsAbove(const QDockWidget *dock) const;
@@ -83,6 +89,8 @@ private:
 
     QMainWindow &m_window;
     std::vector<Dock> m_docks;
+    QPointer<QDockWidget> m_focused; ///< the dock that has the focus of the window
+    QAction *m_close, *m_float;      ///< of that dock: what the buttons of its title bar do
     std::optional<GrownDock> m_grown;
 };
 

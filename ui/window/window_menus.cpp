@@ -274,7 +274,7 @@ Menu toolsMenu(const MenuTargets &on)
 {
     MenuItems items{{.id = QStringLiteral("actionPalette"),
                      .text = Text::tr("&Find a command…"),
-                     .trigger = [on] { CommandPalette::open(on.window); },
+                     .trigger = [on] { CommandPalette::open(on.window, on.actions); },
                      .shortcut = Qt::CTRL | Qt::Key_K},
                     {},
                     {.id = QStringLiteral("actionSweep"),

@@ -1,5 +1,5 @@
-// The tables of the window's menus: File, Link, Vehicle, Security, View, Tools, Help. Everything that a panel's button does
-// can also be done from here.
+// The tables of the window's menus: File, Link, Vehicle, Security, View, Tools, Help. What only concerns one panel is not in a
+// menu: the palette finds it among WindowActions.
 #pragma once
 
 #include "ui/window/menu_table.h"
@@ -15,6 +15,7 @@ class StationInterface;
 class SuiteActions;
 class VehicleCommands;
 class ViewSelection;
+class WindowActions;
 class WindowDialogs;
 class WindowDocks;
 class Workspaces;
@@ -32,6 +33,7 @@ struct MenuTargets
     Workspaces &workspaces;
     MapView &map;
     Shortcuts &shortcuts;
+    WindowActions &actions; ///< those in no menu, for the palette
     QAction *goToAlerts;
     QString version;
     std::function<void()> openSweep;
