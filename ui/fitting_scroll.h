@@ -20,6 +20,7 @@ public:
         setWidget(panel);
         setWidgetResizable(true);
         setFrameShape(QFrame::NoFrame);
+        setFocusPolicy(Qt::NoFocus); // Tab would stop where nothing is to be seen; keys that its controls leave scroll it
         setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
         setMinimumWidth(std::max(panel->minimumWidth(), panel->minimumSizeHint().width()) + 2 * kGrid);
     }

@@ -26,10 +26,12 @@
 #include "ui/window/flight_target.h"
 #include "ui/window/map_alerts.h"
 #include "ui/window/map_menu.h"
+#include "ui/window/menu_bar_focus.h"
 #include "ui/window/panel_table.h"
 #include "ui/window/problem_reports.h"
 #include "ui/window/remembered_checklists.h"
 #include "ui/window/source_bar.h"
+#include "ui/window/tab_stops.h"
 #include "ui/window/view_selection.h"
 #include "ui/window/window_actions.h"
 #include "ui/window/window_dialogs.h"
@@ -189,6 +191,7 @@ void MainWindow::makeMenus(const ProgramFacts &facts)
     const auto *mapMenu = new MapMenu(*m_map, *m_selection, *m_commands, *m_dialogs, *this);
     new FlightTarget(*m_map, *m_selection, *m_commands);
     m_docks->publish(*m_actions);
+    m_actions->add(tr("Menus"), {(new MenuBarFocus(*menuBar()))->action()});
     m_actions->add(tr("Flight actions"), m_actionBar->actions());
     m_actions->add(tr("Place on the map"), mapMenu->placeActions());
     m_actions->add(tr("Alerts"), alerts->actions());
@@ -476,6 +479,11 @@ void MainWindow::closeEvent(QCloseEvent *event)
     }
     m_workspaces->save(m_store);
     event->accept();
+}
+
+bool MainWindow::focusNextPrevChild(bool next)
+{
+    return moveFocusInSight(*this, [this, next] { return QMainWindow::focusNextPrevChild(next); });
 }
 
 } // namespace skyseal::ui
