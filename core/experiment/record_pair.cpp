@@ -1,5 +1,6 @@
 #include "core/experiment/record_pair.h"
 
+#include "core/channel/endpoint.h"
 #include "core/crypto/x25519.h"
 
 #include <algorithm>
@@ -34,6 +35,8 @@ std::optional<std::size_t> heapInUse()
     return std::nullopt;
 #endif
 }
+
+RecordPair::~RecordPair() = default;
 
 RecordPair::RecordPair()
 {

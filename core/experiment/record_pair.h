@@ -2,12 +2,20 @@
 // sealing and opening complete records. Also the heap measurement of such objects.
 #pragma once
 
-#include "core/channel/endpoint.h"
+#include "core/base/bytes.h"
+#include "core/base/clock.h"
+#include "core/base/path.h"
+#include "core/channel/counter_store.h"
+#include "core/crypto/suite.h"
 #include "core/crypto/system_random.h"
 
 #include <array>
 #include <memory>
 #include <optional>
+
+namespace skyseal::channel {
+class Endpoint;
+}
 
 namespace skyseal::experiment {
 
@@ -16,6 +24,7 @@ class RecordPair
 public:
     /// Two endpoints without a session.
     RecordPair();
+    ~RecordPair();
     /// A pair with a session under this suite; nullptr if the suite is not available.
     static std::unique_ptr<RecordPair> create(crypto::SuiteId suite);
 

@@ -4,6 +4,7 @@
 #include "core/mavlink/signing.h"
 #include "tests/engine/engine_rigs.h"
 
+#include "core/channel/endpoint.h"
 #include "core/crypto/init_crypto.h"
 #include "core/engine/station/snapshot.h"
 #include "core/experiment/bare_calls.h"

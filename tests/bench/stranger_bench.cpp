@@ -1,6 +1,7 @@
 // Cost of each kind of message that anyone can send, without a key, to a station with the longest list of peers and to an
 // agent: nanoseconds of CPU time for one, and bytes of state after a flood of them from as many addresses. Datagrams, the same
 // messages in COBS and in TUNNEL, streams without an end, frames sealed in place, pairing open and closed.
+#include "core/channel/endpoint.h"
 #include "inline_pair.h"
 
 #include "core/channel/pairing.h"
@@ -73,7 +74,7 @@ public:
             return true;
         };
         if (inPlace) {
-            m_pair.ground().endpoint->switchSuite(m_pair.now, m_pair.ground().session(), SuiteId::Aes256Ctr);
+            m_pair.ground().switchSuite(m_pair.now, SuiteId::Aes256Ctr);
             m_pair.every(100ms, [this] { m_pair.sendFrame(m_side == Ground ? Air : Ground, 255); });
         }
         m_pair.run(2s);
@@ -89,7 +90,7 @@ public:
             peers.push_back({key, "peer-" + std::to_string(i), {}, {}, {}});
         }
         peers.push_back(m_pair.configOf(side).peers.front());
-        end().endpoint->setPeers(m_pair.now, std::move(peers));
+        end().setPeers(m_pair.now, std::move(peers));
         if (pairing) {
             channel::PairingConfig config;
             config.role = side == Ground ? channel::Role::Station : channel::Role::Agent;

@@ -1,6 +1,6 @@
 // The addresses and intervals of an agent's announcements, on a virtual clock: many stations that fall silent at the same time,
 // and links of which one carries a session.
-#include "core/crypto/x25519.h"
+#include "core/channel/endpoint.h"
 #include "tests/channel/pair.h"
 #include "tests/support/test_runner.h"
 
@@ -14,7 +14,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-using Identity = std::shared_ptr<crypto::X25519KeyPair>;
+using Identity = std::shared_ptr<const crypto::X25519KeyPair>;
 
 Config configFor(Role role, Identity identity)
 {
@@ -34,15 +34,15 @@ public:
     /// `absent`: further stations that the agent lists and that are switched off.
     Stations(std::size_t stations, std::size_t absent, std::vector<Path> announceTo)
     {
-        const Identity air = keyPair();
+        const Identity air = newIdentity(m_random);
         Config agent = configFor(Role::Agent, air);
         agent.announceTo = std::move(announceTo);
         m_counters.resize(stations);
         std::vector<Config> configs;
         for (std::size_t i = 0; i < stations + absent; ++i) {
-            Config config = configFor(Role::Station, keyPair());
-            agent.peers.push_back({config.identity->publicKey, "station", PeerRole::Observer, {}, {}});
-            config.peers.push_back({air->publicKey, "agent", PeerRole::Pilot, {}, {}});
+            Config config = configFor(Role::Station, newIdentity(m_random));
+            agent.peers.push_back({publicKeyOf(*config.identity), "station", PeerRole::Observer, {}, {}});
+            config.peers.push_back({publicKeyOf(*air), "agent", PeerRole::Pilot, {}, {}});
             configs.push_back(std::move(config));
         }
         m_agent = std::make_unique<Endpoint>(std::move(agent), m_random, m_agentCounters, now);
@@ -87,8 +87,6 @@ public:
     std::uint64_t bytes = 0;           ///< that the agent sent by itself
 
 private:
-    Identity keyPair() { return std::make_shared<crypto::X25519KeyPair>(crypto::X25519KeyPair::generate(m_random)); }
-
     bool pump()
     {
         bool any = false;

@@ -19,7 +19,7 @@ std::unique_ptr<Pair> pairUnder(SuiteId suite, LinkModel link)
     pair->run(5s, [&] { return pair->bothUp(); });
     pair->run(1s);
     if (suite != SuiteId::ChaCha20Poly1305) {
-        pair->ground().endpoint->switchSuite(pair->now, pair->ground().session(), suite);
+        pair->ground().switchSuite(pair->now, suite);
         pair->run(5s);
     }
     return pair;
@@ -41,7 +41,7 @@ Caught catchOne(Pair &pair, std::size_t size, Side from)
 bool offer(Pair &pair, Side to, Bytes bytes, std::optional<Path> from)
 {
     const Path path = from.value_or(pair.pathOf(to == Air ? Ground : Air));
-    return pair.ends[to].endpoint->handleDatagram(pair.now, path, bytes).has_value();
+    return pair.ends[to].handleDatagram(pair.now, path, bytes).has_value();
 }
 
 std::size_t offerAll(Pair &pair, const std::vector<SentDatagram> &flights)
@@ -65,7 +65,7 @@ void setCounter(Bytes &record, std::uint32_t counter)
 
 ReceiveCounters received(const Pair::End &end)
 {
-    const auto stats = end.endpoint->stats(end.session());
+    const auto stats = end.stats();
     return stats ? stats->rx : ReceiveCounters{};
 }
 
@@ -76,7 +76,7 @@ std::uint64_t refused(const ReceiveCounters &c)
 
 std::uint64_t refusedInAll(const Pair::End &end)
 {
-    return refused(received(end)) + refused(end.endpoint->unmatched());
+    return refused(received(end)) + refused(end.unmatched());
 }
 
 bool aliveAndExact(Pair &pair)

@@ -36,7 +36,7 @@ void AttackCookieTest::floodFromForgedAddresses()
         const TimePoint start = pair.now;
         HOLDS(connectsIn(pair, flood), "a station gets its session");
         // Each computed handshake was refused as forged: at most 50 a second, 20 at once.
-        const double computed = static_cast<double>(pair.air().endpoint->unmatched().forged);
+        const double computed = static_cast<double>(pair.air().unmatched().forged);
         QVERIFY2(computed <= 50 * seconds(pair.now - start) + 20, qPrintable(QString::number(computed)));
         QVERIFY(flood.bytesOut <= flood.bytesIn);
         QVERIFY(flood.cookies > 1000);
@@ -93,7 +93,7 @@ void AttackCookieTest::replayedAnnouncementsDoNotAmplify()
     for (std::uint32_t i = 0; i < 40; ++i) {
         Bytes copy = announcement->bytes;
         in += copy.size();
-        pair.ground().endpoint->handleDatagram(pair.now, addressNumber(i % 3), copy);
+        pair.ground().handleDatagram(pair.now, addressNumber(i % 3), copy);
         pair.run(200ms);
     }
     pair.run(20s);
@@ -123,12 +123,12 @@ void AttackCookieTest::forgedCookiesDoNotAmplify()
     for (int i = 0; i < 20; ++i) {
         auto call = announcement.make(random);
         in += call.size();
-        pair.ground().endpoint->handleDatagram(pair.now, addressNumber(1), call);
+        pair.ground().handleDatagram(pair.now, addressNumber(1), call);
         pair.run(60ms);
         QVERIFY(first);
         CookieMessage cookie = imitator.make(pair.now, victim, *first);
         in += cookie.size();
-        pair.ground().endpoint->handleDatagram(pair.now, victim, cookie);
+        pair.ground().handleDatagram(pair.now, victim, cookie);
         pair.run(200ms);
     }
     pair.run(20s);

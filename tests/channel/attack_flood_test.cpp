@@ -146,7 +146,7 @@ void AttackFloodTest::handshakeFloodWithTheRightMac()
     pair.run(1s);
     const Mac1 mac(pair.air().publicKey());
     Bytes flood(127);
-    const auto before = pair.air().endpoint->unmatched().forged;
+    const auto before = pair.air().unmatched().forged;
     pair.every(1ms, [&] {
         for (int i = 0; i < 20; ++i) {
             fill(flood);
@@ -157,7 +157,7 @@ void AttackFloodTest::handshakeFloodWithTheRightMac()
     });
     pair.run(2s);
     // Each computed handshake was refused and counted; the others were not read.
-    const auto computed = pair.air().endpoint->unmatched().forged - before;
+    const auto computed = pair.air().unmatched().forged - before;
     HOLDS(computed <= 20 + 2 * 50, "at most fifty computations a second");
     QVERIFY(!pair.air().up());
 }
@@ -221,12 +221,12 @@ void AttackFloodTest::answerFloodWithTheRightMac()
         pair.run(3s);
         pair.start(Air);
     }
-    const auto before = pair.ground().endpoint->unmatched().forged;
+    const auto before = pair.ground().unmatched().forged;
     double took = 0;
     floodAnswers(pair, kAnswerLength, took);
     QVERIFY(took > 0);
     // Each computed answer was counted as forged.
-    const auto computed = pair.ground().endpoint->unmatched().forged - before;
+    const auto computed = pair.ground().unmatched().forged - before;
     HOLDS(static_cast<double>(computed) <= 20 + 50 * took, "at most fifty computations a second");
     QVERIFY(computed > 0);
 }
@@ -374,7 +374,7 @@ void AttackFloodTest::noMoreOutThanInDuringASession()
                 in += first.size();
                 offer(pair, Air, first, thief);
             }
-            while (const auto out = pair.air().endpoint->pollTransmit()) {
+            while (const auto out = pair.air().pollTransmit()) {
                 atOnce += out->bytes.size();
                 if (out->to == thief)
                     toTheThief += out->bytes.size();

@@ -1,5 +1,7 @@
 // Attacks by delay: commands of a pilot that are withheld and released later, one by one, in bursts, or with the whole flow;
 // after the pilot's close, over a change of epochs, with clocks that drift; in each carrier, and sealed in place.
+#include "core/channel/endpoint.h"
+#include "core/channel/inline_frame.h"
 #include "core/crypto/init_crypto.h"
 #include "crowd.h"
 #include "delayed_flight.h"
@@ -140,7 +142,7 @@ void AttackFreshnessTest::withheldCommand()
     options.freshness.overtaken = std::chrono::milliseconds(limit);
     auto pair = flight(options);
     const Caught command = catchOne(*pair, 40, Ground);
-    QCOMPARE(Endpoint::ownsFrame(command.flight.bytes), way.inPlace);
+    QCOMPARE(looksInline(command.flight.bytes), way.inPlace);
     if (limit < 1000) // Records that overtake it within that time.
         pair->every(100ms, [&] { pair->sendFrame(Ground); });
     pair->run(std::chrono::milliseconds(milliseconds));
@@ -190,7 +192,7 @@ void AttackFreshnessTest::releasedAfterClose()
     QFETCH(Way, way);
     auto pair = flight(optionsWith(way, kAge));
     const Caught command = catchOne(*pair, 40, Ground);
-    pair->ground().endpoint->close(pair->now, pair->ground().session());
+    pair->ground().close(pair->now);
     pair->stopTraffic();
     pair->run(50ms);           // less than either limit
     QVERIFY(pair->air().up()); // it waits for records that the close overtook
@@ -206,7 +208,7 @@ void AttackFreshnessTest::releasedAfterAWithheldClose()
         auto pair = flight(optionsWith(way, kAge));
         const Caught command = catchOne(*pair, 40, Ground);
         pair->link.attacker = [](TimePoint, SentDatagram &datagram) { return datagram.from == Air; };
-        pair->ground().endpoint->close(pair->now, pair->ground().session());
+        pair->ground().close(pair->now);
         pair->stopTraffic();
         pair->run(held);
         QVERIFY(pair->air().up());
@@ -233,7 +235,7 @@ void AttackFreshnessTest::releasedWhenTheStampsRepeat()
     const std::uint64_t command = pair->sendFrame(Ground, 40);
     const TimePoint end = pair->now + std::chrono::microseconds(1LL << 32) + 500ms;
     pair->stopTraffic();
-    pair->ground().endpoint->close(pair->now, pair->ground().session());
+    pair->ground().close(pair->now);
     pair->run(1s);
     pair->kill(Ground);
     std::size_t next = 0;
@@ -255,7 +257,7 @@ void AttackFreshnessTest::releasedAfterASwitch()
     QFETCH(Way, way);
     auto pair = flight(optionsWith(way, {}));
     const Caught command = catchOne(*pair, 40, Ground);
-    pair->ground().endpoint->switchSuite(pair->now, pair->ground().session(), SuiteId::Aes256Gcm);
+    pair->ground().switchSuite(pair->now, SuiteId::Aes256Gcm);
     pair->run(1s, [&] { return !pair->ground().all<SwitchDone>().empty(); });
     pair->run(1500ms); // the keys of the previous epoch live for 3 s
     const auto judged = release(*pair, command);

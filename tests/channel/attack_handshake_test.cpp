@@ -128,14 +128,14 @@ void AttackHandshakeTest::unknownKeyShare()
     Tap answers(two);
     auto peers = two.configOf(Air).peers;
     peers.push_back(one.configOf(Air).peers[0]);
-    two.air().endpoint->setPeers(two.now, peers);
+    two.air().setPeers(two.now, peers);
     Bytes carried = tap.ofKind(0x59).at(0).bytes;
     offer(two, Air, carried);
     Mac1(two.air().publicKey()).sign(carried);
     offer(two, Air, carried);
     two.run(1s);
     HOLDS(answers.ofKind(0x5a).empty(), "a message for another agent gets no answer");
-    QCOMPARE(two.air().endpoint->unmatched().forged, std::uint64_t(2));
+    QCOMPARE(two.air().unmatched().forged, std::uint64_t(2));
     QVERIFY(aliveAndExact(two));
 }
 
@@ -158,7 +158,7 @@ void AttackHandshakeTest::keyCompromiseImpersonation()
     const Thief thief = call(kGreatestCounter);
     const Bytes answer = tap.ofKind(0x5a).back().bytes;
     QCOMPARE(tap.ofKind(0x5a).size(), 2u);
-    QCOMPARE(pair.air().endpoint->unmatched().forged, std::uint64_t(0));
+    QCOMPARE(pair.air().unmatched().forged, std::uint64_t(0));
     // The answer contains the connection id for his records.
     const auto se = crypto::x25519(pair.ground().identity->secret, Thief::ephemeralOf(answer));
     const auto truth = thief.withGuess(answer, se->clone());
@@ -259,7 +259,7 @@ void AttackHandshakeTest::replayedFirstMessage()
         pair.run(100ms);
     }
     HOLDS(tap.ofKind(0x5a).size() == 1, "an old first message gets no answer");
-    QCOMPARE(pair.air().endpoint->unmatched().replayed, std::uint64_t(20));
+    QCOMPARE(pair.air().unmatched().replayed, std::uint64_t(20));
     QVERIFY(aliveAndExact(pair));
     // The same for an agent that was restarted after its station ended.
     pair.kill(Ground);

@@ -27,7 +27,7 @@ namespace {
 
 bool offerFrame(Pair &pair, Side to, Bytes bytes)
 {
-    return pair.ends[to].endpoint->handleInlineFrame(pair.now, pair.pathOf(to == Air ? Ground : Air), bytes).has_value();
+    return pair.ends[to].handleInlineFrame(pair.now, pair.pathOf(to == Air ? Ground : Air), bytes).has_value();
 }
 
 /// Recomputes the checksum as an attacker can: it needs no key.
@@ -55,7 +55,7 @@ void AttackInlineTest::everyBitOfAFrame()
     INLINE_PAIR;
     for (const std::size_t size : {9u, 16u, 33u}) {
         const Caught caught = catchOne(pair, size);
-        QVERIFY(Endpoint::ownsFrame(caught.flight.bytes));
+        QVERIFY(looksInline(caught.flight.bytes));
         const auto before = received(pair.ground());
         std::uint64_t offered = 0;
         for (std::size_t bit = caught.flight.bytes.size() * 8; bit-- > 0;) {
@@ -116,7 +116,7 @@ void AttackInlineTest::replayOfFrames()
     pair.link.attacker = nullptr;
     std::size_t taken = 0, tried = 0;
     for (const SentDatagram &flight : tap.flights) {
-        if (!Endpoint::ownsFrame(flight.bytes))
+        if (!looksInline(flight.bytes))
             continue;
         ++tried;
         for (const Side side : {Ground, Air}) // replayed, and reflected

@@ -246,7 +246,7 @@ void AttackMemoryTest::deadSecretsAreGone()
     for (const Secret &secret : secrets)
         QVERIFY2(!secret.livesWithTheEpoch || living.contains(secret.name), "a key in use is not found: the search is blind");
 
-    pair.ground().endpoint->rekey(pair.now, pair.ground().session());
+    pair.ground().rekey(pair.now);
     QVERIFY(pair.run(2s, [&] { return pair.air().all<SwitchDone>().size() == 1; }));
     QVERIFY(found(secrets, true).contains("record-key")); // for late records
     pair.run(5s);
@@ -263,7 +263,7 @@ void AttackMemoryTest::switchSecretsAreGone()
     Tap tap(pair);
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
     pair.run(1s);
-    pair.ground().endpoint->rekey(pair.now, pair.ground().session());
+    pair.ground().rekey(pair.now);
     QVERIFY(pair.run(2s, [&] { return pair.air().all<SwitchDone>().size() == 1; }));
     const auto secrets = secretsOf(
         [&](const WriteSecret &write) { writeSwitchSecrets(write, pair, tap, SuiteId::ChaCha20Poly1305); });
@@ -288,7 +288,7 @@ void AttackMemoryTest::stolenChainOpensNoLaterEpoch()
         pair.sendFrame(Air);
         pair.sendFrame(Ground);
     });
-    pair.ground().endpoint->rekey(pair.now, pair.ground().session());
+    pair.ground().rekey(pair.now);
     QVERIFY(pair.run(2s, [&] { return pair.air().all<SwitchDone>().size() == 1; }));
     pair.run(1s);
     const auto proposal = thief.newest<Propose>(tap.flights); // opens the present epoch

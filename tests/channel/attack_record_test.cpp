@@ -79,7 +79,7 @@ void AttackRecordTest::keystreamReuse()
     const Bytes frame(28, 0xfd);
     Bytes record(28 + kMaxRecordOverhead);
     for (; records < 100000; ++records) {
-        QVERIFY(pair.air().endpoint->seal(pair.now, pair.air().session(), frame, record));
+        QVERIFY(pair.air().seal(pair.now, frame, record));
         counters.insert(counterOf(record));
         bodies.emplace(reinterpret_cast<const char *>(record.data()) + 6, 12);
     }
@@ -239,7 +239,7 @@ void AttackRecordTest::acrossSuitesAndEpochs()
         auto owner = pairUnder(SuiteId::ChaCha20Poly1305);
         Pair &pair = *owner;
         const Caught before = catchOne(pair);
-        pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), info.id);
+        pair.ground().switchSuite(pair.now, info.id);
         pair.run(1s);
         // The old record under the new epoch's bits, with counters that the new epoch has not seen.
         for (std::uint8_t bits = 0; bits < 4; ++bits) {
@@ -264,11 +264,11 @@ void AttackRecordTest::replayFourEpochsLater()
     const Caught old = catchOne(pair);
     pair.dropped[Air].insert(old.number);
     for (int i = 0; i < 4; ++i) {
-        pair.ground().endpoint->rekey(pair.now, pair.ground().session());
+        pair.ground().rekey(pair.now);
         pair.run(5s);
     }
     // Records carry only two bits of the epoch, so the old record's header fits again, and its counter is new.
-    QCOMPARE(static_cast<int>(pair.ground().endpoint->sessionInfo(pair.ground().session())->epoch), 5);
+    QCOMPARE(static_cast<int>(pair.ground().sessionInfo()->epoch), 5);
     HOLDS(!offer(pair, Ground, old.flight.bytes), "no record opens in a later epoch");
     QVERIFY(aliveAndExact(pair));
 }

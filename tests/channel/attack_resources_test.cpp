@@ -89,11 +89,11 @@ void AttackResourcesTest::records()
     Memory before;
     for (int i = 0; i < records; ++i) {
         const Side from = i & 1 ? Ground : Air;
-        const auto size = pair.ends[from].endpoint->seal(pair.now, pair.ends[from].session(), frame, record);
+        const auto size = pair.ends[from].seal(pair.now, frame, record);
         QVERIFY(size);
         const Path path = pair.pathOf(from);
         delivered += pair.ends[from == Air ? Ground : Air]
-                         .endpoint->handleDatagram(pair.now, path, MutableByteView(record).first(*size))
+                         .handleDatagram(pair.now, path, MutableByteView(record).first(*size))
                          .has_value();
         if (i % std::max(records / 1000, 1) == 0) { // time for the control records
             pair.run(25ms);
@@ -105,7 +105,7 @@ void AttackResourcesTest::records()
     }
     const Memory after = memoryNow();
     QCOMPARE(delivered, static_cast<std::uint64_t>(records));
-    qInfo("epoch %u", static_cast<unsigned>(pair.air().endpoint->sessionInfo(pair.air().session())->epoch));
+    qInfo("epoch %u", static_cast<unsigned>(pair.air().sessionInfo()->epoch));
     HOLDS(isAsBefore(before, after), "memory is what it was");
 }
 

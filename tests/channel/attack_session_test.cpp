@@ -64,7 +64,7 @@ struct Hijack
 {
     explicit Hijack(Side end) : victim(end) { thief.remote.port = 6666; }
 
-    Path where() const { return pair.ends[victim].endpoint->recordPath(pair.ends[victim].session()); }
+    Path where() const { return pair.ends[victim].recordPath(); }
     bool isHome() const { return where() == home; }
     bool isDiverted() const { return where() == thief; }
     bool offerFromThief(const Bytes &datagram) { return offer(pair, victim, datagram, thief); }
@@ -107,7 +107,7 @@ void AttackSessionTest::replayOfAnEarlierSession()
           "no old handshake makes a session");
     QCOMPARE(pair.ground().delivered.size(), ground);
     QCOMPARE(pair.air().delivered.size(), air);
-    QCOMPARE(pair.ground().endpoint->sessions().size(), 1u);
+    QCOMPARE(pair.ground().sessions().size(), 1u);
     QCOMPARE(pair.ground().all<SessionDown>().size(), 0u); // The endpoints that had the first session are gone.
 }
 
@@ -127,7 +127,7 @@ void AttackSessionTest::replayOnAnotherLink()
         path.link = LinkId{2};
         return path;
     };
-    const auto linkOfRecords = [&pair] { return pair.ground().endpoint->recordPath(pair.ground().session()).link; };
+    const auto linkOfRecords = [&pair] { return pair.ground().recordPath().link; };
     QVERIFY(!tap.ofKind(0x59).empty() && !tap.ofKind(0x5a).empty());
     QVERIFY(tap.flights.size() > 500);
     std::size_t taken = 0;
@@ -140,7 +140,7 @@ void AttackSessionTest::replayOnAnotherLink()
     HOLDS(pair.ground().all<SessionUp>().size() == 1 && pair.air().all<SessionUp>().size() == 1,
           "no old handshake makes a session");
     QVERIFY(received(pair.ground()).replayed > 200 && received(pair.air()).replayed > 200);
-    QCOMPARE(pair.air().endpoint->unmatched().replayed, static_cast<std::uint64_t>(tap.ofKind(0x59).size()));
+    QCOMPARE(pair.air().unmatched().replayed, static_cast<std::uint64_t>(tap.ofKind(0x59).size()));
     QCOMPARE(linkOfRecords(), LinkId{1});
     // A record is bound to its carrier, not to its link. A record that never arrived is accepted once from another link, and
     // the session follows it: so a second modem can take over.
@@ -252,7 +252,7 @@ void AttackSessionTest::newPortResumesAtOnce()
         forged.back() ^= 1;
         offer(pair, Ground, forged, thief);
     });
-    const auto moved = [&] { return pair.ground().endpoint->recordPath(pair.ground().session()).remote.port == 40001; };
+    const auto moved = [&] { return pair.ground().recordPath().remote.port == 40001; };
     HOLDS(pair.run(1s, moved), "the session follows its peer");
     pair.run(2s);
     HOLDS(moved(), "the session stays with its peer");
@@ -446,8 +446,7 @@ void AttackSessionTest::deletion()
     pair.link.model.loss = pair.link.model.burst = 0;
     pair.sendFrame(Air);
     pair.run(100ms);
-    HOLDS(received(pair.ground()).good + received(pair.ground()).lost
-              == pair.air().endpoint->stats(pair.air().session())->tx.records,
+    HOLDS(received(pair.ground()).good + received(pair.ground()).lost == pair.air().stats()->tx.records,
           "lost is exactly what was dropped");
     HOLDS(pair.accountFrom(Air).empty() && pair.accountFrom(Ground).empty(), "each frame arrives once");
     QCOMPARE(pair.ground().all<SessionUp>().size(), 1u);
@@ -468,8 +467,7 @@ void AttackSessionTest::outageOfFiveMinutes()
     pair.run(2s);
     QCOMPARE(pair.air().all<SessionUp>().size(), 1u);
     QVERIFY(received(pair.ground()).lost >= 30000);
-    QCOMPARE(received(pair.ground()).good + received(pair.ground()).lost,
-             pair.air().endpoint->stats(pair.air().session())->tx.records);
+    QCOMPARE(received(pair.ground()).good + received(pair.ground()).lost, pair.air().stats()->tx.records);
     QVERIFY(aliveAndExact(pair));
 }
 
@@ -479,9 +477,7 @@ void AttackSessionTest::jammedThenLossyLink()
     Pair &pair = *owner;
     traffic(pair);
     pair.run(5s);
-    const auto silent = [&] {
-        return pair.ground().up() && pair.ground().endpoint->sessionInfo(pair.ground().session())->silent;
-    };
+    const auto silent = [&] { return pair.ground().up() && pair.ground().sessionInfo()->silent; };
     swallowEverything(pair);
     QVERIFY(pair.run(3500ms, silent)); // Long enough for a display that says "link lost" after 3.5 s.
     pair.run(30s);
@@ -588,7 +584,7 @@ void AttackSessionTest::killedTwoHundredTimes()
         QVERIFY(pair.run(6s, [&] { return pair.bothUp(); }));
         for (auto &end : pair.ends) {
             for (int i = 0; i < 10; ++i, ++records) {
-                QVERIFY(end.endpoint->seal(pair.now, end.session(), frame, record));
+                QVERIFY(end.seal(pair.now, frame, record));
                 bodies.emplace(reinterpret_cast<const char *>(record.data()) + 6, 20);
             }
         }
@@ -609,7 +605,7 @@ void AttackSessionTest::everyControlRecordDropped()
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
     pair.run(1s);
     pair.link.attacker = [](TimePoint, SentDatagram &flight) { return flight.tag != 0; }; // Only frames pass.
-    const auto before = pair.air().endpoint->stats(pair.air().session())->tx.records;
+    const auto before = pair.air().stats()->tx.records;
     pair.every(10ms, [&] { pair.sendFrame(Air); });
     pair.every(20ms, [&] { pair.sendFrame(Ground); });
     HOLDS(pair.run(60s, [&] { return !pair.air().all<SessionDown>().empty(); }), "an epoch ends at its limit");

@@ -32,7 +32,7 @@ struct ManyListed
         }
         peers.push_back(listed);
         keys = peers;
-        pair.ground().endpoint->setPeers(pair.now, std::move(peers));
+        pair.ground().setPeers(pair.now, std::move(peers));
     }
 
     Path stranger()
@@ -41,7 +41,7 @@ struct ManyListed
         random.fill(MutableByteView(path.remote.ip).last(3));
         return path;
     }
-    std::uint64_t hashes() { return pair.ground().endpoint->strangerHashes(); }
+    std::uint64_t hashes() { return pair.ground().strangerHashes(); }
 
     Pair pair{attackOptions()};
     SeededRandom random{kAttackSeed};
@@ -77,7 +77,7 @@ void AttackStrangerTest::malformedMessagesCostNoHash()
     ManyListed many;
     many.pair.link.attacker = [](TimePoint, SentDatagram &flight) { return flight.from == Ground; };
     auto announcement = Announcement(many.keys.back().key).make(many.random); // so that a first message waits for a cookie
-    many.pair.ground().endpoint->handleDatagram(many.pair.now, many.pair.pathOf(Air), announcement);
+    many.pair.ground().handleDatagram(many.pair.now, many.pair.pathOf(Air), announcement);
     many.pair.pump();
     const std::uint64_t before = many.hashes();
     const std::uint64_t refused = refusedInAll(many.pair.ground());
@@ -116,7 +116,7 @@ void AttackStrangerTest::announcementsForManyPeers()
     pair.start(Air);
     QVERIFY(pair.run(5s, [&] { return pair.ground().all<SessionUp>().size() == 2 && pair.bothUp(); }));
     QVERIFY(many.hashes() - before <= 2 * datagrams + 12'000);
-    QVERIFY(pair.ground().endpoint->unmatched().forged >= datagrams);
+    QVERIFY(pair.ground().unmatched().forged >= datagrams);
 }
 
 void AttackStrangerTest::cookiesForManyAttempts()
@@ -127,7 +127,7 @@ void AttackStrangerTest::cookiesForManyAttempts()
     pair.kill(Air);
     for (const Peer &peer : many.keys) {
         auto announcement = Announcement(peer.key).make(many.random);
-        pair.ground().endpoint->handleDatagram(pair.now, many.stranger(), announcement);
+        pair.ground().handleDatagram(pair.now, many.stranger(), announcement);
         pair.pump();
     }
     const std::uint64_t before = many.hashes();

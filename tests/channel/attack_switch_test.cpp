@@ -63,8 +63,8 @@ void AttackSwitchTest::raceOfBothEnds()
         pair.every(side == Ground ? Duration(1100ms) : Duration(1300ms), [&, side] {
             auto &end = pair.ends[side];
             const SuiteId next = suites[++step % suites.size()];
-            if (end.up() && !end.endpoint->sessionInfo(end.session())->pending && crypto::suiteAvailable(next))
-                end.endpoint->switchSuite(pair.now, end.session(), next);
+            if (end.up() && !end.sessionInfo()->pending && crypto::suiteAvailable(next))
+                end.switchSuite(pair.now, next);
         });
     }
     pair.run(std::chrono::seconds(5) * wanted, [&] { return committed(pair.ground()) >= wanted; });
@@ -84,7 +84,7 @@ void AttackSwitchTest::acceptancesAreDropped()
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
     pair.run(1s);
     pair.link.attacker = [&](TimePoint, SentDatagram &flight) { return flight.from == Ground || flight.tag != 0; };
-    pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), SuiteId::Aes256Gcm);
+    pair.ground().switchSuite(pair.now, SuiteId::Aes256Gcm);
     pair.run(6s);
     pair.link.attacker = nullptr;
     pair.run(10s);

@@ -1,6 +1,6 @@
 // Sessions on each carrier: they come up, and switch under loss without losing a frame of their own. Messages moved to another
 // carrier are refused. A serial line needs no connection ids, whichever end restarts.
-#include "core/crypto/x25519.h"
+#include "core/channel/endpoint.h"
 #include "core/channel/handshake_messages.h"
 #include "core/channel/message_traits.h"
 #include "core/crypto/init_crypto.h"
@@ -27,7 +27,7 @@ PairOptions in(Carrier carrier)
 
 ReceiveCounters received(Pair &pair, Side side)
 {
-    return pair.ends[side].endpoint->stats(pair.ends[side].session())->rx;
+    return pair.ends[side].stats()->rx;
 }
 
 } // namespace
@@ -59,13 +59,13 @@ void CarrierSessionTest::switchesUnderLoss()
         options.seed = 5 + static_cast<unsigned>(carrier);
         Pair pair(options);
         QVERIFY(pair.run(10s, [&] { return pair.bothUp(); }));
-        QCOMPARE(pair.ground().endpoint->sessionInfo(pair.ground().session())->path.carrier, carrier);
+        QCOMPARE(pair.ground().sessionInfo()->path.carrier, carrier);
         pair.every(20ms, [&pair] { pair.sendFrame(Air); });
         pair.every(100ms, [&pair] { pair.sendFrame(Ground); });
         std::size_t next = 0;
         pair.every(2s, [&] {
             const auto suites = defaultSuites();
-            pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), suites[++next % suites.size()]);
+            pair.ground().switchSuite(pair.now, suites[++next % suites.size()]);
         });
         pair.run(60s);
         pair.stopTraffic();
@@ -110,7 +110,7 @@ void CarrierSessionTest::recordsStayInTheirCarrier()
             pair.run(100ms);
             QCOMPARE(pair.ground().delivered.size() - before, sent == arrived ? 1u : 0u);
             // The path of the session did not change either.
-            const auto path = pair.ground().endpoint->recordPath(pair.ground().session());
+            const auto path = pair.ground().recordPath();
             QCOMPARE(path.carrier, sent);
         }
     }
@@ -178,7 +178,7 @@ void CarrierSessionTest::lineReconnects()
     pair.run(100ms);
     QCOMPARE(pair.ground().delivered.size(), delivered + 20);
     QCOMPARE(pair.ground().all<SessionUp>().size(), 1u);
-    QCOMPARE(pair.ground().endpoint->recordPath(pair.ground().session()).remote.port, std::uint16_t(40001));
+    QCOMPARE(pair.ground().recordPath().remote.port, std::uint16_t(40001));
     // Without such an event, within a second by the next report.
     pair.air().port = 40002;
     pair.run(1100ms);
@@ -211,7 +211,7 @@ void CarrierSessionTest::reportsNameTheirSessionOnLines()
         pair.run(2s);
         pair.air().endpoint->handleStreamBegan(pair.now, LinkId{1});
         pair.air().endpoint->handleDeadline(pair.now);
-        const auto report = pair.air().endpoint->pollTransmit();
+        const auto report = pair.air().pollTransmit();
         QVERIFY(report);
         Bytes message(report->bytes.begin(), report->bytes.end());
         QCOMPARE(pair.ground().endpoint->namesSerialSession(message), carrier == Carrier::Serial);
@@ -228,17 +228,17 @@ void CarrierSessionTest::anotherStationOnTheLine()
     pair.run(1s);
     const auto first = pair.air().session();
     SeededRandom random(77);
-    const auto other = std::make_shared<crypto::X25519KeyPair>(crypto::X25519KeyPair::generate(random));
+    const auto other = newIdentity(random);
     std::vector<channel::Peer> peers = pair.configOf(Air).peers;
-    peers.push_back({other->publicKey, "second", PeerRole::Pilot, {}, {}});
-    pair.air().endpoint->setPeers(pair.now, peers);
+    peers.push_back({publicKeyOf(*other), "second", PeerRole::Pilot, {}, {}});
+    pair.air().setPeers(pair.now, peers);
     pair.kill(Ground);
     pair.ground().identity = other;
     pair.start(Ground);
     QVERIFY(pair.run(10s, [&] { return pair.ground().up() && pair.air().up() && pair.air().session() != first; }));
     pair.run(1s);
     // A line has one session.
-    QCOMPARE(pair.air().endpoint->sessions().size(), std::size_t(1));
+    QCOMPARE(pair.air().sessions().size(), std::size_t(1));
     pair.sendFrame(Air);
     pair.sendFrame(Ground);
     pair.run(1s);
@@ -252,10 +252,10 @@ void CarrierSessionTest::singleRecordsAreForLines()
         Pair pair(in(carrier));
         QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
         Bytes single(40, 0x54);
-        const auto before = pair.ground().endpoint->unmatched().malformed;
+        const auto before = pair.ground().unmatched().malformed;
         Path path = pair.pathOf(Air);
-        QVERIFY(!pair.ground().endpoint->handleDatagram(pair.now, path, single));
-        QCOMPARE(pair.ground().endpoint->unmatched().malformed, before + 1);
+        QVERIFY(!pair.ground().handleDatagram(pair.now, path, single));
+        QCOMPARE(pair.ground().unmatched().malformed, before + 1);
         QCOMPARE(received(pair, Ground).forged, std::uint64_t(0));
     }
 }
@@ -275,8 +275,7 @@ void CarrierSessionTest::noInlineFramesElsewhere()
         Pair pair(options);
         QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
         pair.run(1s);
-        QCOMPARE(pair.air().endpoint->framing(pair.air().session()),
-                 carrier == Carrier::Datagram ? Framing::Inline : Framing::Sealed);
+        QCOMPARE(pair.air().framing(), carrier == Carrier::Datagram ? Framing::Inline : Framing::Sealed);
     }
 }
 

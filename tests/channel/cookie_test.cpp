@@ -185,20 +185,20 @@ void CookieTest::unrelatedCookiesHaveNoEffect()
     pair.every(1ms, [&] {
         for (CookieMaker *maker : {&stranger, &imitator}) {
             CookieMessage message = maker->make(pair.now, pair.pathOf(Ground), unseen);
-            pair.ground().endpoint->handleDatagram(pair.now, pair.pathOf(Air), message);
+            pair.ground().handleDatagram(pair.now, pair.pathOf(Air), message);
             ++given;
         }
     });
     QVERIFY(pair.run(1s, [&] { return pair.bothUp(); }));
     pair.run(1s);
     QCOMPARE(sent, std::uint64_t(1));
-    QCOMPARE(pair.ground().endpoint->unmatched().forged, given);
+    QCOMPARE(pair.ground().unmatched().forged, given);
     QVERIFY(pair.bothUp());
     QCOMPARE(pair.ground().all<SessionUp>().size(), 1u);
     CookieMessage toTheAgent = stranger.make(pair.now, pair.pathOf(Air), unseen);
-    const auto malformed = pair.air().endpoint->unmatched().malformed;
-    pair.air().endpoint->handleDatagram(pair.now, pair.pathOf(Ground), toTheAgent);
-    QCOMPARE(pair.air().endpoint->unmatched().malformed, malformed + 1);
+    const auto malformed = pair.air().unmatched().malformed;
+    pair.air().handleDatagram(pair.now, pair.pathOf(Ground), toTheAgent);
+    QCOMPARE(pair.air().unmatched().malformed, malformed + 1);
 }
 
 void CookieTest::forgedCookieDelaysOneAttempt()

@@ -82,8 +82,8 @@ void DayTest::settle(Pair &pair, const LinkModel &bad)
     QCOMPARE(unexpected, std::size_t(0));
     // After an outage the station may replace the session; what was under way in the old one is not opened any more.
     QVERIFY2(missing <= replaced, qPrintable(QStringLiteral("%1 of %2").arg(missing).arg(replaced)));
-    const auto ground = pair.ground().endpoint->stats(pair.ground().session());
-    const auto air = pair.air().endpoint->stats(pair.air().session());
+    const auto ground = pair.ground().stats();
+    const auto air = pair.air().stats();
     QVERIFY(ground && air);
     const std::uint64_t sent = air->tx.records, counted = ground->rx.good + ground->rx.lost;
     QVERIFY2(
@@ -112,10 +112,10 @@ void DayTest::nothingGrowsOrSticks()
         for (int part = 0; part < 2; ++part) { // half a minute each, with one disturbance
             if (chance(3)) {
                 const Side side = chance(2) ? Ground : Air;
-                pair.ends[side].endpoint->switchSuite(pair.now, pair.ends[side].session(), suites[random() % suites.size()]);
+                pair.ends[side].switchSuite(pair.now, suites[random() % suites.size()]);
                 ++switches;
             } else if (chance(6)) {
-                pair.ground().endpoint->rekey(pair.now, pair.ground().session());
+                pair.ground().rekey(pair.now);
                 ++rekeys;
             } else if (chance(6)) {
                 pair.link.attacker = [](TimePoint, SentDatagram &) { return false; };

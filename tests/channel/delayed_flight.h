@@ -2,6 +2,7 @@
 #pragma once
 
 #include "attack.h"
+#include "core/channel/inline_frame.h"
 #include "inline_pair.h"
 
 namespace skyseal::test {
@@ -47,9 +48,9 @@ inline std::optional<Freshness> release(Pair &pair, const Caught &caught)
 {
     const Side from = caught.flight.from, to = from == Ground ? Air : Ground;
     Bytes bytes = caught.flight.bytes;
-    Endpoint &endpoint = *pair.ends[to].endpoint;
-    const auto delivery = Endpoint::ownsFrame(bytes) ? endpoint.handleInlineFrame(pair.nowAt(to), pair.pathOf(from), bytes)
-                                                     : endpoint.handleDatagram(pair.nowAt(to), pair.pathOf(from), bytes);
+    Pair::End &end = pair.ends[to];
+    const auto delivery = looksInline(bytes) ? end.handleInlineFrame(pair.nowAt(to), pair.pathOf(from), bytes)
+                                             : end.handleDatagram(pair.nowAt(to), pair.pathOf(from), bytes);
     pair.pump();
     return delivery ? std::optional(delivery->freshness) : std::nullopt;
 }

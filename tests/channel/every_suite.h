@@ -25,4 +25,4 @@ inline void everySuite()
     auto pairOwner = pairUnder(static_cast<SuiteId>(suite));                                                                   \
     Pair &pair = *pairOwner;                                                                                                   \
     QVERIFY(pair.bothUp());                                                                                                    \
-    QCOMPARE(static_cast<int>(pair.ground().endpoint->sessionInfo(pair.ground().session())->suite), suite)
+    QCOMPARE(static_cast<int>(pair.ground().sessionInfo()->suite), suite)

@@ -40,7 +40,7 @@ public:
         if (real)
             signWithCookie(m_cookies[from], message);
         give(from, message);
-        while (const auto out = m_pair.air().endpoint->pollTransmit()) {
+        while (const auto out = m_pair.air().pollTransmit()) {
             if (out->to != addressNumber(from)) { // addressed to others: normal traffic of the agent
                 m_pair.link.send(m_pair.now, {Air, m_pair.air().port, 0, Bytes(out->bytes.begin(), out->bytes.end())});
                 continue;
@@ -62,7 +62,7 @@ private:
     void give(std::uint32_t from, FirstMessage message)
     {
         bytesIn += message.size();
-        m_pair.air().endpoint->handleDatagram(m_pair.now, addressNumber(from), message);
+        m_pair.air().handleDatagram(m_pair.now, addressNumber(from), message);
     }
 
     Pair &m_pair;

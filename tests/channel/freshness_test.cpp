@@ -1,5 +1,6 @@
 // The limits on the age of commands: slow links and suspended machines stay within them, and both ends report late commands.
 #include "core/channel/arrival_history.h"
+#include "core/channel/endpoint.h"
 #include "core/channel/peer_clock.h"
 #include "core/crypto/init_crypto.h"
 #include "delayed_flight.h"
@@ -161,7 +162,7 @@ void FreshnessTest::unknownAgeIsReported()
     const TimePoint reported = pair->now;
     pair->run(5s);
     QCOMPARE(shareOfFresh(*pair, reported + 1500ms), 1.);
-    QVERIFY(pair->ground().endpoint->stats(pair->ground().session())->peerFreshness->isAgeKnown());
+    QVERIFY(pair->ground().stats()->peerFreshness->isAgeKnown());
 }
 
 void FreshnessTest::limitsAndRefusalsReachTheStation()
@@ -175,7 +176,7 @@ void FreshnessTest::limitsAndRefusalsReachTheStation()
     QCOMPARE(late.records, std::uint64_t(1));
     QCOMPARE(late.report.overtakenMilliseconds, std::uint64_t(1000));
     QCOMPARE(late.report.limitMilliseconds, std::uint64_t(5000));
-    const auto stats = pair->ground().endpoint->stats(pair->ground().session());
+    const auto stats = pair->ground().stats();
     QVERIFY(stats->peerFreshness && stats->peerFreshness->stale == 1);
     QVERIFY(stats->peerFreshness->ageMicroseconds < 20'000); // a millisecond each way
     pair->run(3s);
@@ -187,9 +188,9 @@ void FreshnessTest::framesSealedInPlaceHaveTheAgeOfTheLastReport()
     PairOptions options = inlineOptions();
     options.freshness = {kOvertaken, 2500ms};
     auto pair = flight(options);
-    pair->ground().endpoint->switchSuite(pair->now, pair->ground().session(), SuiteId::Aes256Ctr);
+    pair->ground().switchSuite(pair->now, SuiteId::Aes256Ctr);
     pair->run(5s);
-    QCOMPARE(static_cast<int>(pair->ground().endpoint->framing(pair->ground().session())), static_cast<int>(Framing::Inline));
+    QCOMPARE(static_cast<int>(pair->ground().framing()), static_cast<int>(Framing::Inline));
     const TimePoint begin = pair->now;
     pair->run(20s);
     QCOMPARE(shareOfFresh(*pair, begin), 1.);

@@ -55,7 +55,7 @@ private:
         Peer other = pair.configOf(side).peers.at(0);
         if (value != 0)
             other.presharedKey = std::make_shared<const Key32>(std::span<const std::uint8_t, 32>(Bytes(32, value)));
-        pair.ends[side].endpoint->setPeers(pair.now, {other});
+        pair.ends[side].setPeers(pair.now, {other});
     }
     static Peer known(const X25519KeyPair &identity) { return {identity.publicKey, "known", {}, {}, {}}; }
     Initiator begin(std::uint64_t counter = 1)
@@ -174,7 +174,7 @@ void HandshakeTest::repeatedMessagesAreAnsweredTheSame()
     for (const SentDatagram &flight : answers)
         QCOMPARE(toHex(flight.bytes), toHex(answers[0].bytes));
     // The station used the first of them; the others count as repeated, not as malformed or forged.
-    const ReceiveCounters &unmatched = pair.ground().endpoint->unmatched();
+    const ReceiveCounters &unmatched = pair.ground().unmatched();
     QVERIFY(unmatched.replayed > 0);
     QCOMPARE(unmatched.malformed, std::uint64_t(0));
     QCOMPARE(unmatched.forged, std::uint64_t(0));
@@ -195,7 +195,7 @@ void HandshakeTest::replayedFirstMessageKeepsTheSession()
     }
     QCOMPARE(pair.air().all<SessionUp>().size(), 1u);
     QCOMPARE(pair.air().all<SessionDown>().size(), 0u);
-    QCOMPARE(pair.air().endpoint->unmatched().replayed, std::uint64_t(50));
+    QCOMPARE(pair.air().unmatched().replayed, std::uint64_t(50));
     QCOMPARE(pair.air().all<HandshakeRefused>().at(0).reason, RefusalReason::ReplayedHandshake);
     QCOMPARE(pair.air().all<HandshakeRefused>().at(0).peer, pair.ground().publicKey());
     QVERIFY(pair.air().all<HandshakeRefused>().size() <= 6);
@@ -214,7 +214,7 @@ void HandshakeTest::replayAfterRestartIsRefused()
     pair.start(Air);
     pair.link.inject(pair.now, first);
     pair.run(1s);
-    QCOMPARE(pair.air().endpoint->unmatched().replayed, std::uint64_t(1));
+    QCOMPARE(pair.air().unmatched().replayed, std::uint64_t(1));
     QVERIFY(!pair.air().up());
     QCOMPARE(tap.ofKind(0x5a).size(), 1u);
 }
@@ -233,18 +233,18 @@ void HandshakeTest::unknownPeerIsReported()
 {
     Pair pair;
     const auto peersOf = [&](Side side) { return pair.configOf(side).peers; };
-    pair.air().endpoint->setPeers(pair.now, {});
+    pair.air().setPeers(pair.now, {});
     pair.run(2s);
     QVERIFY(!pair.air().up());
     const auto refused = pair.air().all<HandshakeRefused>();
     QVERIFY(!refused.empty());
     QCOMPARE(refused[0].reason, RefusalReason::UnknownPeer);
     QCOMPARE(refused[0].peer, pair.ground().publicKey());
-    pair.air().endpoint->setPeers(pair.now, peersOf(Air));
+    pair.air().setPeers(pair.now, peersOf(Air));
     QVERIFY(pair.run(3s, [&] { return pair.bothUp(); }));
 
     Pair other;
-    other.ground().endpoint->setPeers(other.now, {});
+    other.ground().setPeers(other.now, {});
     other.run(2s);
     QCOMPARE(other.ground().all<HandshakeRefused>().at(0).reason, RefusalReason::UnknownPeer);
     QCOMPARE(other.ground().datagramsOut, std::uint64_t(0));
@@ -261,12 +261,12 @@ void HandshakeTest::firstMessageForAnotherAgentIsRefused()
     // The second agent even knows the station, but the message is not for it.
     auto peers = two.configOf(Air).peers;
     peers.push_back(one.configOf(Air).peers[0]);
-    two.air().endpoint->setPeers(two.now, peers);
+    two.air().setPeers(two.now, peers);
     two.link.inject(two.now, tap.ofKind(0x59).at(0));
     two.run(1s);
-    QCOMPARE(two.air().endpoint->unmatched().forged, std::uint64_t(1));
+    QCOMPARE(two.air().unmatched().forged, std::uint64_t(1));
     QCOMPARE(two.air().all<HandshakeRefused>().at(0).reason, RefusalReason::WrongKey);
-    QCOMPARE(two.air().endpoint->sessions().size(), 1u);
+    QCOMPARE(two.air().sessions().size(), 1u);
 }
 
 void HandshakeTest::noCommonSuite()
@@ -286,7 +286,7 @@ void HandshakeTest::researchIsNeverChosen()
     options.ground = {{SuiteId::Rc4, SuiteId::Aes256Ctr}, true, true};
     Pair pair(options);
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
-    QCOMPARE(pair.ground().endpoint->sessionInfo(pair.ground().session())->suite, SuiteId::Aes256Ctr);
+    QCOMPARE(pair.ground().sessionInfo()->suite, SuiteId::Aes256Ctr);
     options.ground = options.air = {{SuiteId::Rc4}, true, true};
     Pair only(options);
     only.run(3s);
@@ -299,12 +299,12 @@ void HandshakeTest::otherVersionIsReported()
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
     for (const std::uint8_t first : {0x49, 0x69, 0x79}) {
         Bytes datagram(127, first);
-        QVERIFY(!pair.air().endpoint->handleDatagram(pair.now, pair.pathOf(Ground), datagram));
+        QVERIFY(!pair.air().handleDatagram(pair.now, pair.pathOf(Ground), datagram));
         pair.run(2s);
     }
     QCOMPARE(pair.air().all<HandshakeRefused>().size(), 3u);
     QCOMPARE(pair.air().all<HandshakeRefused>()[0].reason, RefusalReason::Version);
-    QCOMPARE(pair.air().endpoint->unmatched().malformed, std::uint64_t(3));
+    QCOMPARE(pair.air().unmatched().malformed, std::uint64_t(3));
 }
 
 void HandshakeTest::refusalsDoNotFlood()
@@ -319,12 +319,12 @@ void HandshakeTest::refusalsDoNotFlood()
         Path from = pair.pathOf(Ground);
         from.remote.port = static_cast<std::uint16_t>(i);
         from.remote.ip[0] = static_cast<std::uint8_t>(i >> 16);
-        QVERIFY(!pair.air().endpoint->handleDatagram(pair.now, from, datagram));
+        QVERIFY(!pair.air().handleDatagram(pair.now, from, datagram));
         ++count;
         if (i % 200 == 0)
             pair.run(10ms);
     }
-    QCOMPARE(pair.air().endpoint->unmatched().forged, count);
+    QCOMPARE(pair.air().unmatched().forged, count);
     const auto told = pair.air().all<HandshakeRefused>().size();
     QVERIFY2(told <= 24, qPrintable(QString::number(told)));
     QVERIFY(pair.bothUp());
@@ -335,7 +335,7 @@ void HandshakeTest::revokedPeerLosesItsSession()
     Pair pair;
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
     pair.run(1s);
-    pair.air().endpoint->setPeers(pair.now, {});
+    pair.air().setPeers(pair.now, {});
     pair.run(100ms);
     QCOMPARE(pair.air().all<SessionDown>().at(0).reason, DownReason::Revoked);
     QCOMPARE(pair.ground().all<SessionDown>().at(0).reason, DownReason::PeerClosed);

@@ -46,14 +46,14 @@ inline std::unique_ptr<Pair> inlinePair(SuiteId suite, PairOptions options = inl
     auto pair = std::make_unique<Pair>(std::move(options));
     pair->run(5s, [&] { return pair->bothUp(); });
     pair->run(1s);
-    pair->ground().endpoint->switchSuite(pair->now, pair->ground().session(), suite);
+    pair->ground().switchSuite(pair->now, suite);
     pair->run(5s);
     return pair;
 }
 
 inline Framing framingOf(const Pair::End &end)
 {
-    return end.endpoint->sessionInfo(end.session())->framing;
+    return end.sessionInfo()->framing;
 }
 
 /// One row for each suite that can seal in place.

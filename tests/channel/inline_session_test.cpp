@@ -11,23 +11,21 @@ namespace {
 
 ReceiveCounters countersOf(const Pair::End &end)
 {
-    return end.endpoint->stats(end.session())->rx;
+    return end.stats()->rx;
 }
 
 /// Seals one frame of an end and keeps it off the wire.
 Bytes sealOne(Pair &pair, Side from, std::size_t size = 28)
 {
     Bytes out(kMaxInlineFrame);
-    const auto sealed = pair.ends[from].endpoint->sealInline(pair.now, pair.ends[from].session(), numberedFrame(1, size), out);
+    const auto sealed = pair.ends[from].sealInline(pair.now, numberedFrame(1, size), out);
     out.resize(sealed ? *sealed : 0);
     return out;
 }
 
 bool offerFrame(Pair &pair, Side to, Bytes frame, std::optional<Path> from = {})
 {
-    return pair.ends[to]
-        .endpoint->handleInlineFrame(pair.now, from.value_or(pair.pathOf(to == Air ? Ground : Air)), frame)
-        .has_value();
+    return pair.ends[to].handleInlineFrame(pair.now, from.value_or(pair.pathOf(to == Air ? Ground : Air)), frame).has_value();
 }
 
 } // namespace
@@ -94,15 +92,15 @@ void InlineSessionTest::allSuitesBothWays()
     pair.every(13ms, [&] { pair.sendFrame(Ground, 9 + pair.sent[Ground].size() % 240); });
     std::uint64_t inPlace = 0;
     pair.link.attacker = [&](TimePoint, SentDatagram &flight) {
-        inPlace += Endpoint::ownsFrame(flight.bytes);
+        inPlace += looksInline(flight.bytes);
         return true;
     };
     for (const crypto::SuiteInfo &info : crypto::suites()) {
         if (info.id == SuiteId::None)
             continue;
-        pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), info.id);
+        pair.ground().switchSuite(pair.now, info.id);
         pair.run(3s);
-        QCOMPARE(pair.ground().endpoint->sessionInfo(pair.ground().session())->suite, info.id);
+        QCOMPARE(pair.ground().sessionInfo()->suite, info.id);
         for (const Side side : {Ground, Air})
             QCOMPARE(framingOf(pair.ends[side]) == Framing::Inline, crypto::mayBeInline(info.id));
     }
@@ -110,7 +108,7 @@ void InlineSessionTest::allSuitesBothWays()
     pair.run(3s);
     for (const Side side : {Ground, Air}) {
         QCOMPARE(pair.accountFrom(side), std::string());
-        const auto stats = pair.ends[side].endpoint->stats(pair.ends[side].session());
+        const auto stats = pair.ends[side].stats();
         QCOMPARE(stats->rx.lost + stats->rx.forged + stats->rx.replayed + stats->rx.malformed, std::uint64_t(0));
         QCOMPARE(stats->peerTx.records + 1,
                  stats->rx.good); // records and frames are counted together; the report was sent before it was counted itself
@@ -128,8 +126,8 @@ void InlineSessionTest::stormOfSwitches()
     pair.every(10ms, [&] { pair.sendFrame(Ground); });
     const SuiteId suites[] = {SuiteId::Aes256Ctr, SuiteId::Aes256Cbc, SuiteId::ChaCha20, SuiteId::Rc4, SuiteId::Aes256Gcm};
     std::size_t turn = 0;
-    pair.every(700ms, [&] { pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), suites[turn++ % 5]); });
-    pair.every(1100ms, [&] { pair.air().endpoint->switchSuite(pair.now, pair.air().session(), suites[turn++ % 5]); });
+    pair.every(700ms, [&] { pair.ground().switchSuite(pair.now, suites[turn++ % 5]); });
+    pair.every(1100ms, [&] { pair.air().switchSuite(pair.now, suites[turn++ % 5]); });
     pair.run(120s);
     pair.stopTraffic();
     pair.link.model = {};
@@ -161,26 +159,26 @@ void InlineSessionTest::sendsRecordsUntilThePeerIsHeard()
     QCOMPARE(framingOf(pair.ground()), Framing::Inline);
     QCOMPARE(framingOf(pair.air()), Framing::Inline);
     QCOMPARE(pair.accountFrom(Ground), std::string());
-    QCOMPARE(countersOf(pair.air()).malformed + pair.air().endpoint->unmatched().malformed, std::uint64_t(0));
+    QCOMPARE(countersOf(pair.air()).malformed + pair.air().unmatched().malformed, std::uint64_t(0));
 }
 
 void InlineSessionTest::neverMovesTheAddress()
 {
     const auto owner = inlinePair(SuiteId::Aes256Ctr);
     Pair &pair = *owner;
-    const Path home = pair.ground().endpoint->recordPath(pair.ground().session());
+    const Path home = pair.ground().recordPath();
     Path elsewhere = pair.pathOf(Air);
     elsewhere.remote.port = 41000;
     const Bytes frame = sealOne(pair, Air);
     QVERIFY(!offerFrame(pair, Ground, frame, elsewhere)); // authentic, but its session has another address
-    QCOMPARE(pair.ground().endpoint->unmatched().malformed, std::uint64_t(1));
-    QCOMPARE(pair.ground().endpoint->recordPath(pair.ground().session()), home);
+    QCOMPARE(pair.ground().unmatched().malformed, std::uint64_t(1));
+    QCOMPARE(pair.ground().recordPath(), home);
     QVERIFY(offerFrame(pair, Ground, frame));
 
     // The agent gets another port: its next report moves the session, and frames are accepted again from then on.
     pair.air().port = 41000;
     pair.run(1500ms);
-    QCOMPARE(pair.ground().endpoint->recordPath(pair.ground().session()).remote.port, std::uint16_t(41000));
+    QCOMPARE(pair.ground().recordPath().remote.port, std::uint16_t(41000));
     QVERIFY(offerFrame(pair, Ground, sealOne(pair, Air)));
 }
 
@@ -219,11 +217,11 @@ void InlineSessionTest::acrossEpochs()
     const auto owner = inlinePair(SuiteId::Aes256Ctr);
     Pair &pair = *owner;
     const Bytes old = sealOne(pair, Air);
-    pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), SuiteId::ChaCha20);
+    pair.ground().switchSuite(pair.now, SuiteId::ChaCha20);
     pair.run(1s);
     QVERIFY(offerFrame(pair, Ground, old)); // late, under the keys of the epoch before
     const Bytes older = sealOne(pair, Air);
-    pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), SuiteId::Aes256Cbc);
+    pair.ground().switchSuite(pair.now, SuiteId::Aes256Cbc);
     pair.run(10s);
     QVERIFY(!offerFrame(pair, Ground, older)); // those keys are gone
     Bytes relabelled = older;
@@ -240,7 +238,7 @@ void InlineSessionTest::consentWithdrawn()
     const Bytes frame = sealOne(pair, Air);
     Policy policy = pair.ground().policy;
     policy.allowInline = false;
-    pair.ground().endpoint->setPolicy(pair.now, policy);
+    pair.ground().setPolicy(pair.now, policy);
     QCOMPARE(framingOf(pair.ground()), Framing::Sealed);
     QVERIFY(!offerFrame(pair, Ground, frame));
     QCOMPARE(countersOf(pair.ground()).malformed, std::uint64_t(1));

@@ -1,6 +1,7 @@
 // Messages that arrive after their context has changed: handshakes of removed peers, abandoned switches, and counts and closes
 // that overtook records.
 #include "core/channel/handshake_messages.h"
+#include "core/channel/inline_frame.h"
 #include "core/crypto/init_crypto.h"
 #include "inline_pair.h"
 #include "tap.h"
@@ -46,7 +47,7 @@ bool isRecord(const SentDatagram &flight)
 
 void give(Pair &pair, Side to, Bytes datagram)
 {
-    pair.ends[to].endpoint->handleDatagram(pair.now, pair.pathOf(to == Air ? Ground : Air), datagram);
+    pair.ends[to].handleDatagram(pair.now, pair.pathOf(to == Air ? Ground : Air), datagram);
     pair.pump();
 }
 
@@ -67,7 +68,7 @@ Bytes catchAnswer(Pair &pair)
 
 SuiteId suiteOf(Pair &pair, Side side)
 {
-    return pair.ends[side].endpoint->sessionInfo(pair.ends[side].session())->suite;
+    return pair.ends[side].sessionInfo()->suite;
 }
 
 } // namespace
@@ -84,12 +85,12 @@ void LateMessagesTest::recordOfARemovedPeer()
     QVERIFY(pair.run(2s, [&] { return proof.has_value(); }));
     QVERIFY(!pair.air().up());
     const auto peers = pair.configOf(Air).peers;
-    pair.air().endpoint->setPeers(pair.now, {});
+    pair.air().setPeers(pair.now, {});
     give(pair, Air, *proof);
     QVERIFY(!pair.air().up());
     QVERIFY(pair.air().all<SessionUp>().empty());
-    QCOMPARE(pair.air().endpoint->unmatched().malformed, std::uint64_t(1));
-    pair.air().endpoint->setPeers(pair.now, peers);
+    QCOMPARE(pair.air().unmatched().malformed, std::uint64_t(1));
+    pair.air().setPeers(pair.now, peers);
     give(pair, Air, *proof); // its keys were deleted
     QVERIFY(!pair.air().up());
     pair.link.attacker = {};
@@ -102,14 +103,14 @@ void LateMessagesTest::answerOfARemovedPeer()
     const Bytes answer = catchAnswer(pair);
     QVERIFY(!answer.empty());
     const auto peers = pair.configOf(Ground).peers;
-    pair.ground().endpoint->setPeers(pair.now, {});
+    pair.ground().setPeers(pair.now, {});
     const auto sent = pair.ground().datagramsOut;
     give(pair, Ground, answer);
     pair.run(5s);
     QVERIFY(!pair.ground().up());
     QCOMPARE(pair.ground().datagramsOut, sent);
     pair.link.attacker = {};
-    pair.ground().endpoint->setPeers(pair.now, peers);
+    pair.ground().setPeers(pair.now, peers);
     QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
 }
 
@@ -125,7 +126,7 @@ void LateMessagesTest::forgedAnswerBeforeTheTrueOne()
         give(pair, Ground, forged);
         QVERIFY(!pair.ground().up());
     }
-    QCOMPARE(pair.ground().endpoint->unmatched().forged, std::uint64_t(4));
+    QCOMPARE(pair.ground().unmatched().forged, std::uint64_t(4));
     QCOMPARE(pair.ground().all<HandshakeRefused>().at(0).reason, RefusalReason::WrongKey);
     QCOMPARE(pair.ground().all<HandshakeRefused>().at(0).peer, pair.air().publicKey());
     give(pair, Ground, answer);
@@ -147,14 +148,14 @@ void LateMessagesTest::countOfADeletedEpoch()
         lost += drop;
         return !drop;
     };
-    pair->ground().endpoint->switchSuite(pair->now, pair->ground().session(), SuiteId::Aes256Gcm);
+    pair->ground().switchSuite(pair->now, SuiteId::Aes256Gcm);
     pair->pump();
     losing = true;
     for (int i = 0; i < 5; ++i)
         pair->sendFrame(Ground, 100); // still under the old epoch, and nothing comes behind them
     losing = false;
     pair->run(7s);
-    const auto lostSaid = [&] { return pair->air().endpoint->stats(pair->air().session())->rx.lost; };
+    const auto lostSaid = [&] { return pair->air().stats()->rx.lost; };
     QCOMPARE(suiteOf(*pair, Air), SuiteId::Aes256Gcm);
     QVERIFY(lostSaid() < lost);
     pair->run(5s);
@@ -164,10 +165,10 @@ void LateMessagesTest::countOfADeletedEpoch()
 void LateMessagesTest::refusalIsRepeated()
 {
     auto pair = settledPair();
-    pair->air().endpoint->setPolicy(pair->now, Policy{{SuiteId::ChaCha20Poly1305}, true, false}); // known to itself alone
+    pair->air().setPolicy(pair->now, Policy{{SuiteId::ChaCha20Poly1305}, true, false}); // known to itself alone
     const TimePoint until = pair->now + 450ms;
     pair->link.attacker = [&](TimePoint at, SentDatagram &flight) { return flight.from == Ground || at > until; };
-    pair->ground().endpoint->switchSuite(pair->now, pair->ground().session(), SuiteId::Aes256Gcm);
+    pair->ground().switchSuite(pair->now, SuiteId::Aes256Gcm);
     pair->run(400ms);
     QVERIFY(pair->ground().all<SwitchDone>().empty());
     pair->run(1s);
@@ -184,7 +185,7 @@ void LateMessagesTest::suiteThatThePeerNeverOffered()
     options.air.suites = {SuiteId::ChaCha20Poly1305, SuiteId::Aes256Ctr};
     auto pair = settledPair(options);
     const auto sent = pair->ground().datagramsOut;
-    pair->ground().endpoint->switchSuite(pair->now, pair->ground().session(), SuiteId::Aes256Gcm);
+    pair->ground().switchSuite(pair->now, SuiteId::Aes256Gcm);
     pair->pump();
     const auto done = pair->ground().all<SwitchDone>();
     QCOMPARE(done.size(), 1u);
@@ -199,12 +200,12 @@ void LateMessagesTest::commitOfAnAbandonedSwitch()
     auto pair = settledPair();
     bool deaf = false;
     pair->link.attacker = [&](TimePoint, SentDatagram &flight) { return !(deaf && flight.from == Ground); };
-    pair->ground().endpoint->switchSuite(pair->now, pair->ground().session(), SuiteId::Aes256Gcm);
+    pair->ground().switchSuite(pair->now, SuiteId::Aes256Gcm);
     QVERIFY(pair->run(1s, [&] { return deaf = !pair->air().all<SwitchPending>().empty(); }));
     pair->run(5500ms);
     QCOMPARE(suiteOf(*pair, Ground), SuiteId::Aes256Gcm);
     QCOMPARE(pair->air().all<SwitchDone>().at(0).failure, SwitchFailure::NotConfirmed);
-    pair->air().endpoint->switchSuite(pair->now, pair->air().session(), SuiteId::Aes256Ctr);
+    pair->air().switchSuite(pair->now, SuiteId::Aes256Ctr);
     pair->run(500ms);
     QCOMPARE(suiteOf(*pair, Air), SuiteId::ChaCha20Poly1305);
     deaf = false;
@@ -224,10 +225,10 @@ void LateMessagesTest::closedWhileASwitchIsInDoubt()
 {
     auto pair = settledPair();
     pair->link.attacker = [](TimePoint, SentDatagram &flight) { return flight.from == Ground; };
-    pair->ground().endpoint->switchSuite(pair->now, pair->ground().session(), SuiteId::Aes256Gcm);
+    pair->ground().switchSuite(pair->now, SuiteId::Aes256Gcm);
     QVERIFY(pair->run(1s, [&] { return !pair->air().all<SwitchPending>().empty(); }));
-    pair->air().endpoint->close(pair->now, pair->air().session());
-    pair->ground().endpoint->close(pair->now, pair->ground().session());
+    pair->air().close(pair->now);
+    pair->ground().close(pair->now);
     pair->pump();
     for (const Pair::End &end : pair->ends) {
         const auto done = end.all<SwitchDone>();
@@ -240,7 +241,7 @@ void LateMessagesTest::closedWhileASwitchIsInDoubt()
 void LateMessagesTest::policyThatLeavesNothing()
 {
     auto pair = settledPair();
-    pair->ground().endpoint->setPolicy(pair->now, Policy{{}, false, false});
+    pair->ground().setPolicy(pair->now, Policy{{}, false, false});
     pair->run(100ms);
     QCOMPARE(pair->ground().all<SessionDown>().at(0).reason, DownReason::Closed);
     QCOMPARE(pair->air().all<SessionDown>().at(0).reason, DownReason::PeerClosed);
@@ -254,7 +255,7 @@ void LateMessagesTest::closeThatOvertookALostRecord()
     pair->link.attacker = [](TimePoint, SentDatagram &flight) { return flight.tag == 0; };
     pair->sendFrame(Air);
     pair->link.attacker = {};
-    pair->air().endpoint->close(pair->now, pair->air().session());
+    pair->air().close(pair->now);
     pair->pump();
     pair->kill(Air); // which would announce itself again
     pair->run(2900ms);
@@ -276,7 +277,7 @@ void LateMessagesTest::inlineFrameEndsTheAttempt()
     std::size_t calls = 0;
     pair->link.attacker = [&](TimePoint, SentDatagram &flight) {
         calls += flight.bytes[0] == 0x59;
-        return flight.from == Ground ? flight.bytes[0] != 0x59 : frames && Endpoint::ownsFrame(flight.bytes);
+        return flight.from == Ground ? flight.bytes[0] != 0x59 : frames && looksInline(flight.bytes);
     };
     pair->run(4s);
     QVERIFY(calls > 0);
@@ -293,26 +294,24 @@ void LateMessagesTest::inlineFrameEndsTheAttempt()
 void LateMessagesTest::inlineFrameOfAnEpochWithoutInlineFraming()
 {
     auto pair = inlinePair(SuiteId::Aes256Ctr);
-    const auto seal = [&](ByteView frame, MutableByteView out) {
-        return pair->air().endpoint->sealInline(pair->now, pair->air().session(), frame, out);
-    };
+    const auto seal = [&](ByteView frame, MutableByteView out) { return pair->air().sealInline(pair->now, frame, out); };
     const Bytes frame = numberedFrame(1, 40);
     Bytes sealed(frame.size() + 13);
     QCOMPARE(seal(frame, MutableByteView(sealed).first(sealed.size() - 1)).error(), SealError::NoRoom);
     Bytes damaged = frame;
     damaged.back() ^= 1;
     QCOMPARE(seal(damaged, sealed).error(), SealError::NotInline); // sent in a record instead
-    const auto records = pair->air().endpoint->stats(pair->air().session())->tx.records;
+    const auto records = pair->air().stats()->tx.records;
     QVERIFY(seal(frame, sealed));
-    QCOMPARE(pair->air().endpoint->stats(pair->air().session())->tx.records, records + 1);
+    QCOMPARE(pair->air().stats()->tx.records, records + 1);
 
-    pair->ground().endpoint->switchSuite(pair->now, pair->ground().session(), SuiteId::ChaCha20Poly1305);
+    pair->ground().switchSuite(pair->now, SuiteId::ChaCha20Poly1305);
     pair->run(5s);
-    const auto epoch = pair->ground().endpoint->sessionInfo(pair->ground().session())->epoch;
+    const auto epoch = pair->ground().sessionInfo()->epoch;
     sealed[sealed.size() - 13] = static_cast<std::uint8_t>(epoch); // whose suite never seals in place
-    const auto rx = [&] { return pair->ground().endpoint->stats(pair->ground().session())->rx; };
+    const auto rx = [&] { return pair->ground().stats()->rx; };
     const auto before = rx();
-    QVERIFY(!pair->ground().endpoint->handleInlineFrame(pair->now, pair->pathOf(Air), sealed));
+    QVERIFY(!pair->ground().handleInlineFrame(pair->now, pair->pathOf(Air), sealed));
     QCOMPARE(rx().malformed, before.malformed + 1);
     QCOMPARE(rx().good, before.good);
 }

@@ -1,4 +1,5 @@
 // The limits of an endpoint, and impossible requests of owners, peers and keys: each refusal leaves the state unchanged.
+#include "core/channel/endpoint.h"
 #include "core/channel/handshake.h"
 #include "core/channel/datagram_queue.h"
 #include "core/crypto/init_crypto.h"
@@ -44,7 +45,7 @@ void LimitsTest::refusedSealingUsesNoCounter()
     Pair pair;
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
     pair.run(1s);
-    pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), static_cast<SuiteId>(suite));
+    pair.ground().switchSuite(pair.now, static_cast<SuiteId>(suite));
     pair.run(2s);
     Endpoint &endpoint = *pair.air().endpoint;
     const SessionId session = pair.air().session();
@@ -68,9 +69,9 @@ void LimitsTest::refusedSealingUsesNoCounter()
     QVERIFY(refusal(longest, MutableByteView(out).first(*size - 1), session) == SealError::NoRoom);
     QCOMPARE(sealed(), before + 1);
     // No counter is missing at the other end, either.
-    QVERIFY(pair.ground().endpoint->handleDatagram(pair.now, pair.pathOf(Air), MutableByteView(out).first(*size)));
+    QVERIFY(pair.ground().handleDatagram(pair.now, pair.pathOf(Air), MutableByteView(out).first(*size)));
     pair.run(2s);
-    QCOMPARE(pair.ground().endpoint->stats(pair.ground().session())->rx.lost, std::uint64_t(0));
+    QCOMPARE(pair.ground().stats()->rx.lost, std::uint64_t(0));
 }
 
 void LimitsTest::commandsWithoutASession()
@@ -148,11 +149,11 @@ void LimitsTest::peerWithAnUnusableKey()
     auto peers = pair.configOf(Ground).peers;
     peers.push_back(bad);
     pair.kill(Air);
-    pair.ground().endpoint->setPeers(pair.now, peers);
+    pair.ground().setPeers(pair.now, peers);
     SeededRandom random(5);
     for (int i = 0; i < 400; ++i) {
         auto announcement = Announcement(bad.key).make(random);
-        pair.ground().endpoint->handleDatagram(pair.now, pair.pathOf(Air), announcement);
+        pair.ground().handleDatagram(pair.now, pair.pathOf(Air), announcement);
         pair.run(100ms);
     }
     QCOMPARE(pair.ground().datagramsOut, std::uint64_t(0));

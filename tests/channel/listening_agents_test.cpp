@@ -1,7 +1,7 @@
 // Agents that listen and announce nothing, on a virtual clock: a station that knows their addresses, but not which agent is at
 // which, gets a session with each.
+#include "core/channel/endpoint.h"
 #include "core/channel/mac1.h"
-#include "core/crypto/x25519.h"
 #include "tests/channel/pair.h"
 #include "tests/support/test_runner.h"
 
@@ -22,12 +22,12 @@ class Listeners
 public:
     explicit Listeners(std::size_t agents) : m_agents(agents)
     {
-        Config station = configFor(Role::Station, keyPair());
+        Config station = configFor(Role::Station, newIdentity(m_random));
         for (Agent &agent : m_agents) {
-            agent.identity = keyPair();
-            station.peers.push_back({agent.identity->publicKey, "agent", PeerRole::Pilot, {}, {}});
+            agent.identity = newIdentity(m_random);
+            station.peers.push_back({publicKeyOf(*agent.identity), "agent", PeerRole::Pilot, {}, {}});
         }
-        m_stationKey = station.identity->publicKey;
+        m_stationKey = publicKeyOf(*station.identity);
         for (Agent &agent : m_agents)
             start(agent);
         m_station = std::make_unique<Endpoint>(std::move(station), m_random, m_stationCounters, now);
@@ -82,7 +82,7 @@ public:
 private:
     struct Agent
     {
-        std::shared_ptr<crypto::X25519KeyPair> identity;
+        std::shared_ptr<const crypto::X25519KeyPair> identity;
         MemoryCounterStore counters;
         std::unique_ptr<Endpoint> endpoint;
     };
@@ -93,11 +93,7 @@ private:
         Bytes bytes;
     };
 
-    std::shared_ptr<crypto::X25519KeyPair> keyPair()
-    {
-        return std::make_shared<crypto::X25519KeyPair>(crypto::X25519KeyPair::generate(m_random));
-    }
-    static Config configFor(Role role, std::shared_ptr<crypto::X25519KeyPair> identity)
+    static Config configFor(Role role, std::shared_ptr<const crypto::X25519KeyPair> identity)
     {
         Config config;
         config.role = role;
@@ -136,7 +132,7 @@ private:
     {
         ++firsts;
         for (std::size_t i = 0; i < m_agents.size(); ++i) {
-            if (Mac1(m_agents[i].identity->publicKey).verify(message))
+            if (Mac1(publicKeyOf(*m_agents[i].identity)).verify(message))
                 called.insert(i);
         }
     }

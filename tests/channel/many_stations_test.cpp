@@ -1,6 +1,5 @@
 // One agent and several stations on one link, as behind a router or at a listening port: the first station does not keep the
 // others out, and an active session costs few announcements.
-#include "core/crypto/x25519.h"
 #include "core/crypto/init_crypto.h"
 #include "crowd.h"
 #include "tests/support/test_runner.h"

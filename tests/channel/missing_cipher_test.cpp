@@ -65,22 +65,22 @@ void MissingCipherTest::isNotOffered()
     pair.every(20ms, [&pair] { pair.sendFrame(Air); });
     for (const Side side : {Ground, Air}) {
         auto &end = pair.ends[side];
-        const auto info = *end.endpoint->sessionInfo(end.session());
+        const auto info = *end.sessionInfo();
         for (const auto &suites : {info.permitted, info.peerOffered}) {
             QCOMPARE(suites.size(), crypto::sealedSuites().size() - 1);
             QCOMPARE(std::count(suites.begin(), suites.end(), SuiteId::Rc4), 0);
         }
-        end.endpoint->switchSuite(pair.now, end.session(), SuiteId::Rc4);
+        end.switchSuite(pair.now, SuiteId::Rc4);
         pair.run(1s);
         const auto done = end.all<SwitchDone>();
         QCOMPARE(done.size(), 1u);
         QCOMPARE(done[0].failure, SwitchFailure::NotAllowedHere);
-        QCOMPARE(end.endpoint->sessionInfo(end.session())->suite, SuiteId::ChaCha20Poly1305);
+        QCOMPARE(end.sessionInfo()->suite, SuiteId::ChaCha20Poly1305);
         end.events.clear();
     }
     // A new policy does not change this.
-    pair.air().endpoint->setPolicy(pair.now, pair.air().policy);
-    const auto permitted = pair.air().endpoint->sessionInfo(pair.air().session())->permitted;
+    pair.air().setPolicy(pair.now, pair.air().policy);
+    const auto permitted = pair.air().sessionInfo()->permitted;
     QCOMPARE(std::count(permitted.begin(), permitted.end(), SuiteId::Rc4), 0);
     pair.stopTraffic();
     pair.run(1s);

@@ -1,13 +1,24 @@
-#include "core/crypto/x25519.h"
 #include "pair.h"
 
 #include "core/base/byte_reader.h"
 #include "core/base/byte_writer.h"
 #include "core/base/weakness.h"
+#include "core/channel/endpoint.h"
+#include "core/crypto/x25519.h"
 
 #include <algorithm>
 
 namespace skyseal::test {
+
+std::shared_ptr<const crypto::X25519KeyPair> newIdentity(RandomSource &random)
+{
+    return std::make_shared<const crypto::X25519KeyPair>(crypto::X25519KeyPair::generate(random));
+}
+
+const PublicKey &publicKeyOf(const crypto::X25519KeyPair &identity)
+{
+    return identity.publicKey;
+}
 
 MemoryCounterStore::MemoryCounterStore() = default;
 MemoryCounterStore::MemoryCounterStore(const MemoryCounterStore &) = default;
@@ -45,6 +56,97 @@ const PublicKey &Pair::End::publicKey() const
     return identity->publicKey;
 }
 
+std::vector<SessionId> Pair::End::sessions() const
+{
+    return endpoint->sessions();
+}
+
+SessionId Pair::End::session() const
+{
+    const auto all = endpoint->sessions();
+    return all.empty() ? SessionId{} : all.back();
+}
+
+std::optional<SessionInfo> Pair::End::sessionInfo() const
+{
+    return endpoint->sessionInfo(session());
+}
+
+std::optional<SessionStats> Pair::End::stats() const
+{
+    return endpoint->stats(session());
+}
+
+Path Pair::End::recordPath() const
+{
+    return endpoint->recordPath(session());
+}
+
+Framing Pair::End::framing() const
+{
+    return endpoint->framing(session());
+}
+
+const ReceiveCounters &Pair::End::unmatched() const
+{
+    return endpoint->unmatched();
+}
+
+std::uint64_t Pair::End::strangerHashes() const
+{
+    return endpoint->strangerHashes();
+}
+
+std::optional<Delivery> Pair::End::handleDatagram(TimePoint time, const Path &from, MutableByteView datagram)
+{
+    return endpoint->handleDatagram(time, from, datagram);
+}
+
+std::optional<Delivery> Pair::End::handleInlineFrame(TimePoint time, const Path &from, MutableByteView frame)
+{
+    return endpoint->handleInlineFrame(time, from, frame);
+}
+
+Sealed Pair::End::seal(TimePoint time, ByteView frames, MutableByteView out)
+{
+    return endpoint->seal(time, session(), frames, out);
+}
+
+Sealed Pair::End::sealInline(TimePoint time, ByteView frame, MutableByteView out)
+{
+    return endpoint->sealInline(time, session(), frame, out);
+}
+
+void Pair::End::switchSuite(TimePoint time, crypto::SuiteId suite)
+{
+    endpoint->switchSuite(time, session(), suite);
+}
+
+void Pair::End::rekey(TimePoint time)
+{
+    endpoint->rekey(time, session());
+}
+
+void Pair::End::close(TimePoint time)
+{
+    endpoint->close(time, session());
+}
+
+void Pair::End::setPeers(TimePoint time, std::vector<Peer> peers)
+{
+    endpoint->setPeers(time, std::move(peers));
+}
+
+void Pair::End::setPolicy(TimePoint time, Policy newPolicy)
+{
+    endpoint->setPolicy(time, std::move(newPolicy));
+}
+
+std::optional<Transmit> Pair::End::pollTransmit()
+{
+    return endpoint->pollTransmit();
+}
+
 Pair::Pair(PairOptions options)
     : now(TimePoint(std::chrono::hours(1))), link(options.link, options.seed ^ 0x5eed), m_options(options),
       m_random(options.seed)
@@ -52,7 +154,7 @@ Pair::Pair(PairOptions options)
     if (weakened(Weakness::Impatient))
         m_options.timing.forgetAfter = std::chrono::seconds(10);
     for (const Side side : {Ground, Air}) {
-        ends[side].identity = std::make_shared<crypto::X25519KeyPair>(crypto::X25519KeyPair::generate(m_random));
+        ends[side].identity = newIdentity(m_random);
         ends[side].policy = side == Ground ? m_options.ground : m_options.air;
         ends[side].port = side == Ground ? 14550 : 40000;
     }
@@ -93,6 +195,11 @@ void Pair::start(Side side)
     if (weakened(Weakness::SameRandomEveryLife))
         m_random = SeededRandom(m_options.seed);
     ends[side].endpoint = std::make_unique<Endpoint>(configOf(side), m_random, ends[side].counters, nowAt(side));
+}
+
+void Pair::kill(Side side)
+{
+    ends[side].endpoint.reset();
 }
 
 void Pair::every(Duration period, std::function<void()> act)

@@ -1,5 +1,6 @@
 // Getting a session, keeping it over an outage, and getting it back: in either order of start, with replayed messages, and
 // with lost counters.
+#include "core/channel/endpoint.h"
 #include "core/crypto/x25519.h"
 #include "core/channel/handshake.h"
 #include "core/crypto/init_crypto.h"
@@ -104,7 +105,7 @@ void ReconnectTest::fiveMinutesOutage()
     pair.stopTraffic();
     pair.run(2s);
     QCOMPARE(QString::fromStdString(pair.accountFrom(Air)), QString());
-    QCOMPARE(pair.ground().endpoint->stats(pair.ground().session())->rx.lost > 29000, true);
+    QCOMPARE(pair.ground().stats()->rx.lost > 29000, true);
     QCOMPARE(pair.ground().all<SessionUp>().size(), 1u);
     QCOMPARE(pair.air().all<SessionUp>().size(), 1u);
     QVERIFY(handshakes <= 2); // one was already in transit
@@ -192,8 +193,8 @@ void ReconnectTest::repeatedAnnouncementsDoNotEvictTheAgent()
         path.remote.ip[15] = 77;
         path.remote.port = ++port;
         Bytes copy = *announcement;
-        pair.ground().endpoint->handleDatagram(pair.now, path, copy);
-        while (const auto out = pair.ground().endpoint->pollTransmit()) {
+        pair.ground().handleDatagram(pair.now, path, copy);
+        while (const auto out = pair.ground().pollTransmit()) {
             if (out->to == pair.pathOf(Air))
                 pair.link.send(pair.now, {Ground, pair.ground().port, 0, Bytes(out->bytes.begin(), out->bytes.end())});
         }
@@ -223,8 +224,8 @@ void ReconnectTest::repeatedAnnouncementsDoNotDelayRetries()
     std::size_t answers = 0;
     pair.every(100ms, [&] {
         Bytes copy = *announcement;
-        pair.ground().endpoint->handleDatagram(pair.now, elsewhere(pair), copy);
-        while (const auto out = pair.ground().endpoint->pollTransmit()) {
+        pair.ground().handleDatagram(pair.now, elsewhere(pair), copy);
+        while (const auto out = pair.ground().pollTransmit()) {
             const bool first = out->bytes[0] == 0x59;
             copies += first && out->to == pair.pathOf(Air);
             answers += first && out->to == elsewhere(pair);
@@ -304,7 +305,7 @@ void ReconnectTest::counterCorrectionIsBoundToItsStation()
     for (int i = 0; i < 100; ++i) {
         Bytes copy = firsts[0];
         in += copy.size();
-        pair.air().endpoint->handleDatagram(pair.now, pair.pathOf(Ground), copy);
+        pair.air().handleDatagram(pair.now, pair.pathOf(Ground), copy);
         pair.run(50ms);
     }
     QVERIFY(!numbers.empty() && numbers.size() <= 26);
@@ -317,9 +318,9 @@ void ReconnectTest::counterCorrectionIsBoundToItsStation()
         QCOMPARE(number.size(), kNumberLength);
         QVERIFY(number.size() <= kFirstLength);
         Bytes copy = number;
-        pair.ground().endpoint->handleDatagram(pair.now, pair.pathOf(Air), copy);
+        pair.ground().handleDatagram(pair.now, pair.pathOf(Air), copy);
     }
-    QCOMPARE(pair.ground().endpoint->unmatched().forged, std::uint64_t(numbers.size()));
+    QCOMPARE(pair.ground().unmatched().forged, std::uint64_t(numbers.size()));
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
     QVERIFY(pair.ground().counters.next() <= own + 3);
 }
@@ -423,7 +424,7 @@ void ReconnectTest::firstMessagesOfAThiefDoNotBlock()
     std::uint64_t next = counter;
     pair.every(50ms, [&] {
         Bytes forged = firstOfAThief(pair, rising ? next++ : next);
-        pair.air().endpoint->handleDatagram(pair.now, elsewhere(pair), forged);
+        pair.air().handleDatagram(pair.now, elsewhere(pair), forged);
     });
     pair.run(3s);
     pair.start(Ground);
@@ -482,14 +483,14 @@ void ReconnectTest::unconfirmedAnswersAreBounded()
         others.push_back(crypto::X25519KeyPair::generate(m_random));
         peers.push_back({others.back().publicKey, "other", PeerRole::Pilot, {}, {}});
     }
-    pair.air().endpoint->setPeers(pair.now, peers);
+    pair.air().setPeers(pair.now, peers);
     for (std::size_t i = 0; i < 390; ++i) {
         Bytes forged = others.empty() ? firstOfAThief(pair, kGreatestCounter)
                                       : firstOfAThief(pair, kGreatestCounter, others[i % others.size()]);
-        pair.air().endpoint->handleDatagram(pair.now, elsewhere(pair), forged);
+        pair.air().handleDatagram(pair.now, elsewhere(pair), forged);
         pair.run(25ms);
     }
-    QCOMPARE(pair.air().endpoint->unmatched().replayed, std::uint64_t(0)); // each was answered
+    QCOMPARE(pair.air().unmatched().replayed, std::uint64_t(0)); // each was answered
     pair.start(Ground);
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
 }

@@ -67,7 +67,7 @@ void RecordTest::otherFirstBytesAreRefused()
     for (int first = 0; first < 256; ++first) {
         bytes[0] = static_cast<std::uint8_t>(first);
         QCOMPARE(RecordHeader::read(bytes).has_value(), first >= 0x50 && first <= 0x57);
-        QCOMPARE(Endpoint::owns(bytes[0]), first >= 0x40 && first <= 0x7f);
+        QCOMPARE(isOurs(bytes[0]), first >= 0x40 && first <= 0x7f);
     }
 }
 

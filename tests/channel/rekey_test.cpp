@@ -56,7 +56,7 @@ void RekeyTest::rekeyByRecordsOfEitherEnd()
         QVERIFY2(count >= 8 && count <= 12, qPrintable(QString::number(count)));
         QCOMPARE(count, rekeys(pair.air()));
         QCOMPARE(QString::fromStdString(pair.accountFrom(busy)), QString());
-        const auto stats = pair.ends[busy].endpoint->stats(pair.ends[busy].session());
+        const auto stats = pair.ends[busy].stats();
         for (const EpochStats &epoch : stats->epochs)
             QVERIFY2(epoch.tx.records < 1400, qPrintable(QString::number(epoch.tx.records)));
     }
@@ -79,11 +79,11 @@ void RekeyTest::rekeyOnCommand()
     Pair pair;
     QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
     pair.run(1s);
-    pair.air().endpoint->rekey(pair.now, pair.air().session());
+    pair.air().rekey(pair.now);
     pair.run(1s);
     QCOMPARE(rekeys(pair.ground()), 1u);
     QVERIFY(pair.ground().all<SwitchDone>()[0].byPeer && pair.ground().all<SwitchDone>()[0].rekey);
-    QCOMPARE(pair.ground().endpoint->sessionInfo(pair.ground().session())->epoch, Epoch{1});
+    QCOMPARE(pair.ground().sessionInfo()->epoch, Epoch{1});
 }
 
 void RekeyTest::rekeyBySwitchingToTheSuiteInUse()
@@ -92,10 +92,10 @@ void RekeyTest::rekeyBySwitchingToTheSuiteInUse()
     Pair pair;
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
     pair.run(1s);
-    pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), SuiteId::ChaCha20Poly1305);
+    pair.ground().switchSuite(pair.now, SuiteId::ChaCha20Poly1305);
     QVERIFY(pair.run(1s, [&] { return rekeys(pair.ground()) == 1 && rekeys(pair.air()) == 1; }));
     for (const auto &end : pair.ends)
-        QCOMPARE(end.endpoint->sessionInfo(end.session())->epoch, Epoch{1});
+        QCOMPARE(end.sessionInfo()->epoch, Epoch{1});
 }
 
 void RekeyTest::hardStopExactlyThere()
@@ -106,21 +106,19 @@ void RekeyTest::hardStopExactlyThere()
     Pair pair(options);
     QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
     pair.run(1s);
-    auto &endpoint = *pair.air().endpoint;
-    const SessionId session = pair.air().session();
     const Bytes frame(20, 0xfd);
     Bytes record(100);
-    const auto before = endpoint.stats(session)->tx.records;
+    const auto before = pair.air().stats()->tx.records;
     std::uint64_t sealed = 0;
     for (;; ++sealed) {
-        const auto result = endpoint.seal(pair.now, session, frame, record);
+        const auto result = pair.air().seal(pair.now, frame, record);
         if (!result) {
             QCOMPARE(result.error(), SealError::Exhausted);
             break;
         }
     }
     QCOMPARE(before + sealed, std::uint64_t(5000));
-    QVERIFY(!endpoint.seal(pair.now, session, frame, record));
+    QVERIFY(!pair.air().seal(pair.now, frame, record));
     pair.pump();
     QCOMPARE(pair.air().all<SessionDown>().at(0).reason, DownReason::Exhausted);
 }
@@ -147,19 +145,19 @@ void RekeyTest::sixteenEpochsAreRemembered()
     pair.run(1s);
     for (int i = 0; i < 40; ++i) {
         pair.sendFrame(Air);
-        pair.ground().endpoint->rekey(pair.now, pair.ground().session());
+        pair.ground().rekey(pair.now);
         pair.run(200ms);
     }
     pair.run(2s);
     for (const auto &end : pair.ends) {
-        const auto stats = end.endpoint->stats(end.session());
+        const auto stats = end.stats();
         QCOMPARE(stats->epochs.size(), 16u);
         QCOMPARE(stats->epochs.back().epoch, Epoch{40});
         QCOMPARE(stats->epochs.front().epoch, Epoch{25});
     }
     // Sums go over all of them.
-    const auto air = pair.air().endpoint->stats(pair.air().session());
-    const auto ground = pair.ground().endpoint->stats(pair.ground().session());
+    const auto air = pair.air().stats();
+    const auto ground = pair.ground().stats();
     QCOMPARE(ground->rx.good, air->tx.records);
     QCOMPARE(ground->rx.lost, std::uint64_t(0));
 }
@@ -169,10 +167,10 @@ void RekeyTest::policyThatForbidsTheSuiteInUse()
     Pair pair;
     QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
     pair.run(1s);
-    pair.air().endpoint->setPolicy(pair.now, {{SuiteId::Aes256Ctr, SuiteId::Aes256Gcm}, false, false});
+    pair.air().setPolicy(pair.now, {{SuiteId::Aes256Ctr, SuiteId::Aes256Gcm}, false, false});
     pair.run(2s);
     // The initiator's order stands, also here.
-    QCOMPARE(pair.ground().endpoint->sessionInfo(pair.ground().session())->suite, SuiteId::Aes256Gcm);
+    QCOMPARE(pair.ground().sessionInfo()->suite, SuiteId::Aes256Gcm);
 }
 
 SKYSEAL_TEST(RekeyTest)

@@ -1,6 +1,6 @@
 // Two endpoints from their first announcement on: a session comes up, carries frames of every suite, survives failures of links
 // and processes, and accounts for every frame.
-#include "core/crypto/x25519.h"
+#include "core/channel/endpoint.h"
 #include "core/crypto/init_crypto.h"
 #include "pair.h"
 #include "tests/support/test_runner.h"
@@ -56,7 +56,7 @@ void exchange(Pair &pair)
 
 std::optional<EndCosts> toldCosts(Pair &pair, Side side)
 {
-    const auto stats = pair.ends[side].endpoint->stats(pair.ends[side].session());
+    const auto stats = pair.ends[side].stats();
     return stats ? stats->peerCosts : std::nullopt;
 }
 
@@ -80,7 +80,7 @@ void SessionTest::comesUpWithinASecond()
     options.announceToAddress = toAddress;
     Pair pair(options);
     QVERIFY(pair.run(1s, [&] { return pair.bothUp(); }));
-    const auto info = pair.ground().endpoint->sessionInfo(pair.ground().session());
+    const auto info = pair.ground().sessionInfo();
     QVERIFY(info);
     QCOMPARE(info->suite, SuiteId::ChaCha20Poly1305);
     QCOMPARE(info->peer, pair.air().publicKey());
@@ -104,11 +104,11 @@ void SessionTest::carriesFramesInEverySuite()
     for (const auto &suite : crypto::suites()) {
         if (suite.id == SuiteId::None || !crypto::suiteAvailable(suite.id) || suite.id == SuiteId::ChaCha20Poly1305)
             continue;
-        pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), suite.id);
+        pair.ground().switchSuite(pair.now, suite.id);
         pair.run(1s);
         ++epoch;
         for (auto &end : pair.ends) {
-            const auto info = end.endpoint->sessionInfo(end.session());
+            const auto info = end.sessionInfo();
             QCOMPARE(info->suite, suite.id);
             QCOMPARE(info->epoch, Epoch{epoch});
             QVERIFY(!info->pending);
@@ -154,7 +154,7 @@ void SessionTest::stationRestarts()
     qInfo("station back in session after %.3f s", seconds(pair.now - back));
     QCOMPARE(pair.air().all<SessionDown>().size(), 1u);
     QCOMPARE(pair.air().all<SessionDown>()[0].reason, DownReason::PeerRestarted);
-    QCOMPARE(pair.air().endpoint->sessions().size(), 1u);
+    QCOMPARE(pair.air().sessions().size(), 1u);
 }
 
 void SessionTest::agentRestarts()
@@ -170,7 +170,7 @@ void SessionTest::agentRestarts()
     qInfo("agent back in session after %.3f s", seconds(pair.now - back));
     QCOMPARE(pair.ground().all<SessionDown>().size(), 1u);
     QCOMPARE(pair.ground().all<SessionDown>()[0].reason, DownReason::PeerRestarted);
-    QCOMPARE(pair.ground().endpoint->sessions().size(), 1u);
+    QCOMPARE(pair.ground().sessions().size(), 1u);
 }
 
 void SessionTest::restartsRepeatedly()
@@ -200,7 +200,7 @@ void SessionTest::outageResumesWithoutHandshake()
         pair.run(5s);
         pair.link.attacker = [](TimePoint, SentDatagram &) { return false; };
         pair.run(outage);
-        QVERIFY(pair.ground().endpoint->sessionInfo(pair.ground().session())->silent);
+        QVERIFY(pair.ground().sessionInfo()->silent);
         pair.link.attacker = nullptr;
         const auto before = pair.ground().delivered.size();
         pair.run(30ms);
@@ -222,7 +222,7 @@ void SessionTest::followsTheAddressOfThePeer()
     pair.run(3s);
     pair.air().port = 50001;
     pair.run(1s);
-    QCOMPARE(pair.ground().endpoint->recordPath(pair.ground().session()).remote.port, std::uint16_t(50001));
+    QCOMPARE(pair.ground().recordPath().remote.port, std::uint16_t(50001));
     QCOMPARE(pair.ground().all<PeerMoved>().size(), 1u);
     QCOMPARE(pair.ground().all<SessionUp>().size(), 1u);
     // Moves with every record: reported, at most once a second.
@@ -240,7 +240,7 @@ void SessionTest::staysAtTheConfirmedAddress()
     Pair pair;
     pair.run(3s);
     pair.air().port = 50001;
-    const auto where = [&] { return pair.ground().endpoint->recordPath(pair.ground().session()).remote.port; };
+    const auto where = [&] { return pair.ground().recordPath().remote.port; };
     QVERIFY(pair.run(1100ms, [&] { return where() == 50001; }));
     pair.run(2100ms); // a report there, and one back
     pair.link.attacker = [](TimePoint, SentDatagram &) { return false; };
@@ -249,7 +249,7 @@ void SessionTest::staysAtTheConfirmedAddress()
     pair.link.attacker = nullptr;
     pair.run(3s);
     QCOMPARE(pair.ground().all<SessionUp>().size(), 1u);
-    QVERIFY(!pair.ground().endpoint->sessionInfo(pair.ground().session())->silent);
+    QVERIFY(!pair.ground().sessionInfo()->silent);
 }
 
 void SessionTest::closesOnce()
@@ -258,7 +258,7 @@ void SessionTest::closesOnce()
     exchange(pair);
     pair.run(3s);
     pair.stopTraffic();
-    pair.air().endpoint->close(pair.now, pair.air().session());
+    pair.air().close(pair.now);
     pair.run(50ms);
     QCOMPARE(pair.air().all<SessionDown>().size(), 1u);
     QCOMPARE(pair.air().all<SessionDown>()[0].reason, DownReason::Closed);
@@ -282,8 +282,8 @@ void SessionTest::countersAgreeOnBothEnds()
     for (const Side side : {Ground, Air}) {
         const auto &here = pair.ends[side];
         const auto &there = pair.ends[1 - side];
-        const auto mine = here.endpoint->stats(here.session());
-        const auto yours = there.endpoint->stats(there.session());
+        const auto mine = here.stats();
+        const auto yours = there.stats();
         QVERIFY(mine && yours && mine->peerReported);
         QVERIFY(mine->rx.good <= yours->tx.records);
         // Every record arrived or is lost; only the report of this moment is in transit.
@@ -332,9 +332,9 @@ void SessionTest::costsAreReportedOnRequest()
     QCOMPARE(told->sealed, std::uint64_t(50));
     QCOMPARE(told->sealNanoseconds, std::uint64_t(60'000));
     QVERIFY(!toldCosts(pair, Air));
-    const auto before = pair.ground().endpoint->stats(pair.ground().session());
+    const auto before = pair.ground().stats();
     pair.run(1s);
-    const auto after = pair.ground().endpoint->stats(pair.ground().session());
+    const auto after = pair.ground().stats();
     QCOMPARE(after->peerStamp / 10'000 - before->peerStamp / 10'000, 100u); // by the agent's own clock
 
     pair.air().endpoint->askCosts(true); // of an end that does not measure itself

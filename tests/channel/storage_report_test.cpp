@@ -32,13 +32,13 @@ void StorageReportTest::stationLearnsOfIt()
     pair.air().counters.trouble = "the disk is full";
     QVERIFY(pair.run(2s, [&] { return !pair.ground().all<PeerStorageChanged>().empty(); }));
     QVERIFY(pair.ground().all<PeerStorageChanged>().front().failed);
-    QVERIFY(pair.ground().endpoint->stats(pair.ground().session())->peerCannotStore);
+    QVERIFY(pair.ground().stats()->peerCannotStore);
     pair.run(60s);
     QCOMPARE(pair.ground().all<PeerStorageChanged>().size(), std::size_t(1)); // once
     pair.air().counters.trouble.clear();
     QVERIFY(pair.run(2s, [&] { return pair.ground().all<PeerStorageChanged>().size() == 2; }));
     QVERIFY(!pair.ground().all<PeerStorageChanged>().back().failed);
-    QVERIFY(!pair.ground().endpoint->stats(pair.ground().session())->peerCannotStore);
+    QVERIFY(!pair.ground().stats()->peerCannotStore);
     QCOMPARE(pair.accountFrom(Air) + pair.accountFrom(Ground), std::string());
 }
 

@@ -117,8 +117,8 @@ QString epochsMonotone(const Pair::End &end)
     QCOMPARE(eventsInOrder(pair.air()), QString());                                                                            \
     QCOMPARE(epochsMonotone(pair.ground()), QString());                                                                        \
     QCOMPARE(epochsMonotone(pair.air()), QString());                                                                           \
-    QCOMPARE(pair.ground().endpoint->stats(pair.ground().session())->rx.forged, std::uint64_t(0));                             \
-    QCOMPARE(pair.air().endpoint->stats(pair.air().session())->rx.forged, std::uint64_t(0))
+    QCOMPARE(pair.ground().stats()->rx.forged, std::uint64_t(0));                                                              \
+    QCOMPARE(pair.air().stats()->rx.forged, std::uint64_t(0))
 
 void SwitchTest::everySecondOnABadLink()
 {
@@ -132,7 +132,7 @@ void SwitchTest::everySecondOnABadLink()
         QVERIFY(pair.run(10s, [&] { return pair.bothUp(); }));
         pair.run(2s);
         std::size_t step = 0;
-        pair.every(1s, [&] { pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), suiteAt(++step)); });
+        pair.every(1s, [&] { pair.ground().switchSuite(pair.now, suiteAt(++step)); });
         pair.run(60s);
         pair.stopTraffic();
         pair.run(10s);
@@ -148,7 +148,7 @@ void SwitchTest::every50MillisecondsOnAGoodLink()
     traffic(pair, 2ms);
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
     std::size_t step = 0;
-    pair.every(50ms, [&] { pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), suiteAt(++step)); });
+    pair.every(50ms, [&] { pair.ground().switchSuite(pair.now, suiteAt(++step)); });
     pair.run(10s);
     pair.stopTraffic();
     pair.run(2s);
@@ -172,8 +172,8 @@ void SwitchTest::stormWithBothEndsProposing()
     for (const Side side : {Ground, Air}) {
         pair.every(side == Ground ? Duration(1100ms) : Duration(1300ms), [&pair, &step, side] {
             auto &end = pair.ends[side];
-            if (end.up() && !end.endpoint->sessionInfo(end.session())->pending)
-                end.endpoint->switchSuite(pair.now, end.session(), suiteAt(++step));
+            if (end.up() && !end.sessionInfo()->pending)
+                end.switchSuite(pair.now, suiteAt(++step));
         });
     }
     QVERIFY(pair.run(std::chrono::seconds(20) * wanted, [&] { return committed(pair.ground()) >= wanted; }));
@@ -198,12 +198,12 @@ void SwitchTest::bothAtTheSameInstant()
         traffic(pair);
         QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
         pair.run(3s);
-        pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), SuiteId::Aes256Gcm);
-        pair.air().endpoint->switchSuite(pair.now, pair.air().session(), SuiteId::Aes256Ctr);
+        pair.ground().switchSuite(pair.now, SuiteId::Aes256Gcm);
+        pair.air().switchSuite(pair.now, SuiteId::Aes256Ctr);
         pair.run(5s);
         // The station's proposal wins; the agent's is reported as superseded.
         for (auto &end : pair.ends)
-            QCOMPARE(end.endpoint->sessionInfo(end.session())->suite, SuiteId::Aes256Gcm);
+            QCOMPARE(end.sessionInfo()->suite, SuiteId::Aes256Gcm);
         const auto done = pair.air().all<SwitchDone>();
         QCOMPARE(done.size(), 2u);
         QCOMPARE(done[0].failure, SwitchFailure::Superseded);
@@ -222,7 +222,7 @@ void SwitchTest::refusedByPolicyHere()
     options.ground.allowResearch = false;
     Pair pair(options);
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
-    pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), SuiteId::Rc4);
+    pair.ground().switchSuite(pair.now, SuiteId::Rc4);
     pair.run(1s);
     const auto done = pair.ground().all<SwitchDone>();
     QCOMPARE(done.size(), 1u);
@@ -237,14 +237,14 @@ void SwitchTest::refusedByThePeer()
     // Its policy became stricter after the handshake, which the station does not know.
     channel::Policy strict = pair.air().policy;
     strict.suites = {SuiteId::ChaCha20Poly1305};
-    pair.air().endpoint->setPolicy(pair.now, strict);
-    pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), SuiteId::Aes256Gcm);
+    pair.air().setPolicy(pair.now, strict);
+    pair.ground().switchSuite(pair.now, SuiteId::Aes256Gcm);
     pair.run(1s);
     const auto done = pair.ground().all<SwitchDone>();
     QCOMPARE(done.size(), 1u);
     QCOMPARE(done[0].failure, SwitchFailure::NotAllowedByPeer);
     QCOMPARE(pair.air().all<SwitchPending>().size(), 0u);
-    QCOMPARE(pair.ground().endpoint->sessionInfo(pair.ground().session())->suite, SuiteId::ChaCha20Poly1305);
+    QCOMPARE(pair.ground().sessionInfo()->suite, SuiteId::ChaCha20Poly1305);
 }
 
 void SwitchTest::stricterPolicyAppliesToPendingHandshakes_data()
@@ -265,9 +265,9 @@ void SwitchTest::stricterPolicyAppliesToPendingHandshakes()
     options.link.delay = 100ms;
     Pair pair(options);
     pair.run(std::chrono::milliseconds(after));
-    pair.ends[static_cast<std::size_t>(side)].endpoint->setPolicy(pair.now, Policy{{SuiteId::Aes256Ctr}, false, false});
+    pair.ends[static_cast<std::size_t>(side)].setPolicy(pair.now, Policy{{SuiteId::Aes256Ctr}, false, false});
     const auto strict = [](const Pair::End &end) {
-        const auto info = end.endpoint->sessionInfo(end.session());
+        const auto info = end.sessionInfo();
         return info && info->suite == SuiteId::Aes256Ctr && !info->pending;
     };
     QVERIFY(pair.run(5s, [&] { return strict(pair.ground()) && strict(pair.air()); }));
@@ -281,7 +281,7 @@ void SwitchTest::unansweredRollsBackOnce()
     traffic(pair);
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
     pair.link.attacker = [](TimePoint, SentDatagram &flight) { return flight.from == Ground; }; // nothing reaches the station
-    pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), SuiteId::Aes256Gcm);
+    pair.ground().switchSuite(pair.now, SuiteId::Aes256Gcm);
     pair.run(4900ms);
     QCOMPARE(pair.ground().all<SwitchDone>().size(), 0u);
     pair.run(200ms);
@@ -294,11 +294,11 @@ void SwitchTest::unansweredRollsBackOnce()
     QCOMPARE(pair.air().all<SwitchDone>().size(), 1u);
     QCOMPARE(pair.air().all<SwitchDone>()[0].failure, SwitchFailure::NotConfirmed);
     // And the next one works, in either direction.
-    pair.air().endpoint->switchSuite(pair.now, pair.air().session(), SuiteId::ChaCha20);
+    pair.air().switchSuite(pair.now, SuiteId::ChaCha20);
     pair.run(3s);
-    pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), SuiteId::Aes256Cbc);
+    pair.ground().switchSuite(pair.now, SuiteId::Aes256Cbc);
     pair.run(3s);
-    QCOMPARE(pair.air().endpoint->sessionInfo(pair.air().session())->suite, SuiteId::Aes256Cbc);
+    QCOMPARE(pair.air().sessionInfo()->suite, SuiteId::Aes256Cbc);
     pair.stopTraffic();
     pair.run(2s);
     VERIFY_ALL(pair);
@@ -314,7 +314,7 @@ void SwitchTest::confirmationLostForAMinute()
     pair.run(1s);
     bool cut = false;
     pair.link.attacker = [&cut](TimePoint, SentDatagram &flight) { return !(cut && flight.from == Ground); };
-    pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), SuiteId::Aes256Gcm);
+    pair.ground().switchSuite(pair.now, SuiteId::Aes256Gcm);
     QVERIFY(pair.run(1s, [&] { return !pair.air().all<SwitchPending>().empty(); }));
     cut = true;
     pair.run(60s);
@@ -324,7 +324,7 @@ void SwitchTest::confirmationLostForAMinute()
     cut = false;
     pair.run(5s);
     QCOMPARE(committed(pair.air()), 1u);
-    QCOMPARE(pair.air().endpoint->sessionInfo(pair.air().session())->suite, SuiteId::Aes256Gcm);
+    QCOMPARE(pair.air().sessionInfo()->suite, SuiteId::Aes256Gcm);
     QCOMPARE(pair.ground().all<SessionUp>().size(), 1u);
     pair.stopTraffic();
     pair.run(2s);
@@ -337,7 +337,7 @@ void SwitchTest::plainSuiteIsRefused()
     options.ground.allowPlain = options.air.allowPlain = true;
     Pair pair(options);
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
-    pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), SuiteId::None);
+    pair.ground().switchSuite(pair.now, SuiteId::None);
     pair.run(1s);
     QCOMPARE(pair.ground().all<SwitchDone>().size(), 1u);
     QCOMPARE(pair.ground().all<SwitchDone>()[0].failure, SwitchFailure::NotAllowedHere);
@@ -349,14 +349,14 @@ void SwitchTest::replacedRequestIsSuperseded()
     traffic(pair);
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
     for (const SuiteId suite : {SuiteId::Aes256Gcm, SuiteId::Aes256Ctr, SuiteId::ChaCha20})
-        pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), suite);
+        pair.ground().switchSuite(pair.now, suite);
     pair.run(3s);
     const auto done = pair.ground().all<SwitchDone>();
     QCOMPARE(done.size(), 3u);
     QCOMPARE(done[0].failure, SwitchFailure::Superseded);
     QCOMPARE(done[1].failure, SwitchFailure::Superseded);
     QCOMPARE(done[2].failure, SwitchFailure::None);
-    QCOMPARE(pair.air().endpoint->sessionInfo(pair.air().session())->suite, SuiteId::ChaCha20);
+    QCOMPARE(pair.air().sessionInfo()->suite, SuiteId::ChaCha20);
     pair.stopTraffic();
     pair.run(2s);
     VERIFY_ALL(pair);
@@ -367,9 +367,9 @@ void SwitchTest::endsWithTheSession()
     Pair pair;
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
     pair.link.attacker = [](TimePoint, SentDatagram &) { return false; };
-    pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), SuiteId::Aes256Gcm);
+    pair.ground().switchSuite(pair.now, SuiteId::Aes256Gcm);
     pair.run(1s);
-    pair.ground().endpoint->close(pair.now, pair.ground().session());
+    pair.ground().close(pair.now);
     pair.run(1s);
     const auto done = pair.ground().all<SwitchDone>();
     QCOMPARE(done.size(), 1u);
@@ -380,16 +380,16 @@ void SwitchTest::stricterPolicyMovesOrEndsTheSession()
 {
     Pair pair;
     QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
-    pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), SuiteId::Aes256Cbc);
+    pair.ground().switchSuite(pair.now, SuiteId::Aes256Cbc);
     QVERIFY(pair.run(10s, [&] { return pair.ground().all<SwitchDone>().size() == 1; }));
     const Policy strict{notWeakerThan(SuiteId::Aes256Gcm, defaultSuites()), false, false};
     pair.run(10s);
-    pair.ground().endpoint->setPolicy(pair.now, strict);
+    pair.ground().setPolicy(pair.now, strict);
     QVERIFY(pair.run(10s, [&] { return pair.ground().all<SwitchDone>().size() == 2; }));
-    const SuiteId now = pair.ground().endpoint->sessionInfo(pair.ground().session())->suite;
+    const SuiteId now = pair.ground().sessionInfo()->suite;
     QVERIFY(crypto::suiteInfo(now).strength >= crypto::suiteInfo(SuiteId::Aes256Gcm).strength);
     // No suite remains that both allow.
-    pair.air().endpoint->setPolicy(pair.now, Policy{{SuiteId::Aes256Cbc}, false, false});
+    pair.air().setPolicy(pair.now, Policy{{SuiteId::Aes256Cbc}, false, false});
     QVERIFY(pair.run(20s, [&] { return !pair.air().up() && !pair.ground().up(); }));
     pair.run(10s);
     QVERIFY(!pair.air().up());
@@ -405,10 +405,10 @@ void SwitchTest::weakKeysAreRefused()
     pair.run(1s);
     const StolenSession peer(pair, tap, options.seed, SuiteId::ChaCha20Poly1305);
     tap.flights.clear();
-    const auto malformed = [&](Side side) { return pair.ends[side].endpoint->stats(pair.ends[side].session())->rx.malformed; };
+    const auto malformed = [&](Side side) { return pair.ends[side].stats()->rx.malformed; };
     const auto offer = [&](Side from, const Bytes &record) {
         Bytes copy = record;
-        pair.ends[from == Ground ? Air : Ground].endpoint->handleDatagram(pair.now, pair.pathOf(from), copy);
+        pair.ends[from == Ground ? Air : Ground].handleDatagram(pair.now, pair.pathOf(from), copy);
         pair.pump();
     };
     std::uint32_t counter = 1000;
@@ -426,15 +426,15 @@ void SwitchTest::weakKeysAreRefused()
         tap.flights.push_back(flight);
         return flight.from == Ground;
     };
-    pair.air().endpoint->rekey(pair.now, pair.air().session());
+    pair.air().rekey(pair.now);
     pair.run(10ms);
-    QVERIFY(pair.air().endpoint->sessionInfo(pair.air().session())->pending);
+    QVERIFY(pair.air().sessionInfo()->pending);
     offer(Ground, peer.seal(Ground, ++counter, Accept{ProposalId{1}, {}}));
     QCOMPARE(malformed(Air), std::uint64_t(3));
-    QVERIFY(pair.air().endpoint->sessionInfo(pair.air().session())->pending);
-    QCOMPARE(pair.air().endpoint->sessionInfo(pair.air().session())->epoch, Epoch{0});
+    QVERIFY(pair.air().sessionInfo()->pending);
+    QCOMPARE(pair.air().sessionInfo()->epoch, Epoch{0});
     offer(Ground, peer.seal(Ground, ++counter, Accept{ProposalId{1}, crypto::PublicKey{9}}));
-    QCOMPARE(pair.air().endpoint->sessionInfo(pair.air().session())->epoch, Epoch{1});
+    QCOMPARE(pair.air().sessionInfo()->epoch, Epoch{1});
 }
 
 SKYSEAL_TEST(SwitchTest)

@@ -1,6 +1,6 @@
 // An agent with two modems to one station, on a virtual clock: the session uses the way that works, also where the other one
 // fails in one direction only, and loses nothing once it has changed over. On another carrier a new session does so.
-#include "core/crypto/x25519.h"
+#include "core/channel/endpoint.h"
 #include "tests/channel/pair.h"
 #include "tests/support/test_runner.h"
 
@@ -26,7 +26,7 @@ public:
     explicit TwoWays(std::uint64_t seed, Carrier second = Carrier::Datagram) : m_random(seed), m_second(second)
     {
         for (const Side side : {Ground, Air})
-            m_keys[side] = std::make_shared<crypto::X25519KeyPair>(crypto::X25519KeyPair::generate(m_random));
+            m_keys[side] = newIdentity(m_random);
         for (const Side side : {Ground, Air})
             m_ends[side].endpoint = std::make_unique<Endpoint>(configOf(side), m_random, m_ends[side].counters, now);
     }
@@ -127,7 +127,7 @@ private:
         Config config;
         config.role = side == Ground ? Role::Station : Role::Agent;
         config.identity = m_keys[side];
-        config.peers.push_back({m_keys[other]->publicKey, "other", PeerRole::Pilot, {}, {}});
+        config.peers.push_back({publicKeyOf(*m_keys[other]), "other", PeerRole::Pilot, {}, {}});
         config.policy = {defaultSuites(), false, false};
         for (std::size_t way = 0; side == Air && way < kWays; ++way)
             config.announceTo.push_back(pathOf(Ground, way));
@@ -179,7 +179,7 @@ private:
 
     SeededRandom m_random;
     Carrier m_second;
-    std::array<std::shared_ptr<crypto::X25519KeyPair>, 2> m_keys;
+    std::array<std::shared_ptr<const crypto::X25519KeyPair>, 2> m_keys;
     std::array<End, 2> m_ends;
     std::array<std::array<bool, 2>, kWays> m_cut{};
     std::array<Duration, kWays> m_delay{5ms, 5ms};

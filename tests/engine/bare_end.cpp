@@ -1,5 +1,6 @@
 #include "tests/engine/bare_end.h"
 
+#include "core/channel/endpoint.h"
 #include "core/crypto/x25519.h"
 #include "core/link/steady_now.h"
 #include "core/mavlink/dialect.h"
@@ -54,6 +55,8 @@ BareEnd::BareEnd(std::unique_ptr<engine::SecretFiles> secrets, channel::Role rol
         config.announceTo.push_back(loopback(groundPort));
     m_endpoint = std::make_unique<channel::Endpoint>(std::move(config), m_secrets->random, *m_secrets->counters, steadyNow());
 }
+
+BareEnd::~BareEnd() = default;
 
 std::size_t BareEnd::pump()
 {

@@ -2,7 +2,10 @@
 // cost, so that the engine on the other side can be measured alone.
 #pragma once
 
-#include "core/channel/endpoint.h"
+#include "core/channel/counter_store.h"
+#include "core/channel/policy.h"
+#include "core/channel/role.h"
+#include "core/channel/session_id.h"
 #include "core/crypto/system_random.h"
 #include "core/engine/common/secret_files.h"
 #include "tests/support/bare_socket.h"
@@ -11,6 +14,10 @@
 #include <map>
 #include <memory>
 #include <optional>
+
+namespace skyseal::channel {
+class Endpoint;
+}
 
 namespace skyseal::test {
 
@@ -46,6 +53,7 @@ public:
     BareEnd(const Introduced &keys, channel::Role role, channel::Policy policy, std::uint16_t groundPort = 0);
     BareEnd(std::unique_ptr<engine::SecretFiles> secrets, channel::Role role, channel::Policy policy,
             std::uint16_t groundPort = 0);
+    ~BareEnd();
 
     std::uint16_t port() const { return m_socket.port(); }
     bool up() const { return m_session.has_value(); }

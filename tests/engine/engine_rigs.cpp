@@ -1,8 +1,10 @@
 #include "tests/engine/engine_rigs.h"
 
+#include "core/channel/endpoint.h"
 #include "core/engine/agent/vehicle_signing.h"
 #include "core/engine/station/snapshot.h"
 #include "core/mavlink/dialect.h"
+#include "core/mavlink/signing.h"
 #include "tests/support/addresses.h"
 #include "tests/support/eventually.h"
 
@@ -67,7 +69,7 @@ AgentRig::AgentRig(crypto::SuiteId suite, VehicleSide side)
     if (side == VehicleSide::Signed) {
         Key32 key;
         key.mutableView()[0] = 1;
-        m_signer.emplace(key.clone(), std::uint8_t(0));
+        m_signer = std::make_unique<mavlink::FrameSigner>(key.clone(), std::uint8_t(0));
         signing = std::make_unique<engine::VehicleSigning>(engine::VehicleKey{std::move(key), nullptr}, false);
     }
     const link::LinkUrl ground = urlOf("udpout:" + loopback(m_ground.port()));
@@ -79,6 +81,8 @@ AgentRig::AgentRig(crypto::SuiteId suite, VehicleSide side)
     bringUp(m_ground, suite);
     toGround(kFrames); // makes the vehicle known and warms up
 }
+
+AgentRig::~AgentRig() = default;
 
 double AgentRig::toGround(std::size_t burst)
 {

@@ -5,11 +5,14 @@
 #include "core/engine/agent/agent_core.h"
 #include "core/engine/station/station_core.h"
 #include "core/mavlink/frame_intake.h"
-#include "core/mavlink/signing.h"
 #include "tests/engine/bare_end.h"
 #include "tests/engine/traffic.h"
 
 #include <QtCore/QCoreApplication>
+
+namespace skyseal::mavlink {
+class FrameSigner;
+}
 
 namespace skyseal::test {
 
@@ -46,6 +49,7 @@ public:
     enum class VehicleSide { Plain, Signed };
 
     explicit AgentRig(crypto::SuiteId suite, VehicleSide side = VehicleSide::Plain);
+    ~AgentRig();
     /// CPU nanoseconds for each of kFrames frames of the vehicle that arrive `burst` at a time.
     double toGround(std::size_t burst);
     /// The same for frames of the ground, each sealed alone.
@@ -57,7 +61,7 @@ private:
     BareSocket m_vehicle;
     Traffic m_telemetry{kFrames};
     Traffic m_commands{kFrames, 255};
-    std::optional<mavlink::FrameSigner> m_signer; ///< of the vehicle
+    std::unique_ptr<mavlink::FrameSigner> m_signer; ///< of the vehicle; null for a plain one
     std::vector<std::array<std::uint8_t, mavlink::kMaxFrameLength>> m_signed;
     std::vector<ByteView> m_fromVehicle;
     std::unique_ptr<engine::AgentCore> m_agent;

@@ -2,6 +2,7 @@
 // agent, and its effect on a legitimate session. Telemetry passes the agent all the time, seconds with and without the flood
 // alternate, and the two are compared within one run. Nothing else should run beside it. SKYSEAL_FLOOD_SECONDS makes the flood
 // last that long without a pause, between two quiet periods.
+#include "core/channel/endpoint.h"
 #include "core/crypto/x25519.h"
 #include "core/crypto/init_crypto.h"
 #include "core/keys/secret_file.h"

@@ -1,5 +1,6 @@
 // The last record of a session arrives after its goodbye: its frames are accepted, and the end of the session is published
 // after them.
+#include "core/channel/endpoint.h"
 #include "core/crypto/init_crypto.h"
 #include "core/engine/agent/agent_core.h"
 #include "core/engine/station/snapshot.h"

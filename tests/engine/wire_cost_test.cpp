@@ -1,5 +1,6 @@
 // The cost of sealing on a 57,600-baud radio, in bytes that are really written to a serial device, and how long frames are
 // coalesced there. The clock is simulated, the device is a pseudo-terminal, and the far end reads and opens what arrives.
+#include "core/channel/endpoint.h"
 #include "core/crypto/init_crypto.h"
 #include "core/engine/common/carrier_reader.h"
 #include "core/engine/common/channel_driver.h"

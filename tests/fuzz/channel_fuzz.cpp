@@ -4,6 +4,7 @@
 #include "pair.h"
 
 #include "core/base/byte_reader.h"
+#include "core/channel/endpoint.h"
 #include "core/channel/handshake.h"
 #include "core/channel/record.h"
 #include "core/crypto/init_crypto.h"

@@ -6,6 +6,7 @@
 
 #include "core/base/byte_reader.h"
 #include "core/channel/cookie.h"
+#include "core/channel/endpoint.h"
 #include "core/channel/handshake.h"
 #include "core/crypto/init_crypto.h"
 

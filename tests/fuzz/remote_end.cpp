@@ -1,5 +1,6 @@
 #include "tests/fuzz/remote_end.h"
 
+#include "core/channel/endpoint.h"
 #include "core/crypto/inline_cipher.h"
 #include "core/crypto/passphrase.h"
 #include "core/crypto/x25519.h"
@@ -58,6 +59,13 @@ RemoteEnd::RemoteEnd(Config config, std::vector<Way> ways, Node node, std::uint6
     (m_config.role == Role::Agent ? m_config.announceTo : m_config.callAt) = called();
     m_endpoint = std::make_unique<Endpoint>(m_config, m_random, m_counters, now);
     m_writer.setNode(node);
+}
+
+RemoteEnd::~RemoteEnd() = default;
+
+bool RemoteEnd::hasSession() const
+{
+    return !m_endpoint->sessions().empty();
 }
 
 std::vector<Path> RemoteEnd::called() const

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "core/base/byte_reader.h"
-#include "core/channel/endpoint.h"
 #include "core/channel/pairing.h"
 #include "core/engine/common/carrier_reader.h"
 #include "core/engine/common/carrier_writer.h"
@@ -48,10 +47,11 @@ public:
 
     /// `node`: its ids in TUNNEL.
     RemoteEnd(Config config, std::vector<Way> ways, Node node, std::uint64_t seed, TimePoint now);
+    ~RemoteEnd();
 
     Endpoint &endpoint() { return *m_endpoint; }
     const std::vector<Way> &ways() const { return m_ways; }
-    bool hasSession() const { return !m_endpoint->sessions().empty(); }
+    bool hasSession() const;
 
     /// Seals frames and queues them, a single one in place if the session's framing says so and `inRecord` is false. Returns
     /// false without a session.

@@ -1,5 +1,6 @@
 #include "core/engine/common/ingress.h"
 
+#include "core/channel/wire_format.h"
 #include "core/engine/common/sealed_in_place.h"
 
 namespace skyseal::engine {
@@ -95,7 +96,7 @@ bool Ingress::takeMessage(IngressSink &sink, const link::Link &link, const link:
 {
     if (sink.takePairing(link, message))
         return true;
-    if (message.bytes.empty() || !channel::Endpoint::owns(message.bytes[0]))
+    if (message.bytes.empty() || !channel::isOurs(message.bytes[0]))
         return false;
     sink.takeRecord(link, message);
     return true;

@@ -2,7 +2,7 @@
 // both the channel and MAVLink. No state.
 #pragma once
 
-#include "core/channel/endpoint.h"
+#include "core/channel/inline_frame.h"
 #include "core/mavlink/frame_scanner.h"
 
 namespace skyseal::engine {
@@ -12,7 +12,7 @@ inline bool isSealedInPlace(const mavlink::ScanItem &item)
 {
     const bool whole = item.fault == mavlink::FrameFault::UnknownIncompatFlags
         || item.fault == mavlink::FrameFault::UnknownMessage;
-    return !item.frame && whole && channel::Endpoint::ownsFrame(item.bytes);
+    return !item.frame && whole && channel::looksInline(item.bytes);
 }
 
 } // namespace skyseal::engine
