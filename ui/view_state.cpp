@@ -11,6 +11,17 @@ bool ViewState::stale() const
     return vehicle && vehicle->state.messageAge > kStaleAfterSeconds;
 }
 
+const std::vector<engine::VehicleSnapshot> &ViewState::vehicles() const
+{
+    static const std::vector<engine::VehicleSnapshot> kNone;
+    return snapshot ? snapshot->vehicles : kNone;
+}
+
+double ViewState::time() const
+{
+    return snapshot ? snapshot->time : 0;
+}
+
 const engine::SessionSnapshot *sessionOf(const engine::Snapshot &snapshot, const engine::VehicleSnapshot &vehicle)
 {
     const auto own = std::ranges::find_if(snapshot.sessions,

@@ -5,6 +5,8 @@
 #include "core/engine/station/security.h"
 #include "ui/station_interface.h"
 
+#include <vector>
+
 namespace skyseal::engine {
 struct LinkSnapshot;
 struct PendingVehicle;
@@ -36,6 +38,10 @@ struct ViewState
 
     /// True if the values of the vehicle are older than the limit.
     bool stale() const;
+    /// Of the snapshot; none before the first one. With these and `time`, most panels need not know the rest of it.
+    const std::vector<engine::VehicleSnapshot> &vehicles() const;
+    /// Seconds since the station started, as in the snapshot; 0 before the first one.
+    double time() const;
     bool isReplay() const { return live != nullptr; }
     /// The snapshot of the station, also during a replay, for its own links and recording.
     const SnapshotPtr &station() const { return live ? live : snapshot; }

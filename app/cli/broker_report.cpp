@@ -3,6 +3,7 @@
 #include "app/common/journal.h"
 #include "app/common/output.h"
 #include "core/engine/headless/event_json.h"
+#include "core/engine/station/snapshot.h"
 
 namespace skyseal::app {
 

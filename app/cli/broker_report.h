@@ -1,9 +1,11 @@
 // Says on the command line when the connection to the broker is made, and why there is none.
 #pragma once
 
-#include "core/engine/station/snapshot.h"
-
 #include <string>
+
+namespace skyseal::engine {
+struct Snapshot;
+}
 
 namespace skyseal::app {
 

@@ -1,5 +1,6 @@
 // The exposition of a snapshot follows the OpenMetrics text format, version 1.0.
 #include "core/engine/headless/open_metrics.h"
+#include "core/engine/station/snapshot.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QRegularExpression>

@@ -1,7 +1,6 @@
 // A station without sockets: records the requests of the window; a test (or the gallery) emits snapshots and events.
 #pragma once
 
-#include "core/engine/station/snapshot.h"
 #include "ui/station_interface.h"
 
 #include <utility>
@@ -60,12 +59,13 @@ public:
     void listRecordings(const std::string &folder) override { listedFolders.push_back(folder); }
     void stopListing() override { ++listingsStopped; }
 
-    void show(const engine::Snapshot &snapshot) { Q_EMIT snapshotReady(std::make_shared<const engine::Snapshot>(snapshot)); }
+    void show(const engine::Snapshot &snapshot);
+    /// Those of scripted_snapshots.h, for tests that need not change them.
+    void showSealed(double time);
+    void showPlain(double time);
+    void showWaiting();
     void notify(const engine::Event &event) { Q_EMIT eventOccurred(event); }
-    void showReplay(const engine::Snapshot &snapshot)
-    {
-        Q_EMIT replaySnapshotReady(std::make_shared<const engine::Snapshot>(snapshot));
-    }
+    void showReplay(const engine::Snapshot &snapshot);
     void notifyReplay(const engine::Event &event) { Q_EMIT replayEventOccurred(event); }
 
     std::vector<std::pair<std::string, engine::MavsecSettings>> mavsecLinks;

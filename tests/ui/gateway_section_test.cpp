@@ -1,6 +1,7 @@
 // The switch of the links panel that serves other ground stations, by mouse and keys.
 #include "window_rig.h"
 
+#include "core/engine/station/snapshot.h"
 #include "core/engine/text/state_text.h"
 #include "ui/status/strip_item.h"
 #include "tests/support/test_runner.h"

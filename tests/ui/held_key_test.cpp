@@ -1,6 +1,5 @@
 // A key that is held commands once, and nothing in the control that gets the focus meanwhile. Under X11 a held key arrives as
 // pairs of a release and a press without the mark of auto-repeat: QTest's events have none either.
-#include "scripted_snapshots.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/command_guard.h"
@@ -27,8 +26,7 @@ private Q_SLOTS:
     void init()
     {
         setUp();
-        engine::Snapshot snapshot = sealedSnapshot(1);
-        m_station->show(snapshot);
+        m_station->showSealed(1);
         m_land = find<HoldButton>("landButton");
         m_setMode = find<HoldButton>("setModeButton");
     }

@@ -1,5 +1,4 @@
 // The help pages: what they link to and show exists, and they can be read by keyboard alone.
-#include "scripted_snapshots.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/dialogs/help_dialog.h"

@@ -1,5 +1,4 @@
 // A station that cannot use its key: no part of the window waits for a sealed link that cannot come.
-#include "scripted_snapshots.h"
 #include "tests/support/test_runner.h"
 #include "ui/status/strip_item.h"
 #include "window_rig.h"
@@ -23,7 +22,7 @@ private Q_SLOTS:
     {
         const QString problem = QStringLiteral("/home/ann/identity.key: is damaged");
         m_window->setKeyProblem(problem);
-        m_station->show(waitingSnapshot());
+        m_station->showWaiting();
         QCOMPARE(find<QLabel>("secureTitle")->text(), QStringLiteral("No sealed links"));
         QVERIFY(find<QLabel>("secureAdvice")->text().contains(problem));
         QVERIFY(find<QLabel>("emptyText")->text().contains(problem));
@@ -32,7 +31,7 @@ private Q_SLOTS:
         QVERIFY(!find<QPushButton>("secureHelp")->isVisible());
         QVERIFY(find<StripItem>("stripLock")->toolTip().contains(problem));
 
-        m_station->show(plainSnapshot(1));
+        m_station->showPlain(1);
         QCOMPARE(find<QLabel>("secureTitle")->text(), QStringLiteral("Not sealed"));
         QVERIFY(find<QLabel>("secureAdvice")->text().contains(problem));
     }
@@ -40,7 +39,7 @@ private Q_SLOTS:
     void solvedProblemDisappearsAtOnce()
     {
         m_window->setKeyProblem(QStringLiteral("is damaged"));
-        m_station->show(waitingSnapshot());
+        m_station->showWaiting();
         m_window->setKeyProblem({});
         QCOMPARE(find<QLabel>("secureTitle")->text(), QStringLiteral("No sealed link"));
         QVERIFY(find<QLabel>("secureAdvice")->text().contains(QStringLiteral("starts automatically")));

@@ -1,5 +1,4 @@
 // The window's map with pictures: chosen by real input, from a tile server on loopback and from a file.
-#include "scripted_snapshots.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "tile_server.h"
@@ -34,7 +33,7 @@ private Q_SLOTS:
         ProgramFacts facts;
         facts.version = QStringLiteral("9.8.7");
         setUp(facts);
-        m_station->show(sealedSnapshot(1));
+        m_station->showSealed(1);
     }
     void cleanup()
     {
@@ -47,7 +46,7 @@ private Q_SLOTS:
         typeAddress();
         QCOMPARE(find<QLabel>("mapSourceState")->text(), QStringLiteral("Tiles will be requested from 127.0.0.1"));
         QTest::keyClick(find<QDialog>("mapSourceDialog"), Qt::Key_Escape);
-        m_station->show(sealedSnapshot(2));
+        m_station->showSealed(2);
         map()->repaint();
         QCOMPARE(m_server->mostOpen, 0);
         QVERIFY(!map()->tiles().isOn());
@@ -62,7 +61,7 @@ private Q_SLOTS:
         QCOMPARE(map()->tiles().attribution(), QStringLiteral("© test"));
         const auto asked = m_server->paths.size();
         open(); // the choice stays
-        m_station->show(sealedSnapshot(3));
+        m_station->showSealed(3);
         EVENTUALLY(isShown(Qt::magenta));
         QVERIFY(m_server->paths.size() > asked);
     }

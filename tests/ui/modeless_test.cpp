@@ -1,7 +1,6 @@
 // No dialog keeps the pilot from Land and RTL: each is opened as an operator does, and the window commands beside it.
 #include "fake_keyring.h"
 #include "fake_sweep.h"
-#include "scripted_snapshots.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/flight/hold_button.h"
@@ -36,7 +35,7 @@ private Q_SLOTS:
         m_sweep = std::make_unique<FakeSweep>();
         m_window->setKeyring(*m_keyring);
         m_window->setSweep(*m_sweep);
-        m_station->show(sealedSnapshot(1));
+        m_station->showSealed(1);
     }
     void cleanup() { tearDown(); }
 

@@ -1,6 +1,5 @@
 // The shortcuts of the actions in the menus: changed, taken from another action, refused and reset by real keys; kept in the
 // settings; and a changed key commands no sooner than the one before.
-#include "scripted_snapshots.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/shortcuts/shortcut_model.h"
@@ -257,7 +256,7 @@ private Q_SLOTS:
         press(Qt::Key_L, Qt::ControlModifier | Qt::ShiftModifier);
         QVERIFY(questions().isEmpty());
         Q_EMIT find<QMenu>("menuVehicle")->aboutToShow(); // disables it
-        m_station->show(sealedSnapshot(1));
+        m_station->showSealed(1);
         press(Qt::Key_L, Qt::ControlModifier | Qt::ShiftModifier);
         QCOMPARE(questions().size(), qsizetype(1));
     }
@@ -265,7 +264,7 @@ private Q_SLOTS:
     /// A key that is held asks once; and held over, it does not answer.
     void aChangedKeyCommandsNoSooner()
     {
-        m_station->show(sealedSnapshot(1));
+        m_station->showSealed(1);
         shortcuts().choose(itemOf("actionLand"), QKeySequence(Qt::Key_F7));
         press(Qt::Key_L, Qt::ControlModifier | Qt::ShiftModifier);
         QVERIFY(questions().isEmpty());
@@ -289,7 +288,7 @@ private Q_SLOTS:
 
     void theNewestQuestionStays()
     {
-        m_station->show(sealedSnapshot(1));
+        m_station->showSealed(1);
         find<QAction>("actionStartMission")->trigger();
         find<QAction>("actionLand")->trigger();
         QCOMPARE(questions().size(), qsizetype(1));

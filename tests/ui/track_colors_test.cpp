@@ -1,5 +1,4 @@
 // The colours of the track: by the cipher suite, or by what the operator chooses in the menu, with a scale beside it.
-#include "scripted_snapshots.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/map/map_view.h"
@@ -59,7 +58,7 @@ private Q_SLOTS:
     {
         auto *map = find<MapView>("map");
         for (int i = 0; i < 60; ++i)
-            m_station->show(sealedSnapshot(i));
+            m_station->showSealed(i);
         const QImage bySuite = map->grab().toImage();
         auto *menu = find<QMenu>("menuTrackColors");
         QVERIFY(menu);

@@ -1,5 +1,4 @@
 // The units of the operator: figures of each system, and the window after aviation's were chosen by keys.
-#include "scripted_snapshots.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/dialogs/settings_dialog.h"
@@ -95,7 +94,7 @@ private Q_SLOTS:
     void aviationIsChosenByKeys()
     {
         setUp();
-        m_station->show(sealedSnapshot(1));
+        m_station->showSealed(1);
         find<QAction>("actionSettings")->trigger();
         auto *dialog = m_window->findChild<SettingsDialog *>();
         EVENTUALLY(dialog && dialog->isVisible());
@@ -108,7 +107,7 @@ private Q_SLOTS:
         EVENTUALLY(!m_window->findChild<SettingsDialog *>());
         m_window->activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(m_window.get(), test::kDeadlineMs));
-        m_station->show(sealedSnapshot(2));
+        m_station->showSealed(2);
         EVENTUALLY_EQUAL(find<ValueCell>("value_alt_rel")->unit(), QStringLiteral("ft"));
         QCOMPARE(find<ValueCell>("value_ground_speed")->unit(), QStringLiteral("kt"));
         QCOMPARE(find<ValueCell>("value_distance_home")->unit(), QStringLiteral("ft"));

@@ -1,7 +1,6 @@
 // The window under a real X server with a window manager, by keys and clicks that the server itself makes: focus, held keys and
 // the windows of dialogs differ there from what QTest sends. Xvfb, blackbox and xdotool are in packaging/dependencies. Pictures
 // are kept in the folder that SKYSEAL_PICTURES names.
-#include "scripted_snapshots.h"
 #include "ui/flight/hold_button.h"
 #include "ui/held_keys.h"
 #include "window_rig.h"
@@ -185,7 +184,7 @@ void X11Test::programOpensItsWindows()
 void X11Test::heldSpaceCommandsNothingElsewhere()
 {
     setUp();
-    m_station->show(sealedSnapshot(1));
+    m_station->showSealed(1);
     auto *land = find<HoldButton>("landButton");
     EVENTUALLY(land->isEnabled());
     EVENTUALLY(m_window->isActiveWindow());

@@ -1,6 +1,6 @@
 #include "ui/alerts/limit_watch.h"
 
-#include "core/engine/station/snapshot.h"
+#include "core/engine/station/vehicle_snapshot.h"
 #include "ui/values/value_reading.h"
 
 #include <QtCore/QCoreApplication>
@@ -46,7 +46,7 @@ const std::vector<Alert> &LimitWatch::check(const ViewState &live, double now)
     std::vector<const engine::VehicleSnapshot *> watched;
     if (live.vehicle)
         watched.push_back(live.vehicle);
-    for (const engine::VehicleSnapshot &vehicle : live.snapshot->vehicles)
+    for (const engine::VehicleSnapshot &vehicle : live.vehicles())
         if (watched.size() < kMostVehicles && &vehicle != live.vehicle)
             watched.push_back(&vehicle);
     std::erase_if(m_courses, [&watched](const auto &one) {

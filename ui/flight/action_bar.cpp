@@ -1,6 +1,6 @@
 #include "ui/flight/action_bar.h"
 
-#include "core/engine/station/snapshot.h"
+#include "core/engine/station/vehicle_snapshot.h"
 #include "ui/control_action.h"
 #include "ui/flight/altitude_box.h"
 #include "ui/flight/confirm_command.h"
@@ -230,7 +230,7 @@ void ActionBar::showViewState(const ViewState &view)
         m_stop->lock();
     }
     m_systemId = systemId;
-    m_several = present && view.snapshot->vehicles.size() > 1;
+    m_several = present && view.vehicles().size() > 1;
     const bool armed = present && view.vehicle->state.armed;
     if (armed != m_armed)
         endHolds({m_arm}, armed ? tr("the vehicle has been armed") : tr("the vehicle has been disarmed"));

@@ -1,6 +1,6 @@
 #include "ui/flight/vehicle_commands.h"
 
-#include "core/engine/station/snapshot.h"
+#include "core/engine/station/vehicle_snapshot.h"
 #include "core/engine/text/event_text.h"
 #include "core/vehicle/mission_edit.h"
 #include "ui/text/command_permits.h"
@@ -31,7 +31,7 @@ void VehicleCommands::showViewState(const ViewState &view)
             m_home->altitude = std::isfinite(home.altitude) ? static_cast<float>(home.altitude) : 0;
         }
     }
-    m_severalVehicles = view.snapshot && view.snapshot->vehicles.size() > 1;
+    m_severalVehicles = view.vehicles().size() > 1;
     m_preflight.showViewState(view);
     const QString reason = commandsDisabledReason(view);
     if (reason == m_disabledReason)

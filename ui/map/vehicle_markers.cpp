@@ -1,6 +1,7 @@
 #include "ui/map/vehicle_markers.h"
 
-#include "core/engine/station/snapshot.h"
+#include "core/engine/station/session_snapshot.h"
+#include "core/engine/station/vehicle_snapshot.h"
 #include "ui/tiles/mercator.h"
 
 #include <QtCore/QCoreApplication>
@@ -35,9 +36,7 @@ int staleAge(const vehicle::VehicleState &state)
 std::vector<VehicleMarker> otherVehicles(const ViewState &view)
 {
     std::vector<VehicleMarker> out;
-    if (!view.snapshot)
-        return out;
-    for (const engine::VehicleSnapshot &vehicle : view.snapshot->vehicles) {
+    for (const engine::VehicleSnapshot &vehicle : view.vehicles()) {
         const auto &state = vehicle.state;
         if (&vehicle == view.vehicle || !state.position.known())
             continue;

@@ -1,7 +1,7 @@
 // Texts that name the vehicle where there are several. The number 0 stands for the only one, which needs no name.
 #pragma once
 
-#include "core/engine/station/snapshot.h"
+#include "core/engine/station/vehicle_snapshot.h"
 #include "ui/view_state.h"
 
 #include <QtCore/QCoreApplication>
@@ -14,7 +14,7 @@ inline constexpr int kAnyVehicle = 255; ///< the number that needs the most room
 /// The selected vehicle if there are several, else 0.
 inline int vehicleToName(const ViewState &view)
 {
-    return view.vehicle && view.snapshot->vehicles.size() > 1 ? view.vehicle->state.systemId : 0;
+    return view.vehicle && view.vehicles().size() > 1 ? view.vehicle->state.systemId : 0;
 }
 
 /// In one line: "Set mode · 2".

@@ -1,6 +1,6 @@
 #include "ui/values/values_grid.h"
 
-#include "core/engine/station/snapshot.h"
+#include "core/engine/station/vehicle_snapshot.h"
 #include "ui/theme/form_pieces.h"
 #include "ui/theme/grid.h"
 #include "ui/values/cell_area.h"
@@ -64,7 +64,7 @@ void ValuesGrid::onSnapshot(const ViewState &view)
         if (shown != m_lineOf)
             cell->clearLine();
         if (view.vehicle)
-            cell->addSample(view.snapshot->time, readValue(cell->choice().source, view));
+            cell->addSample(view.time(), readValue(cell->choice().source, view));
     }
     m_lineOf = shown;
 }

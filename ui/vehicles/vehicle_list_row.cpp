@@ -1,6 +1,7 @@
 #include "ui/vehicles/vehicle_list_row.h"
 
-#include "core/engine/station/snapshot.h"
+#include "core/engine/station/session_snapshot.h"
+#include "core/engine/station/vehicle_snapshot.h"
 #include "core/engine/text/state_text.h"
 #include "ui/text/lock_face.h"
 #include "ui/text/units.h"

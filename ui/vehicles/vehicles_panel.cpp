@@ -1,6 +1,6 @@
 #include "ui/vehicles/vehicles_panel.h"
 
-#include "core/engine/station/snapshot.h"
+#include "core/engine/station/vehicle_snapshot.h"
 #include "ui/control_action.h"
 #include "ui/list_keys.h"
 #include "ui/theme/form_pieces.h"
@@ -124,8 +124,8 @@ void VehiclesPanel::refresh()
 {
     std::vector<VehicleListRow> rows;
     const std::vector<Alert> none;
-    for (std::size_t i = 0; m_shown.snapshot && i < m_shown.snapshot->vehicles.size(); ++i) {
-        const std::uint8_t id = m_shown.snapshot->vehicles[i].state.systemId;
+    for (std::size_t i = 0; i < m_shown.vehicles().size(); ++i) {
+        const std::uint8_t id = m_shown.vehicles()[i].state.systemId;
         ViewState own = viewOf(m_shown.snapshot, id);
         own.live = m_shown.live;
         own.keyProblem = m_shown.keyProblem;

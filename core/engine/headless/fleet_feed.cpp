@@ -1,6 +1,7 @@
 #include "core/engine/headless/fleet_feed.h"
 
 #include "core/engine/headless/event_json.h"
+#include "core/engine/station/snapshot.h"
 #include "core/mavlink/frame_header.h"
 #include "core/mqtt/topics.h"
 

@@ -7,13 +7,16 @@
 #include "core/engine/common/peer_names.h"
 #include "core/engine/station/event.h"
 #include "core/engine/station/feed.h"
-#include "core/engine/station/snapshot.h"
 #include "core/mqtt/message_sink.h"
 
+#include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace skyseal::engine {
+
+struct Snapshot;
 
 class FleetFeed final : public Feed
 {

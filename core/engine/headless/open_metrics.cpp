@@ -1,6 +1,7 @@
 #include "core/engine/headless/open_metrics.h"
 
 #include "core/crypto/suite.h"
+#include "core/engine/station/snapshot.h"
 #include "core/vehicle/state_fields.h"
 
 #include <cmath>

@@ -2,11 +2,11 @@
 // https://github.com/prometheus/OpenMetrics/blob/main/specification/OpenMetrics.md
 #pragma once
 
-#include "core/engine/station/snapshot.h"
-
 #include <string>
 
 namespace skyseal::engine {
+
+struct Snapshot;
 
 /// The Content-Type of the text.
 inline constexpr const char *kOpenMetricsType = "application/openmetrics-text; version=1.0.0; charset=utf-8";
