@@ -2,6 +2,7 @@
 
 #include "app/common/local_listener.h"
 #include "core/base/locked_memory.h"
+#include "core/base/secret_bytes.h"
 #include "core/crypto/passphrase.h"
 #include "core/keys/paired_peer.h"
 #include "core/keys/public_key_text.h"

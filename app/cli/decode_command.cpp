@@ -6,6 +6,7 @@
 #include "app/common/format.h"
 #include "app/common/options.h"
 #include "app/common/output.h"
+#include "core/base/secret_bytes.h"
 #include "core/crypto/mavsec_cipher.h"
 #include "core/engine/common/mavsec_stream.h"
 #include "core/log/decode.h"

@@ -1,5 +1,6 @@
 #include "app/common/mavsec_options.h"
 
+#include "core/base/secret_bytes.h"
 #include "core/crypto/mavsec_cipher.h"
 
 namespace skyseal::app {
@@ -44,8 +45,9 @@ MavsecOptions MavsecOptions::read(Options &options)
     if (const auto tried = engine::makeMavsecCipher(out.m_settings, Key32()); !tried)
         options.fail("--nonce: " + tried.error().text());
     if (options.has("key")) {
-        out.m_key = engine::mavsecKeyFromHex(options.text("key"));
-        if (!out.m_key)
+        if (auto key = engine::mavsecKeyFromHex(options.text("key")))
+            out.m_key = std::make_shared<const Key32>(std::move(*key));
+        else
             options.fail("--key: 64 hex digits are expected");
         if (options.has("key-file"))
             options.fail("--key and --key-file exclude each other");

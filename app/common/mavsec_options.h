@@ -2,8 +2,10 @@
 #pragma once
 
 #include "app/common/options.h"
-#include "core/base/secret_bytes.h"
+#include "core/base/secret_bytes_fwd.h"
 #include "core/engine/common/mavsec_settings.h"
+
+#include <memory>
 
 namespace skyseal::app {
 
@@ -26,7 +28,7 @@ public:
 private:
     bool m_chosen = false;
     engine::MavsecSettings m_settings;
-    std::optional<Key32> m_key;
+    std::shared_ptr<const Key32> m_key; ///< null: that of the published code
 };
 
 } // namespace skyseal::app

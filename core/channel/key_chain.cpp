@@ -1,6 +1,7 @@
 #include "core/channel/key_chain.h"
 
 #include "core/base/byte_writer.h"
+#include "core/base/secret_bytes.h"
 #include "core/base/weakness.h"
 #include "core/crypto/kdf.h"
 

@@ -1,5 +1,6 @@
 #include "core/channel/pairing_handshake.h"
 
+#include "core/base/secret_bytes.h"
 #include "core/crypto/passphrase.h"
 #include "core/crypto/x25519.h"
 #include "core/base/byte_writer.h"

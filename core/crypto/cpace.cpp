@@ -8,8 +8,8 @@ namespace skyseal::crypto {
 
 namespace {
 
-constexpr std::size_t kLibraryStack = 4096; ///< below a call, where the library may leave parts of a secret
-constexpr std::size_t kHashBlock = 128;     ///< of SHA-512
+constexpr std::size_t kShareStack = 4096; ///< below a call, where the library may leave parts of a secret
+constexpr std::size_t kHashBlock = 128;   ///< of SHA-512
 
 /// SHA-512 over strings that are preceded by their length as LEB128 (the draft's lv_cat).
 class LengthValueHash
@@ -59,7 +59,7 @@ CpaceShare cpaceGenerator(const CpaceInputs &inputs)
     hash.finish(digest);
     CpaceShare out{};
     crypto_core_ristretto255_from_hash(out.data(), digest.view().data());
-    sodium_stackzero(kLibraryStack);
+    sodium_stackzero(kShareStack);
     return out;
 }
 
@@ -73,7 +73,7 @@ Cpace Cpace::begin(Role role, const CpaceInputs &inputs, RandomSource &random)
     // Fails for a scalar of zero alone; the share of zeros is then refused by the other end.
     if (crypto_scalarmult_ristretto255(out.m_share.data(), out.m_scalar.view().data(), generator.data()) != 0)
         out.m_share = {};
-    sodium_stackzero(kLibraryStack);
+    sodium_stackzero(kShareStack);
     return out;
 }
 
@@ -83,7 +83,7 @@ std::optional<CpaceKey> Cpace::key(ByteView session, const CpaceMessage &initiat
     Key32 secret;
     const bool valid = theirs.size() == secret.size()
         && crypto_scalarmult_ristretto255(secret.mutableView().data(), m_scalar.view().data(), theirs.data()) == 0;
-    sodium_stackzero(kLibraryStack);
+    sodium_stackzero(kShareStack);
     if (!valid)
         return std::nullopt;
     LengthValueHash hash;

@@ -4,14 +4,11 @@
 
 #include "core/base/random_source.h"
 #include "core/base/secret_bytes.h"
+#include "core/crypto/cpace_generator.h"
 
-#include <array>
 #include <optional>
 
 namespace skyseal::crypto {
-
-/// An encoded element of ristretto255.
-using CpaceShare = std::array<std::uint8_t, 32>;
 
 /// The draft's ISK.
 using CpaceKey = SecretBytes<64>;
@@ -22,17 +19,6 @@ struct CpaceMessage
     ByteView share;
     ByteView associatedData;
 };
-
-/// The inputs of both ends. At most 1024 bytes each; the passphrase may be empty.
-struct CpaceInputs
-{
-    ByteView passphrase; ///< PRS
-    ByteView channel;    ///< CI
-    ByteView session;    ///< sid
-};
-
-/// The draft's encoded generator.
-CpaceShare cpaceGenerator(const CpaceInputs &inputs);
 
 /// One end's secret scalar, for one exchange.
 class Cpace

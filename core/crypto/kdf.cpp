@@ -1,5 +1,6 @@
 #include "core/crypto/kdf.h"
 
+#include "core/base/secret_bytes.h"
 #include "core/crypto/hmac_sha256.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/bytes.h"
-#include "core/base/secret_bytes.h"
+#include "core/base/secret_bytes_fwd.h"
 
 #include <string_view>
 

@@ -1,5 +1,6 @@
 #include "core/crypto/mavsec_cipher.h"
 
+#include "core/base/secret_bytes.h"
 #include "core/crypto/evp.h"
 
 #include <sodium.h>
@@ -67,7 +68,13 @@ private:
     SecretBytes<256> m_stream;
 };
 
-MavsecCipher::MavsecCipher() = default;
+struct MavsecCipher::State
+{
+    SecretBytes<256> stream; ///< the same for every frame
+    std::unique_ptr<EachFrame> eachFrame;
+};
+
+MavsecCipher::MavsecCipher() : m_state(std::make_unique<State>()) {}
 MavsecCipher::MavsecCipher(MavsecCipher &&) noexcept = default;
 MavsecCipher &MavsecCipher::operator=(MavsecCipher &&) noexcept = default;
 MavsecCipher::~MavsecCipher() = default;
@@ -79,11 +86,11 @@ std::optional<MavsecCipher> MavsecCipher::make(Kind kind, const Key32 &key, Byte
         return std::nullopt;
     MavsecCipher cipher;
     if (work == MavsecWork::EachFrame) {
-        cipher.m_eachFrame = std::make_unique<EachFrame>(kind, key, nonce, counter);
-        if (!cipher.m_eachFrame->ready())
+        cipher.m_state->eachFrame = std::make_unique<EachFrame>(kind, key, nonce, counter);
+        if (!cipher.m_state->eachFrame->ready())
             return std::nullopt;
     }
-    const MutableByteView stream = cipher.m_stream.mutableView();
+    const MutableByteView stream = cipher.m_state->stream.mutableView();
     if (kind == Kind::ChaCha20) {
         crypto_stream_chacha20_ietf_xor_ic(stream.data(), stream.data(), stream.size(), nonce.data(), counter,
                                            key.view().data());
@@ -126,17 +133,18 @@ Bytes MavsecCipher::publishedNonce(Kind kind)
 MavsecCipher MavsecCipher::clone() const
 {
     MavsecCipher copy;
-    copy.m_stream = m_stream.clone();
+    copy.m_state->stream = m_state->stream.clone();
     return copy;
 }
 
 void MavsecCipher::apply(MutableByteView payload) const
 {
-    const std::size_t size = std::min(payload.size(), m_stream.size());
-    if (m_eachFrame && m_eachFrame->apply(payload.first(size)))
+    const auto stream = m_state->stream.view();
+    const std::size_t size = std::min(payload.size(), stream.size());
+    if (m_state->eachFrame && m_state->eachFrame->apply(payload.first(size)))
         return;
     for (std::size_t i = 0; i < size; ++i)
-        payload[i] ^= m_stream.view()[i];
+        payload[i] ^= stream[i];
 }
 
 } // namespace skyseal::crypto

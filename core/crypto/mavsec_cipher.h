@@ -5,7 +5,7 @@
 #pragma once
 
 #include "core/base/bytes.h"
-#include "core/base/secret_bytes.h"
+#include "core/base/secret_bytes_fwd.h"
 #include "core/crypto/mavsec_kind.h"
 
 #include <memory>
@@ -42,10 +42,10 @@ public:
 
 private:
     class EachFrame;
+    struct State;
     MavsecCipher();
 
-    SecretBytes<256> m_stream; ///< the same for every frame
-    std::unique_ptr<EachFrame> m_eachFrame;
+    std::unique_ptr<State> m_state;
 };
 
 } // namespace skyseal::crypto

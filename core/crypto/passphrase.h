@@ -1,39 +1,36 @@
 // A passphrase as the user entered it; used only for the key derivation.
 #pragma once
 
-#include "core/base/secret_bytes.h"
+#include "core/base/bytes.h"
+#include "core/base/secret_bytes_fwd.h"
 
+#include <memory>
 #include <optional>
 
 namespace skyseal::crypto {
 
-/// 1 to 1024 bytes, used unchanged (no Unicode normalization). Move-only, wiped on destruction.
+/// 1 to 1024 bytes, used unchanged (no Unicode normalization). Move-only, wiped on destruction; empty after a move from it.
 class Passphrase
 {
 public:
     static constexpr std::size_t kMaxLength = 1024;
 
     /// Copies the bytes; the caller wipes its own copy. nullopt if there are none or too many.
-    static std::optional<Passphrase> fromBytes(ByteView bytes)
-    {
-        if (bytes.empty() || bytes.size() > kMaxLength)
-            return std::nullopt;
-        Passphrase out;
-        std::copy(bytes.begin(), bytes.end(), out.m_bytes.mutableView().begin());
-        out.m_size = bytes.size();
-        return out;
-    }
+    static std::optional<Passphrase> fromBytes(ByteView bytes);
+    Passphrase(Passphrase &&) noexcept;
+    Passphrase &operator=(Passphrase &&) noexcept;
+    ~Passphrase();
 
     /// An explicit second copy.
-    Passphrase clone() const { return *fromBytes(view()); }
-    ByteView view() const { return ByteView(m_bytes.view()).first(m_size); }
+    Passphrase clone() const;
+    ByteView view() const;
     /// Constant time for passphrases of equal length; the length is not secret.
-    bool equals(const Passphrase &other) const { return m_size == other.m_size && m_bytes.equals(other.m_bytes); }
+    bool equals(const Passphrase &other) const;
 
 private:
-    Passphrase() = default;
+    Passphrase();
 
-    SecretBytes<kMaxLength> m_bytes;
+    std::unique_ptr<SecretBytes<kMaxLength>> m_bytes; ///< in one place, so that a move leaves no copy to wipe
     std::size_t m_size = 0;
 };
 

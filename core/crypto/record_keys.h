@@ -1,6 +1,7 @@
 // Shared by the suites: the derivation of their keys from a direction secret, and the nonce of a record.
 #pragma once
 
+#include "core/base/secret_bytes.h"
 #include "core/crypto/kdf.h"
 #include "core/crypto/record_cipher.h"
 #include "core/crypto/store_integer.h"

@@ -1,6 +1,7 @@
 #include "core/experiment/lab.h"
 
 #include "core/base/research.h"
+#include "core/base/secret_bytes.h"
 #include "core/crypto/mavsec_cipher.h"
 #include "core/engine/common/mavsec_settings.h"
 #include "core/keys/file_io.h"

@@ -1,5 +1,6 @@
 #include "core/keys/checked_base64.h"
 
+#include "core/base/secret_bytes.h"
 #include "core/base/weakness.h"
 #include "core/crypto/hash.h"
 

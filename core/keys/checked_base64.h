@@ -1,7 +1,7 @@
 // 32 bytes as text with a check, so that damage is detected.
 #pragma once
 
-#include "core/base/secret_bytes.h"
+#include "core/base/secret_bytes_fwd.h"
 
 #include <optional>
 #include <string>

@@ -1,6 +1,7 @@
 #include "core/keys/public_key_text.h"
 
 #include "core/base/hex.h"
+#include "core/base/secret_bytes.h"
 #include "core/crypto/hash.h"
 #include "core/keys/checked_base64.h"
 

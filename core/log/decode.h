@@ -2,7 +2,7 @@
 // reading continues behind it.
 #pragma once
 
-#include "core/base/secret_bytes.h"
+#include "core/base/secret_bytes_fwd.h"
 #include "core/log/log_reader.h"
 
 #include <functional>

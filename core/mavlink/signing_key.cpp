@@ -1,5 +1,7 @@
 #include "core/mavlink/signing_key.h"
 
+#include "core/base/secret_bytes.h"
+
 #include <sodium.h>
 
 #include <array>

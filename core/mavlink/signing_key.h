@@ -3,7 +3,7 @@
 
 #include "core/base/bytes.h"
 #include "core/base/result.h"
-#include "core/base/secret_bytes.h"
+#include "core/base/secret_bytes_fwd.h"
 
 #include <string>
 

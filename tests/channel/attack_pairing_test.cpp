@@ -1,6 +1,7 @@
 // Attacks on a pairing: a man in the middle, guesses of the passphrase, and other devices during the comparison of codes.
 #include "attack.h"
 #include "core/base/byte_writer.h"
+#include "core/base/secret_bytes.h"
 #include "core/crypto/cpace.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/kdf.h"

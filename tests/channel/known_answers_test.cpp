@@ -1,5 +1,6 @@
 // The known answers of PROTOCOL.md against this implementation. They are read from the document, so that it cannot differ
 // from the programs. An independent implementation checks the same ones (tests/integration/independent_peer).
+#include "core/base/secret_bytes.h"
 #include "core/channel/cobs.h"
 #include "core/channel/cookie.h"
 #include "core/channel/epoch_exchange.h"

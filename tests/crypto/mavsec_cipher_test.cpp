@@ -1,6 +1,7 @@
 // The encryption of the code published with the paper MAVSec, against the vectors that its keys come from: RFC 8439 2.4.2
 // and NIST SP 800-38A F.5.5; and its documented weakness.
 #include "core/base/hex.h"
+#include "core/base/secret_bytes.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/mavsec_cipher.h"
 #include "tests/support/test_runner.h"

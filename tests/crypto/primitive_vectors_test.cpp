@@ -9,6 +9,7 @@
 #include "core/crypto/x25519.h"
 #include "tests/support/test_runner.h"
 
+#include "core/base/secret_bytes.h"
 #include "tests/crypto/vector_file.h"
 #include "tests/noise/fixed_random.h"
 

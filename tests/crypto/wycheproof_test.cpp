@@ -6,6 +6,7 @@
 #include "core/crypto/x25519.h"
 #include "tests/support/test_runner.h"
 
+#include "core/base/secret_bytes.h"
 #include "tests/crypto/external_vectors.h"
 
 #include <QtCore/QJsonArray>

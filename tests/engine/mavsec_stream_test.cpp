@@ -1,5 +1,6 @@
 // The stream of the paper's published code, encrypted by another implementation (Python's cryptography) with the keys and
 // nonces that are built into that code.
+#include "core/base/secret_bytes.h"
 #include "core/crypto/mavsec_cipher.h"
 #include "core/base/hex.h"
 #include "core/crypto/init_crypto.h"

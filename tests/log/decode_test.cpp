@@ -3,6 +3,7 @@
 #include "tests/support/test_runner.h"
 
 #include "core/base/hex.h"
+#include "core/base/secret_bytes.h"
 #include "core/log/decode.h"
 #include "core/mavlink/signing.h"
 

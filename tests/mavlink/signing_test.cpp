@@ -1,5 +1,6 @@
 // The rules of signing: times that only rise, streams apart from each other, nothing learned from a wrong signature. That
 // the signatures themselves are the reference's is shown by golden_frames_test.
+#include "core/base/secret_bytes.h"
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"
 #include "core/mavlink/signing.h"

@@ -2,16 +2,16 @@
 // floods. Who knows the public keys, and hears the link, can also make the last ones of a group.
 #pragma once
 
-#include "core/channel/cookie.h"
 #include "core/channel/handshake_messages.h"
 #include "core/channel/inline_frame.h"
 #include "core/channel/mac1.h"
 #include "core/channel/pairing_messages.h"
-#include "core/crypto/cpace.h"
+#include "core/crypto/cpace_generator.h"
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"
 
 #include <algorithm>
+#include <array>
 #include <random>
 #include <string_view>
 

@@ -1,5 +1,6 @@
 #include "core/engine/agent/vehicle_key.h"
 
+#include "core/base/secret_bytes.h"
 #include "core/keys/file_io.h"
 #include "core/mavlink/signing_key.h"
 

@@ -3,6 +3,7 @@
 #include "core/engine/headless/self_test.h"
 
 #include "core/base/hex.h"
+#include "core/base/secret_bytes.h"
 #include "core/crypto/hash.h"
 #include "core/crypto/hmac_sha256.h"
 #include "core/crypto/kdf.h"
