@@ -9,7 +9,7 @@
 namespace skyseal::crypto {
 
 /// libsodium leaves the hash, here always a key, in stack frames below the call.
-static constexpr std::size_t kLibraryStack = 2048;
+static constexpr std::size_t kHashStack = 2048;
 
 static void hashWithKey(MutableByteView out, ByteView key, std::initializer_list<ByteView> parts)
 {
@@ -61,7 +61,7 @@ void hmacBlake2b(std::span<std::uint8_t, kBlake2bLength> out, ByteView key, std:
     sodium_memzero(&state, sizeof state);
     xorPad(0x36 ^ 0x5c);
     hashWithKey(out, {}, {pad.view(), inner.view()});
-    sodium_stackzero(kLibraryStack);
+    sodium_stackzero(kHashStack);
 }
 
 } // namespace skyseal::crypto

@@ -17,7 +17,7 @@ namespace skyseal::keys {
 using crypto::PassphraseError;
 
 static constexpr std::string_view kDerivation = "argon2id ";
-static constexpr int kVariant = sodium_base64_VARIANT_URLSAFE_NO_PADDING;
+static constexpr int kLineVariant = sodium_base64_VARIANT_URLSAFE_NO_PADDING;
 static constexpr std::size_t kSealedLength = 64; // of 48 bytes in base64
 
 static bool takeNumber(std::string_view &text, std::uint32_t &number)
@@ -48,7 +48,7 @@ static bool readSealed(std::string_view line, crypto::SealedSecret &sealed)
 {
     std::size_t size = 0;
     return line.size() == kSealedLength
-        && sodium_base642bin(sealed.data(), sealed.size(), line.data(), line.size(), nullptr, &size, nullptr, kVariant) == 0
+        && sodium_base642bin(sealed.data(), sealed.size(), line.data(), line.size(), nullptr, &size, nullptr, kLineVariant) == 0
         && size == sealed.size();
 }
 
@@ -98,7 +98,7 @@ std::string SealedKey::text() const
     std::string out = clearLines();
     out.insert(kSealedKeyHeader.size() + 1, "# Keep this file to yourself. It opens with your passphrase.\n");
     char base64[kSealedLength + 1];
-    sodium_bin2base64(base64, sizeof base64, sealed.data(), sealed.size(), kVariant);
+    sodium_bin2base64(base64, sizeof base64, sealed.data(), sealed.size(), kLineVariant);
     return out.append(base64).append("\n");
 }
 
