@@ -39,9 +39,42 @@ endif()
 
 include(SkysealPrecompiled)
 
-# skyseal_unite(TARGET SOURCE …): compiles these source files of one folder as eight where SKYSEAL_UNITY is on: less to do in
-# all, and more after a change of one file. The name of a file alone decides with which others it is compiled, so that a new
-# file brings no two old ones together.
+# Headers that change often and that many files need. A change of one compiles the groups of its users (below) and no others.
+set(skyseal_wide_headers core/base/secret_bytes.h core/channel/endpoint.h core/engine/station/snapshot.h)
+
+# skyseal_wide_includes(FILE OUT): the names of those headers that FILE includes, also by other headers.
+function(skyseal_wide_includes file out)
+  get_property(found GLOBAL PROPERTY "skyseal_wide_includes ${file}")
+  get_property(known GLOBAL PROPERTY "skyseal_wide_includes ${file}" SET)
+  if(NOT known)
+    set_property(GLOBAL PROPERTY "skyseal_wide_includes ${file}" "") # for headers that include each other
+    cmake_path(GET file PARENT_PATH folder)
+    file(STRINGS ${file} lines REGEX "^#include \"")
+    foreach(line IN LISTS lines)
+      string(REGEX REPLACE "^#include \"(.*)\".*" "\\1" header ${line})
+      if(header IN_LIST skyseal_wide_headers)
+        cmake_path(GET header STEM name)
+        list(APPEND found ${name})
+      endif()
+      foreach(place ${PROJECT_SOURCE_DIR} ${folder})
+        if(EXISTS ${place}/${header})
+          skyseal_wide_includes(${place}/${header} deeper)
+          list(APPEND found ${deeper})
+          break()
+        endif()
+      endforeach()
+    endforeach()
+    list(REMOVE_DUPLICATES found)
+    list(SORT found)
+    set_property(GLOBAL PROPERTY "skyseal_wide_includes ${file}" "${found}")
+  endif()
+  set(${out} "${found}" PARENT_SCOPE)
+endfunction()
+
+# skyseal_unite(TARGET SOURCE …): compiles these source files of one folder in a few groups where SKYSEAL_UNITY is on: less to
+# do in all, and more after a change of one file. Eight groups, and two more for the users of each set of the wide headers. The
+# name of a file and its includes alone decide with which others it is compiled, so that a new file brings no two old ones
+# together.
 function(skyseal_unite target)
   if(NOT SKYSEAL_UNITY)
     return()
@@ -50,16 +83,25 @@ function(skyseal_unite target)
   cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME folder)
   foreach(source IN LISTS ARGN)
     cmake_path(GET source FILENAME name)
-    # A file of free functions has a context of its own for its translated texts, and all of these have one name.
-    if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${source})
+    cmake_path(ABSOLUTE_PATH source NORMALIZE)
+    set(wide)
+    if(EXISTS ${source})
+      # A file of free functions has a context of its own for its translated texts, and all of these have one name.
       file(STRINGS ${source} alone REGEX "^struct Text$" LIMIT_COUNT 1)
       if(alone)
         continue()
       endif()
+      skyseal_wide_includes(${source} wide)
     endif()
     string(MD5 hash ${name})
     string(SUBSTRING ${hash} 0 1 digit)
-    math(EXPR group "0x${digit} % 8")
+    if(wide)
+      list(JOIN wide _ wide)
+      math(EXPR group "0x${digit} % 2")
+      set(group ${wide}_${group})
+    else()
+      math(EXPR group "0x${digit} % 8")
+    endif()
     set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP ${folder}_${group})
   endforeach()
   # A class with members of types from an anonymous namespace is as local in an included source file as in its own.
