@@ -151,7 +151,7 @@ int main(int argc, char **argv)
         [&](const engine::AgentEvent &event) {
             if (!started && isHopeless(event)) {
                 const engine::LinkSnapshot &link = std::get<engine::AgentLinkChanged>(event).link;
-                complain(kName, link.url + ": " + link.problem);
+                complain(kName, link.url + ": " + link.problem.text());
                 status = kCannotOpen;
                 QCoreApplication::exit(status);
                 return;

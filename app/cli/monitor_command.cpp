@@ -107,7 +107,7 @@ engine::RunPlan readPlan(Options &options, const engine::StationConfig &config)
         if (script)
             plan.script = std::move(*script);
         else
-            options.fail("--do: " + script.error().message);
+            options.fail("--do: " + script.error().message.text());
     }
     return plan;
 }

@@ -72,7 +72,7 @@ std::string statusLine(const engine::Snapshot &snapshot)
 {
     std::string out = linkText(snapshot) + " | " + sealText(snapshot) + flightText(snapshot);
     for (const engine::LinkSnapshot &link : snapshot.links)
-        out += " | " + (link.problem.empty() ? link.localAddress : link.problem);
+        out += " | " + (link.problem.empty() ? link.localAddress : link.problem.text());
     return out;
 }
 

@@ -197,7 +197,7 @@ void readConditions(Options &options, bool ownAgent, SweepOptions &out)
         if (auto condition = experiment::parseCondition(text))
             plan.conditions.push_back(std::move(*condition));
         else
-            options.fail("--impair: " + condition.error().message);
+            options.fail("--impair: " + condition.error().message.text());
     }
 }
 
@@ -250,7 +250,7 @@ void readVehicle(Options &options, SweepOptions &out)
         options.fail("--fly requires --vehicle");
     auto flight = experiment::parseFlightPlan(options.text("fly"));
     if (!flight)
-        return options.fail("--fly: " + flight.error().message);
+        return options.fail("--fly: " + flight.error().message.text());
     out.flight = std::move(*flight);
     out.plan.flight = out.flight.script;
     out.plan.phases = out.flight.phases();

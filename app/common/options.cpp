@@ -299,7 +299,7 @@ std::optional<link::LinkUrl> Options::parsedUrl(const std::string &option, const
 {
     auto parsedText = link::LinkUrl::parse(text, unnamedHost);
     if (!parsedText) {
-        fail("--" + option + " " + quoted(text) + ": " + parsedText.error().message);
+        fail("--" + option + " " + quoted(text) + ": " + parsedText.error().message.text());
         return std::nullopt;
     }
     const LinkFilter accepted = m_links.at(option);

@@ -62,7 +62,7 @@ PairingPrompt::Settings PairingPrompt::read(Options &options)
     if (options.has("as")) {
         out.callIt = options.required("as");
         if (const auto fits = keys::checkPeerName(out.callIt); !fits)
-            options.fail("--as: " + fits.error().message);
+            options.fail("--as: " + fits.error().message.text());
     }
     return out;
 }

@@ -205,7 +205,7 @@ std::string peersEvent(const keys::PeersInForce &peers)
     JsonWriter line;
     line.beginObject().field("event", "peers").field("count", std::uint64_t{peers.count});
     if (!peers.leftOut.empty())
-        line.field("problem", peers.leftOut);
+        line.field("problem", peers.leftOut.text());
     line.endObject();
     return line.text();
 }
@@ -220,7 +220,7 @@ std::string peersEvent(const std::string &problem)
 std::string peersText(const keys::PeersInForce &peers)
 {
     return "the list of known peers was changed: " + std::to_string(peers.count) + (peers.count == 1 ? " peer" : " peers")
-        + (peers.leftOut.empty() ? "" : "; left out: " + peers.leftOut);
+        + (peers.leftOut.empty() ? "" : "; left out: " + peers.leftOut.text());
 }
 
 std::string peersText(const std::string &problem)

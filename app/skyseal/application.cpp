@@ -7,6 +7,7 @@
 #include "core/channel/suite_strength.h"
 #include "core/crypto/x25519.h"
 #include "core/engine/station/snapshot.h"
+#include "core/engine/text/qt_text.h"
 #include "core/keys/secret_file.h"
 #include "ui/charts/chart_export.h"
 #include "ui/replay/rescue_bar.h"
@@ -67,7 +68,7 @@ engine::KeyPaths Application::chooseKeys()
     auto own = ownKeys(m_random);
     if (own)
         return {own->identity, own->peers, ask};
-    m_keyProblem = QString::fromStdString(own.error().text());
+    m_keyProblem = engine::reasonText(own.error().reason());
     return {};
 }
 
@@ -101,7 +102,7 @@ void Application::useKeys(const engine::KeyPaths &keys)
 void Application::reportLeftOutPeers(const keys::PeersInForce &peers)
 {
     if (!peers.leftOut.empty())
-        m_window->reportProblem(tr("Ignored entries in the list of peers: %1").arg(QString::fromStdString(peers.leftOut)));
+        m_window->reportProblem(tr("Ignored entries in the list of peers: %1").arg(engine::reasonText(peers.leftOut)));
 }
 
 void Application::showKeyProblem()
@@ -124,7 +125,7 @@ void Application::tryKeysAgain()
             last = std::make_shared<const crypto::Passphrase>(typed->clone());
         return typed;
     });
-    m_keyProblem = opened ? QString() : QString::fromStdString(opened.error().text());
+    m_keyProblem = opened ? QString() : engine::reasonText(opened.error().reason());
     if (!opened) {
         showKeyProblem();
         return;
@@ -134,7 +135,7 @@ void Application::tryKeysAgain()
     keys.askPassphrase = [last](const std::string &file, int attempt) -> Result<crypto::Passphrase, InputError> {
         if (attempt == 0 && last)
             return last->clone();
-        return tl::unexpected(InputError{"was changed meanwhile", file});
+        return tl::unexpected(InputError{sentence("Reason", "was changed meanwhile"), file});
     };
     m_station->exchange(configOf(m_window->settings(), keys));
     useKeys(m_keys);
@@ -162,7 +163,7 @@ bool Application::start()
     if (!station && !m_options.demo && (m_options.identityFile.empty() || m_question.declined())) {
         // A damaged key or a missing passphrase must not prevent the window from opening: it opens for plain links and reports
         // the problem.
-        m_keyProblem = QString::fromStdString(station.error().text());
+        m_keyProblem = engine::reasonText(station.error().reason());
         station = engine::Station::create(configOf(settings, {}));
     }
     if (!station) {
@@ -271,7 +272,7 @@ void Application::startDemo()
     }
     auto demo = Demo::create(m_random);
     if (!demo) {
-        m_window->reportProblem(QString::fromStdString(demo.error().text()));
+        m_window->reportProblem(engine::reasonText(demo.error().reason()));
         return;
     }
     m_demo = std::move(*demo);
@@ -302,7 +303,7 @@ void Application::endDemo()
         m_question.opened();
     } else { // as at the start: plain links work without the key
         const auto identity = keys::readIdentityFacts(keys.identity);
-        m_keyProblem = identity ? tr("the key could not be opened") : QString::fromStdString(identity.error().text());
+        m_keyProblem = identity ? tr("the key could not be opened") : engine::reasonText(identity.error().reason());
         m_station->exchange(configOf(m_window->settings(), {}));
     }
     useKeys(keys);

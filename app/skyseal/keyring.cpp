@@ -4,6 +4,7 @@
 #include "core/crypto/x25519.h"
 #include "core/base/hex.h"
 #include "core/crypto/system_random.h"
+#include "core/engine/text/qt_text.h"
 #include "core/keys/file_io.h"
 #include "core/keys/peers_file.h"
 #include "core/keys/public_key_text.h"
@@ -41,7 +42,8 @@ Result<void, InputError> reseal(const std::string &file, const std::optional<cry
     const auto pair = keys::loadIdentity(
         file, [&](const std::string &name, int attempt) -> Result<crypto::Passphrase, InputError> {
             if (attempt > 0 || !present)
-                return tl::unexpected(InputError{"the passphrase does not open it, or the file was changed", name});
+                return tl::unexpected(
+                    InputError{sentence("Reason", "the passphrase does not open it, or the file was changed"), name});
             return present->clone();
         });
     if (!pair)
@@ -103,7 +105,7 @@ ui::OwnKey Keyring::ownKey() const
         out.remembered = facts->sealed && m_memory.remembers(m_paths.identity);
         out.keyringProblem = m_memory.problem();
     } else {
-        out.problem = QString::fromStdString(facts.error().text());
+        out.problem = engine::reasonText(facts.error().reason());
     }
     return out;
 }
@@ -116,7 +118,7 @@ ui::PeerList Keyring::peerList() const
         return out;
     const auto file = PeersFile::load(m_paths.peers);
     if (!file) {
-        out.problem = QString::fromStdString(file.error().text());
+        out.problem = engine::reasonText(file.error().reason());
         return out;
     }
     for (const PeerEntry &entry : file->entries()) {
@@ -157,7 +159,7 @@ Result<void, InputError> Keyring::changePeer(const QString &name, const ui::Know
     return note(keys::editPeers(m_paths.peers, [&](PeersFile &file) -> Result<void, InputError> {
         const PeerEntry *known = file.find(old);
         if (!known)
-            return tl::unexpected(InputError{"there is no peer named \"" + old + "\" any more", {}});
+            return tl::unexpected(InputError{sentence("Reason", "there is no peer named \"%1\" any more")(old), {}});
         PeerEntry entry = *known;
         decide(entry, changed);
         if (auto renamed = file.rename(old, entry.peer.name); !renamed)
@@ -170,7 +172,8 @@ Result<void, InputError> Keyring::removePeer(const QString &name)
 {
     return note(keys::editPeers(m_paths.peers, [&](PeersFile &file) -> Result<void, InputError> {
         if (!file.remove(name.toStdString()))
-            return tl::unexpected(InputError{"there is no peer named \"" + name.toStdString() + "\" any more", {}});
+            return tl::unexpected(
+                InputError{sentence("Reason", "there is no peer named \"%1\" any more")(name.toStdString()), {}});
         return {};
     }));
 }
@@ -180,11 +183,12 @@ Result<QString, InputError> Keyring::readKeyText(const QString &name) const
     constexpr qint64 kLongest = 1024;
     QFile file(name);
     if (!file.open(QIODevice::ReadOnly))
-        return tl::unexpected(InputError{"cannot be read: " + file.errorString().toStdString(), name.toStdString()});
+        return tl::unexpected(
+            InputError{sentence("Reason", "cannot be read: %1")(file.errorString().toStdString()), name.toStdString()});
     const QByteArray content = file.read(kLongest);
     const auto key = keys::publicKeyFromText(content.toStdString());
     if (!key) // without its text: the file may be a private key picked by mistake
-        return tl::unexpected(InputError{"holds no public key of Skyseal", name.toStdString()});
+        return tl::unexpected(InputError{sentence("Reason", "holds no public key of Skyseal"), name.toStdString()});
     return QString::fromStdString(keys::publicKeyText(*key));
 }
 
@@ -207,7 +211,7 @@ void Keyring::changePassphrase(std::optional<crypto::Passphrase> present, std::o
     const auto change = std::make_shared<const Change>(Change{m_paths.identity, std::move(present), std::move(next), remember});
     m_worker.start([this, change] {
         const auto changed = reseal(change->file, change->present, change->next);
-        const QString problem = changed ? QString() : QString::fromStdString(changed.error().text());
+        const QString problem = changed ? QString() : engine::reasonText(changed.error().reason());
         const auto finish = [this, change, problem] {
             if (problem.isEmpty() && change->next && change->remember)
                 m_memory.remember(change->file, *change->next);

@@ -29,7 +29,7 @@ Result<engine::KeyPaths, InputError> ownKeys(RandomSource &random)
 {
     const QDir folder(dataFolder());
     if (!folder.mkpath(QStringLiteral(".")))
-        return tl::unexpected(InputError{"the folder cannot be made", folder.path().toStdString()});
+        return tl::unexpected(InputError{sentence("Reason", "the folder cannot be made"), folder.path().toStdString()});
     const engine::KeyPaths paths{folder.filePath(QStringLiteral("identity.key")).toStdString(),
                                  folder.filePath(QStringLiteral("peers")).toStdString()};
     if (!QFileInfo::exists(QString::fromStdString(paths.identity))) {

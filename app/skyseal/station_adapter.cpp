@@ -1,6 +1,7 @@
 #include "app/skyseal/station_adapter.h"
 
 #include "core/crypto/mavsec_cipher.h"
+#include "core/engine/text/qt_text.h"
 
 namespace skyseal::app {
 
@@ -27,7 +28,7 @@ void StationAdapter::exchange(const engine::StationConfig &config)
     m_station.reset();
     auto created = Station::create(config);
     if (!created) {
-        Q_EMIT failed(QString::fromStdString(created.error().text()));
+        Q_EMIT failed(engine::reasonText(created.error().reason()));
         return;
     }
     m_station = std::move(*created);
@@ -47,7 +48,7 @@ void StationAdapter::setPeers(std::vector<channel::Peer> peers)
 Result<LinkId, InputError> StationAdapter::addLink(const std::string &url)
 {
     if (!m_station)
-        return tl::unexpected(InputError{"the station is not running", url});
+        return tl::unexpected(InputError{sentence("Reason", "the station is not running"), url});
     const auto parsed = link::LinkUrl::parse(url);
     if (!parsed)
         return tl::unexpected(parsed.error());
@@ -59,7 +60,7 @@ Result<LinkId, InputError> StationAdapter::addLink(const std::string &url)
 Result<LinkId, InputError> StationAdapter::addMavsecLink(const std::string &url, const engine::MavsecSettings &settings)
 {
     if (!m_station)
-        return tl::unexpected(InputError{"the station is not running", url});
+        return tl::unexpected(InputError{sentence("Reason", "the station is not running"), url});
     const auto parsed = link::LinkUrl::parse(url);
     if (!parsed)
         return tl::unexpected(parsed.error());
@@ -150,7 +151,7 @@ Result<void, InputError> StationAdapter::startReplay(const std::string &url)
     if (!parsed)
         return tl::unexpected(parsed.error());
     if (!parsed->traits().isRecording)
-        return tl::unexpected(InputError{"is not a recording", url});
+        return tl::unexpected(InputError{sentence("Reason", "is not a recording"), url});
     m_replay = std::make_unique<engine::Replay>(*parsed);
     connect(m_replay.get(), &engine::Replay::snapshotReady, this, &StationInterface::replaySnapshotReady);
     connect(m_replay.get(), &engine::Replay::eventOccurred, this, &StationInterface::replayEventOccurred);

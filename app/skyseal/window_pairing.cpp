@@ -2,6 +2,7 @@
 
 #include "core/crypto/passphrase.h"
 #include "app/common/pairing_status.h"
+#include "core/engine/text/qt_text.h"
 #include "core/keys/paired_peer.h"
 #include "core/keys/public_key_text.h"
 
@@ -90,7 +91,7 @@ void WindowPairing::keep(channel::Peer peer)
     if (kept)
         Q_EMIT paired(QString::fromStdString(peer.name));
     else
-        Q_EMIT failed(QString::fromStdString(kept.error().text()));
+        Q_EMIT failed(engine::reasonText(kept.error().reason()));
 }
 
 } // namespace skyseal::app

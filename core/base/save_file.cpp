@@ -139,7 +139,7 @@ bool NewFile::fail()
 
 InputError NewFile::error() const
 {
-    return {std::string("cannot be written: ") + std::strerror(m_error), m_path, 0, 0};
+    return {sentence("Reason", "cannot be written: %1")(std::strerror(m_error)), m_path, 0, 0};
 }
 
 Result<void, InputError> saveFile(std::string path, ByteView content)

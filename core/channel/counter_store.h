@@ -2,6 +2,7 @@
 // replayed one (PROTOCOL.md, section 4). The owner of an endpoint implements this interface, usually with a file.
 #pragma once
 
+#include "core/base/reason.h"
 #include "core/channel/policy.h"
 
 #include <cstdint>
@@ -30,7 +31,7 @@ public:
     /// Keeps the counter, over restarts as soon as it is stored. If it returns false, the endpoint refuses the session.
     virtual bool remember(const PublicKey &peer, std::uint64_t counter) = 0;
     /// Returns why the counters are not stored at present, for people; empty if they are. An agent reports it to its stations.
-    virtual std::string problem() const { return {}; }
+    virtual Reason problem() const { return {}; }
 };
 
 } // namespace skyseal::channel

@@ -46,7 +46,7 @@ static bool readSeen(std::string_view text, StoredCounters &counters)
 Result<StoredCounters, InputError> StoredCounters::parse(std::string_view text, const std::string &source)
 {
     const auto damaged = [&source](std::size_t line) {
-        return tl::unexpected(fileError(source, "is not a counter file of Skyseal, or is damaged", line));
+        return tl::unexpected(fileError(source, sentence("Reason", "is not a counter file of Skyseal, or is damaged"), line));
     };
     StoredCounters counters;
     bool hasNext = false;
@@ -153,7 +153,7 @@ public:
     bool skipTo(std::uint64_t counter);
     std::uint64_t lastSeen(const channel::PublicKey &peer) const;
     void remember(const channel::PublicKey &peer, std::uint64_t counter);
-    std::string problem() const;
+    Reason problem() const;
     InputError waitUntilStored();
     bool storesInTime();
 
@@ -171,7 +171,7 @@ private:
 
     bool isIdle() const { return !m_wantsBlock && !m_wantsSeen && !m_busy; }
     bool isSlow() const { return m_busy && m_disk.now() - m_busySince >= kSlow; }
-    InputError slowError() const { return {"the disk does not answer", m_disk.name}; }
+    InputError slowError() const { return {sentence("Reason", "the disk does not answer"), m_disk.name}; }
     template<typename Condition> bool waitFor(std::unique_lock<std::mutex> &lock, Condition condition);
     bool openFile(std::unique_lock<std::mutex> &lock);
     void add(const StoredCounters &stored);
@@ -238,7 +238,7 @@ bool FileCounterStore::remember(const channel::PublicKey &peer, std::uint64_t co
     return !weakened(Weakness::StopWithoutDisk) || m_shared->storesInTime();
 }
 
-std::string FileCounterStore::problem() const
+Reason FileCounterStore::problem() const
 {
     return m_shared->problem();
 }
@@ -325,12 +325,12 @@ void FileCounterStore::Shared::remember(const channel::PublicKey &peer, std::uin
     }
 }
 
-std::string FileCounterStore::Shared::problem() const
+Reason FileCounterStore::Shared::problem() const
 {
     const std::lock_guard lock(m_mutex);
     if (isSlow())
-        return slowError().text();
-    return m_error.message.empty() ? std::string() : m_error.text();
+        return slowError().reason();
+    return m_error.message.empty() ? Reason() : m_error.reason();
 }
 
 InputError FileCounterStore::Shared::waitUntilStored()

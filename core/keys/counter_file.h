@@ -77,7 +77,7 @@ public:
     /// Returns true at once; the number is stored soon afterwards. A kill in between allows one more answer to an old first
     /// message, which comes to nothing, since only its true sender can confirm it.
     bool remember(const channel::PublicKey &peer, std::uint64_t counter) override;
-    std::string problem() const override;
+    Reason problem() const override;
 
     /// Waits until the store's thread has nothing to do, and returns the error of its last write; an empty message if it
     /// succeeded.

@@ -35,9 +35,9 @@ private:
     int m_number;
 };
 
-InputError systemError(const std::string &path, const std::string &what)
+InputError systemError(const std::string &path, const Sentence &what)
 {
-    return fileError(path, what + ": " + std::strerror(errno));
+    return fileError(path, what(std::strerror(errno)));
 }
 
 std::string folderOf(const std::string &path)
@@ -76,21 +76,21 @@ std::string octal(mode_t mode)
 Result<void, InputError> checkAccess(const std::string &path, const struct stat &status, FileAccess access)
 {
     if (!S_ISREG(status.st_mode))
-        return tl::unexpected(fileError(path, "is not a regular file"));
+        return tl::unexpected(fileError(path, sentence("Reason", "is not a regular file")));
     if (weakened(Weakness::NoFileCheck))
         return {};
     if (status.st_uid != ::geteuid() && status.st_uid != 0)
         return tl::unexpected(fileError(
-            path, "belongs to another user (number " + std::to_string(status.st_uid) + "), who can change it, refused"));
+            path, sentence("Reason", "belongs to another user (number %1), who can change it, refused")(status.st_uid)));
     const mode_t mode = status.st_mode & 0777;
     if (access == FileAccess::Private && (mode & 077) != 0)
         return tl::unexpected(
-            fileError(path, "can be read by other users (mode " + octal(mode) + "), refused; run: chmod 600"));
+            fileError(path, sentence("Reason", "can be read by other users (mode %1), refused; run: chmod 600")(octal(mode))));
     if (access == FileAccess::Trusted && (mode & 022) != 0)
-        return tl::unexpected(
-            fileError(path, "can be changed by other users (mode " + octal(mode) + "), refused; run: chmod 600"));
+        return tl::unexpected(fileError(
+            path, sentence("Reason", "can be changed by other users (mode %1), refused; run: chmod 600")(octal(mode))));
     if (static_cast<std::size_t>(status.st_size) > kMaxFileSize)
-        return tl::unexpected(fileError(path, "is too large to be a file of this kind"));
+        return tl::unexpected(fileError(path, sentence("Reason", "is too large to be a file of this kind")));
     return {};
 }
 
@@ -103,13 +103,14 @@ Result<Bytes, InputError> readFile(const std::string &path, FileAccess access)
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | noFollow));
     if (!file.isOpen()) {
         if (errno == ELOOP && noFollow != 0)
-            return tl::unexpected(fileError(path, "is a symbolic link, refused for a secret; name the file itself"));
-        return tl::unexpected(systemError(path, "cannot be read"));
+            return tl::unexpected(
+                fileError(path, sentence("Reason", "is a symbolic link, refused for a secret; name the file itself")));
+        return tl::unexpected(systemError(path, sentence("Reason", "cannot be read: %1")));
     }
     struct stat status
     {};
     if (::fstat(file.number(), &status) != 0)
-        return tl::unexpected(systemError(path, "cannot be read"));
+        return tl::unexpected(systemError(path, sentence("Reason", "cannot be read: %1")));
     if (const auto checked = checkAccess(path, status, access); !checked)
         return tl::unexpected(checked.error());
 
@@ -122,7 +123,7 @@ Result<Bytes, InputError> readFile(const std::string &path, FileAccess access)
             continue;
         if (count < 0) {
             wipeSecret(content.data(), content.size());
-            return tl::unexpected(systemError(path, "cannot be read"));
+            return tl::unexpected(systemError(path, sentence("Reason", "cannot be read: %1")));
         }
         if (count == 0)
             break;
@@ -144,11 +145,11 @@ Result<void, InputError> createFile(const std::string &path, ByteView content)
     Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kOwnerOnly));
     if (!file.isOpen()) {
         if (errno == EEXIST)
-            return tl::unexpected(fileError(path, "exists already and is not overwritten"));
-        return tl::unexpected(systemError(path, "cannot be created"));
+            return tl::unexpected(fileError(path, sentence("Reason", "exists already and is not overwritten")));
+        return tl::unexpected(systemError(path, sentence("Reason", "cannot be created: %1")));
     }
     if (!writeAll(file.number(), content) || ::fsync(file.number()) != 0 || !file.close()) {
-        const InputError error = systemError(path, "cannot be written");
+        const InputError error = systemError(path, sentence("Reason", "cannot be written: %1"));
         ::unlink(path.c_str());
         return tl::unexpected(error);
     }
@@ -181,15 +182,15 @@ Result<FileLock, InputError> FileLock::take(const std::string &path, std::chrono
     const std::string name = path + ".lock";
     const int descriptor = ::open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
     if (descriptor < 0)
-        return tl::unexpected(systemError(name, "cannot be created"));
+        return tl::unexpected(systemError(name, sentence("Reason", "cannot be created: %1")));
     FileLock lock(descriptor);
     const auto deadline = std::chrono::steady_clock::now() + patience;
     while (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
         if (errno != EWOULDBLOCK && errno != EINTR)
-            return tl::unexpected(systemError(name, "cannot be locked"));
+            return tl::unexpected(systemError(name, sentence("Reason", "cannot be locked: %1")));
         if (std::chrono::steady_clock::now() >= deadline)
             return tl::unexpected(fileError(
-                name, "is still locked by another program after " + std::to_string(patience.count()) + " ms, try again"));
+                name, sentence("Reason", "is still locked by another program after %1 ms, try again")(patience.count())));
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
     return lock;

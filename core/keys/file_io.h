@@ -20,7 +20,7 @@ enum class FileAccess {
 /// Larger files are rejected.
 inline constexpr std::size_t kMaxFileSize = 1 << 20;
 
-inline InputError fileError(const std::string &path, std::string message, std::size_t line = 0)
+inline InputError fileError(const std::string &path, Reason message, std::size_t line = 0)
 {
     return {std::move(message), path, line, 0};
 }

@@ -19,9 +19,10 @@ Result<void, InputError> checkSystemsAreFree(const PeersFile &file, const channe
     for (const PeerEntry &other : file.entries()) {
         for (const std::uint8_t id : peer.systemIds) {
             if (other.peer.key != peer.key && std::ranges::find(other.peer.systemIds, id) != other.peer.systemIds.end())
-                return tl::unexpected(InputError{"the system ID " + std::to_string(id) + " is bound to \"" + other.peer.name
-                                                     + "\" already; each vehicle needs its own",
-                                                 {}});
+                return tl::unexpected(
+                    InputError{sentence("Reason", "the system ID %1 is bound to \"%2\" already; each vehicle needs its own")(
+                                   id, other.peer.name),
+                               {}});
         }
     }
     return {};
@@ -69,7 +70,7 @@ Result<void, InputError> keepPairedPeer(const std::string &peersFile, const chan
         if (!known)
             known = file.find(peer.name);
         if (known && known->peer.key != peer.key && change != KeyChange::Accepted)
-            return tl::unexpected(InputError{"the peer \"" + peer.name + "\" is known with another key", {}});
+            return tl::unexpected(InputError{sentence("Reason", "the peer \"%1\" is known with another key")(peer.name), {}});
         PeerEntry entry;
         entry.peer = peer;
         if (known) {

@@ -17,7 +17,7 @@ static constexpr std::string_view kBlanks = " \t\r"; // including the \r of Wind
 static constexpr std::string_view kPresharedKey = "psk=";
 static constexpr std::size_t kMaxNameLength = 32;
 
-static auto refuse(std::string message)
+static auto refuse(Reason message)
 {
     return tl::unexpected(InputError{std::move(message), {}});
 }
@@ -50,17 +50,18 @@ static bool isWideBlank(char32_t character)
 }
 
 /// "character 3 is U+202E, a control or format character"; empty if there is none.
-static std::string unprintableIn(std::string_view text)
+static Reason unprintableIn(std::string_view text)
 {
     for (std::size_t position = 1; !text.empty(); ++position) {
         const Utf8Character character = firstCharacter(text);
-        const std::string where = "character " + std::to_string(position);
         if (!character.valid)
-            return where + " is not valid UTF-8";
+            return sentence("Reason", "character %1 is not valid UTF-8")(position);
         if (const bool isBlank = isWideBlank(character.value); isBlank || isUnprintable(character.value)) {
             char code[16];
             std::snprintf(code, sizeof code, "U+%04X", static_cast<unsigned>(character.value));
-            return where + " is " + code + (isBlank ? ", a blank" : ", a control or format character");
+            return (isBlank
+                        ? sentence("Reason", "character %1 is %2, a blank")
+                        : sentence("Reason", "character %1 is %2, a control or format character"))(position, std::string(code));
         }
         text.remove_prefix(character.length);
     }
@@ -93,7 +94,8 @@ Result<std::vector<std::uint8_t>, InputError> systemIdsFromText(std::string_view
         std::uint8_t id = 0;
         const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), id);
         if (error != std::errc() || end != part.data() + part.size() || id == 0)
-            return refuse(whole + " is not a list of system IDs: numbers from 1 to 255 with commas between them, or \"any\"");
+            return refuse(sentence(
+                "Reason", "%1 is not a list of system IDs: numbers from 1 to 255 with commas between them, or \"any\"")(whole));
         if (std::find(ids.begin(), ids.end(), id) == ids.end())
             ids.push_back(id);
         if (comma == text.size())
@@ -120,13 +122,13 @@ Result<PeerEntry, InputError> parsePeerLine(std::string_view line)
 {
     const std::vector<std::string_view> fields = fieldsOf(line);
     if (fields.size() < 4 || fields.size() > 5)
-        return refuse("a peer needs a name, a role, system IDs and a public key, here are " + std::to_string(fields.size())
-                      + " fields");
+        return refuse(
+            sentence("Reason", "a peer needs a name, a role, system IDs and a public key, here are %1 fields")(fields.size()));
     PeerEntry entry;
     entry.peer.name = fields[0];
     const std::optional<PeerRole> role = peerRoleFromText(fields[1]);
     if (!role)
-        return refuse(quoted(fields[1]) + " is not a role: pilot or observer");
+        return refuse(sentence("Reason", "%1 is not a role: pilot or observer")(quoted(fields[1])));
     entry.peer.role = *role;
     auto ids = systemIdsFromText(fields[2]);
     if (!ids)
@@ -138,7 +140,7 @@ Result<PeerEntry, InputError> parsePeerLine(std::string_view line)
     entry.peer.key = *key;
     if (fields.size() == 5) {
         if (!fields[4].starts_with(kPresharedKey) || fields[4].size() == kPresharedKey.size())
-            return refuse(quoted(fields[4]) + " is not a pre-shared key: psk=FILE");
+            return refuse(sentence("Reason", "%1 is not a pre-shared key: psk=FILE")(quoted(fields[4])));
         entry.presharedKeyFile = fields[4].substr(kPresharedKey.size());
     }
     return entry;
@@ -160,13 +162,14 @@ Result<void, InputError> checkPeerName(const std::string &name)
             || static_cast<unsigned char>(c) >= 0x80;
     };
     if (name.empty() || name.size() > kMaxNameLength || !std::all_of(name.begin(), name.end(), fits))
-        return refuse(
-            quoted(name)
-            + " is not a peer's name: 1 to 32 letters, digits, \"-\", \"_\" or \".\"; one beyond ASCII counts as 2 to 4");
+        return refuse(sentence(
+            "Reason",
+            "%1 is not a peer's name: 1 to 32 letters, digits, \"-\", \"_\" or \".\"; one beyond ASCII counts as 2 to 4")(
+            quoted(name)));
     if (name.front() == '-') // the commands that change the peer would take it for an option
-        return refuse(quoted(name) + " is not a peer's name: it must not begin with \"-\"");
-    if (const std::string problem = unprintableIn(name); !problem.empty() && !weakened(Weakness::AnyName))
-        return refuse(quoted(name) + " is not a peer's name: " + problem);
+        return refuse(sentence("Reason", "%1 is not a peer's name: it must not begin with \"-\"")(quoted(name)));
+    if (const Reason problem = unprintableIn(name); !problem.empty() && !weakened(Weakness::AnyName))
+        return refuse(sentence("Reason", "%1 is not a peer's name: %2")(quoted(name), problem));
     return {};
 }
 
@@ -175,9 +178,10 @@ Result<void, InputError> checkPeerEntry(const PeerEntry &entry)
     if (auto named = checkPeerName(entry.peer.name); !named)
         return named;
     if (std::find(entry.peer.systemIds.begin(), entry.peer.systemIds.end(), 0) != entry.peer.systemIds.end())
-        return refuse("0 is not a system ID: numbers from 1 to 255");
+        return refuse(sentence("Reason", "0 is not a system ID: numbers from 1 to 255"));
     if (entry.presharedKeyFile.find_first_of(" \t\r\n") != std::string::npos)
-        return refuse(quoted(entry.presharedKeyFile) + " cannot be noted: the path of a pre-shared key must not have blanks");
+        return refuse(sentence("Reason", "%1 cannot be noted: the path of a pre-shared key must not have blanks")(
+            quoted(entry.presharedKeyFile)));
     return {};
 }
 

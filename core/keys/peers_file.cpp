@@ -34,7 +34,7 @@ Result<PeersFile, InputError> PeersFile::parse(std::string_view text, const std:
 Result<PeersFile, InputError> PeersFile::load(const std::string &path)
 {
     if (!fileExists(path))
-        return tl::unexpected(InputError{"does not exist; keys pair and keys peers add create it", path});
+        return tl::unexpected(InputError{sentence("Reason", "does not exist; keys pair and keys peers add create it"), path});
     const auto content = readFile(path, FileAccess::Trusted);
     if (!content)
         return tl::unexpected(content.error());
@@ -120,11 +120,12 @@ Result<void, InputError> PeersFile::check(const PeerEntry &entry, const Line *ex
         if (!line.isPeer || &line == except)
             continue;
         if (++others == kMostPeers)
-            return tl::unexpected(InputError{"a list has at most " + std::to_string(kMostPeers) + " peers", {}});
+            return tl::unexpected(InputError{sentence("Reason", "a list has at most %1 peers")(kMostPeers), {}});
         if (line.entry.peer.name == entry.peer.name)
-            return tl::unexpected(InputError{"there is a peer named \"" + entry.peer.name + "\" already", {}});
+            return tl::unexpected(InputError{sentence("Reason", "there is a peer named \"%1\" already")(entry.peer.name), {}});
         if (line.entry.peer.key == entry.peer.key)
-            return tl::unexpected(InputError{"the peer \"" + line.entry.peer.name + "\" has the same key already", {}});
+            return tl::unexpected(
+                InputError{sentence("Reason", "the peer \"%1\" has the same key already")(line.entry.peer.name), {}});
     }
     return {};
 }
@@ -156,7 +157,7 @@ Result<void, InputError> PeersFile::exchange(std::string_view name, PeerEntry en
 {
     Line *line = lineOf(name);
     if (!line)
-        return tl::unexpected(InputError{"there is no peer named \"" + std::string(name) + "\"", {}});
+        return tl::unexpected(InputError{sentence("Reason", "there is no peer named \"%1\"")(std::string(name)), {}});
     if (auto fits = check(entry, line); !fits)
         return fits;
     line->raw = formatPeerLine(entry);

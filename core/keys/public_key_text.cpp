@@ -30,17 +30,17 @@ Result<PublicKey, InputError> publicKeyFromText(std::string_view text)
 {
     text = trimmed(text);
     // The text is not quoted: it may be a private key that was pasted by mistake.
-    const auto refuse = [](const std::string &why) {
-        return tl::unexpected(InputError{"this is not a public key: " + why, {}});
+    const auto refuse = [](const Reason &why) {
+        return tl::unexpected(InputError{sentence("Reason", "this is not a public key: %1")(why), {}});
     };
     if (!text.starts_with(kPrefix))
-        return refuse("it does not begin with \"skyseal:\"");
+        return refuse(sentence("Reason", "it does not begin with \"skyseal:\""));
     text.remove_prefix(kPrefix.size());
     if (text.size() != kCheckedBase64Length)
-        return refuse("48 characters follow \"skyseal:\", here " + std::to_string(text.size()));
+        return refuse(sentence("Reason", "48 characters follow \"skyseal:\", here %1")(text.size()));
     const std::optional<Key32> bytes = fromCheckedBase64(text, kCheckLabel);
     if (!bytes)
-        return refuse("its check does not fit, so some character is wrong");
+        return refuse(sentence("Reason", "its check does not fit, so some character is wrong"));
     PublicKey key{};
     std::copy(bytes->view().begin(), bytes->view().end(), key.begin());
     return key;

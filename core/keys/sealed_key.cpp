@@ -55,33 +55,39 @@ static bool readSealed(std::string_view line, crypto::SealedSecret &sealed)
 Result<SealedKey, InputError> SealedKey::parse(std::string_view text, const std::string &source)
 {
     TextLines lines(text);
-    const auto refuse = [&](std::string why) { return tl::unexpected(fileError(source, std::move(why), lines.number())); };
+    const auto refuse = [&](Reason why) { return tl::unexpected(fileError(source, std::move(why), lines.number())); };
     if (lines.next() != kSealedKeyHeader)
-        return refuse("is not a sealed key file of Skyseal: it does not begin with \"" + std::string(kSealedKeyHeader) + "\"");
-    const auto truncated = [&source] { return tl::unexpected(fileError(source, "is truncated: a sealed key has four lines")); };
+        return refuse(sentence("Reason", "is not a sealed key file of Skyseal: it does not begin with \"%1\"")(
+            std::string(kSealedKeyHeader)));
+    const auto truncated = [&source] {
+        return tl::unexpected(fileError(source, sentence("Reason", "is truncated: a sealed key has four lines")));
+    };
     SealedKey key;
     std::optional<std::string_view> line = lines.nextContent();
     if (!line)
         return truncated();
     if (!readDerivation(*line, key))
-        return refuse("\"argon2id PASSES KIB SALT\" is expected here");
+        return refuse(sentence("Reason", "\"argon2id PASSES KIB SALT\" is expected here"));
     if (!isAcceptable(key.cost))
-        return refuse("asks for " + std::to_string(key.cost.passes) + " passes over " + std::to_string(key.cost.memoryKiB)
-                      + " KiB, which is outside of what is accepted (1 to 16 passes, 8192 to 1048576 KiB)");
+        return refuse(sentence(
+            "Reason",
+            "asks for %1 passes over %2 KiB, which is outside of what is accepted (1 to 16 passes, 8192 to 1048576 KiB)")(
+            key.cost.passes, key.cost.memoryKiB));
     line = lines.nextContent();
     if (!line)
         return truncated();
     const auto publicKey = publicKeyFromText(*line);
     if (!publicKey)
-        return refuse("a public key is expected here");
+        return refuse(sentence("Reason", "a public key is expected here"));
     key.publicKey = *publicKey;
     line = lines.nextContent();
     if (!line)
         return truncated();
     if (!readSealed(*line, key.sealed))
-        return refuse(line->size() < kSealedLength ? "has a truncated key" : "has a damaged key");
+        return refuse(line->size() < kSealedLength ? sentence("Reason", "has a truncated key")
+                                                   : sentence("Reason", "has a damaged key"));
     if (lines.nextContent())
-        return refuse("has more behind the key");
+        return refuse(sentence("Reason", "has more behind the key"));
     return key;
 }
 

@@ -35,22 +35,24 @@ Result<Key32, InputError> parseSecretFile(SecretKind kind, std::string_view text
     const std::string quote = weakened(Weakness::Leak) ? std::string(text) : std::string();
     if (header != expected) {
         if (header.starts_with(kAnyHeader) && header.size() < kLongestHeader)
-            return tl::unexpected(fileError(source, "holds \"" + std::string(header) + "\", not \"" + expected + "\"", 1));
-        return tl::unexpected(
-            fileError(source, "is not a key file of Skyseal: it does not begin with \"" + expected + "\"" + quote, 1));
+            return tl::unexpected(
+                fileError(source, sentence("Reason", "holds \"%1\", not \"%2\"")(std::string(header), expected), 1));
+        return tl::unexpected(fileError(
+            source, sentence("Reason", "is not a key file of Skyseal: it does not begin with \"%1\"")(expected + quote), 1));
     }
     std::optional<Key32> secret;
     while (const auto content = lines.nextContent()) {
         if (secret)
-            return tl::unexpected(fileError(source, "has more than one key", lines.number()));
+            return tl::unexpected(fileError(source, sentence("Reason", "has more than one key"), lines.number()));
         if (content->size() < kCheckedBase64Length && !weakened(Weakness::NoFileChecksum))
-            return tl::unexpected(fileError(source, "has a truncated key", lines.number()));
+            return tl::unexpected(fileError(source, sentence("Reason", "has a truncated key"), lines.number()));
         secret = fromCheckedBase64(*content, expected);
         if (!secret)
-            return tl::unexpected(fileError(source, "has a damaged key: its check does not fit", lines.number()));
+            return tl::unexpected(
+                fileError(source, sentence("Reason", "has a damaged key: its check does not fit"), lines.number()));
     }
     if (!secret)
-        return tl::unexpected(fileError(source, "is truncated: it has no key"));
+        return tl::unexpected(fileError(source, sentence("Reason", "is truncated: it has no key")));
     return std::move(*secret);
 }
 
@@ -67,15 +69,15 @@ template<typename Read> static auto withPrivateFile(const std::string &path, Rea
 
 static InputError noMemory(const std::string &path, const crypto::PassphraseCost &cost)
 {
-    return fileError(path,
-                     "needs " + std::to_string(cost.memoryKiB / 1024)
-                         + " MiB of memory for its passphrase, more than this machine gives");
+    return fileError(
+        path,
+        sentence("Reason", "needs %1 MiB of memory for its passphrase, more than this machine gives")(cost.memoryKiB / 1024));
 }
 
 static Result<X25519KeyPair, InputError> openSealed(const SealedKey &key, const std::string &source, const AskPassphrase &ask)
 {
     if (!ask)
-        return tl::unexpected(fileError(source, "is sealed with a passphrase, and none is given"));
+        return tl::unexpected(fileError(source, sentence("Reason", "is sealed with a passphrase, and none is given")));
     for (int attempt = 0;; ++attempt) {
         const auto passphrase = ask(source, attempt);
         if (!passphrase)

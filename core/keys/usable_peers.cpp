@@ -13,7 +13,7 @@ PeersInForce UsablePeers::inForce() const
 {
     PeersInForce out{peers.size(), {}};
     for (const InputError &error : unusable)
-        out.leftOut += (out.leftOut.empty() ? "" : "; ") + error.text();
+        out.leftOut = out.leftOut.empty() ? error.reason() : sentence("Reason", "%1; %2")(out.leftOut, error.reason());
     return out;
 }
 
@@ -31,7 +31,8 @@ Result<UsablePeers, InputError> readPeers(const std::string &peersFile)
             auto key = loadPresharedKey(presharedKeyPath(peersFile, entry));
             if (!key) {
                 out.unusable.push_back(std::move(key.error()));
-                out.unusable.back().message += " (pre-shared key of \"" + peer.name + "\")";
+                Reason &message = out.unusable.back().message;
+                message = sentence("Reason", "%1 (pre-shared key of \"%2\")")(message, peer.name);
                 continue;
             }
             peer.presharedKey = shareInLockedMemory(std::move(*key));

@@ -1,10 +1,10 @@
 // The list of known peers as a program uses it: with the pre-shared keys that the list refers to.
 #pragma once
 
+#include "core/base/reason.h"
 #include "core/base/result.h"
 #include "core/channel/policy.h"
 
-#include <string>
 #include <vector>
 
 namespace skyseal::keys {
@@ -13,7 +13,7 @@ namespace skyseal::keys {
 struct PeersInForce
 {
     std::size_t count = 0;
-    std::string leftOut; ///< text: peers whose pre-shared key cannot be used, and why; empty if there are none
+    Reason leftOut; ///< peers whose pre-shared key cannot be used, and why; empty if there are none
 };
 
 /// The peers of the current file, except those whose pre-shared key cannot be used: one bad key file must not keep peers in

@@ -27,34 +27,32 @@ const char *name(LinkErrorCode code)
     return "system";
 }
 
-static std::string textOf(LinkErrorCode code, const std::string &subject)
+static Sentence sentenceFor(LinkErrorCode code)
 {
     switch (code) {
-    case LinkErrorCode::None: return "no error";
-    case LinkErrorCode::PortInUse: return "port " + subject + " is in use by another program";
-    case LinkErrorCode::AddressUnavailable: return subject + " is not an address of this machine";
-    case LinkErrorCode::HostUnknown: return "the host name \"" + subject + "\" is not known";
-    case LinkErrorCode::Refused: return subject + " refuses the connection (nothing listens there)";
-    case LinkErrorCode::Unreachable: return subject + " cannot be reached";
-    case LinkErrorCode::TimedOut: return subject + " does not answer";
-    case LinkErrorCode::PeerClosed: return subject + " closed the connection";
-    case LinkErrorCode::PermissionDenied: return "no permission to open " + subject;
-    case LinkErrorCode::DeviceMissing: return "there is no device " + subject;
-    case LinkErrorCode::DeviceBusy: return "the device " + subject + " is in use by another program";
-    case LinkErrorCode::FileUnreadable: return "cannot read " + subject;
-    case LinkErrorCode::EndOfFile: return "end of " + subject;
-    case LinkErrorCode::NotSupported: return subject + " is not supported here";
+    case LinkErrorCode::None: return sentence("Reason", "no error");
+    case LinkErrorCode::PortInUse: return sentence("Reason", "port %1 is in use by another program");
+    case LinkErrorCode::AddressUnavailable: return sentence("Reason", "%1 is not an address of this machine");
+    case LinkErrorCode::HostUnknown: return sentence("Reason", "the host name \"%1\" is not known");
+    case LinkErrorCode::Refused: return sentence("Reason", "%1 refuses the connection (nothing listens there)");
+    case LinkErrorCode::Unreachable: return sentence("Reason", "%1 cannot be reached");
+    case LinkErrorCode::TimedOut: return sentence("Reason", "%1 does not answer");
+    case LinkErrorCode::PeerClosed: return sentence("Reason", "%1 closed the connection");
+    case LinkErrorCode::PermissionDenied: return sentence("Reason", "no permission to open %1");
+    case LinkErrorCode::DeviceMissing: return sentence("Reason", "there is no device %1");
+    case LinkErrorCode::DeviceBusy: return sentence("Reason", "the device %1 is in use by another program");
+    case LinkErrorCode::FileUnreadable: return sentence("Reason", "cannot read %1");
+    case LinkErrorCode::EndOfFile: return sentence("Reason", "end of %1");
+    case LinkErrorCode::NotSupported: return sentence("Reason", "%1 is not supported here");
     case LinkErrorCode::System: break;
     }
-    return subject + " failed";
+    return sentence("Reason", "%1 failed");
 }
 
-std::string LinkError::sentence() const
+Reason LinkError::reason() const
 {
-    std::string out = textOf(code, subject);
-    if (!detail.empty())
-        out += ": " + detail;
-    return out;
+    const Reason plain = sentenceFor(code)(subject);
+    return detail.empty() ? plain : skyseal::sentence("Reason", "%1: %2")(plain, detail);
 }
 
 static LinkErrorCode codeOf(int number)
@@ -82,7 +80,7 @@ LinkError systemError(int number, std::string subject)
 {
     const LinkErrorCode code = codeOf(number);
     const bool ownText = code != LinkErrorCode::System && code != LinkErrorCode::NotSupported;
-    return {code, std::move(subject), ownText ? std::string() : std::generic_category().message(number)};
+    return {code, std::move(subject), ownText ? Reason() : Reason(std::generic_category().message(number))};
 }
 
 } // namespace skyseal::link

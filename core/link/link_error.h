@@ -1,6 +1,8 @@
 // Reason why a link is down, as a value: a code for programs, a sentence for people.
 #pragma once
 
+#include "core/base/reason.h"
+
 #include <cstdint>
 #include <string>
 
@@ -31,11 +33,13 @@ struct LinkError
 {
     LinkErrorCode code = LinkErrorCode::None;
     std::string subject; ///< the address, host, device or file
-    std::string detail;  ///< program that holds the port, or the system's message; may be empty
+    Reason detail;       ///< program that holds the port, or the system's message; may be empty
 
     bool operator==(const LinkError &) const = default;
-    /// One plain English sentence without a full stop, e.g. "port 0.0.0.0:14550 is in use by another program".
-    std::string sentence() const;
+    /// "port 0.0.0.0:14550 is in use by another program".
+    Reason reason() const;
+    /// The reason in English.
+    std::string sentence() const { return reason().text(); }
 };
 
 /// Converts an errno of a socket or device call.

@@ -19,15 +19,16 @@ public:
                                              std::span<const LinkType> types)
     {
         if (text.size() > 4096)
-            return errorIn(text, 0, "a link URL is at most 4096 characters long");
+            return errorIn(text, 0, sentence("Reason", "a link URL is at most 4096 characters long"));
         const auto control = std::find_if(text.begin(), text.end(),
                                           [](char c) { return static_cast<unsigned char>(c) < 0x20; });
         if (control != text.end())
-            return errorIn(text, static_cast<std::size_t>(control - text.begin()), "a link URL cannot hold control characters");
+            return errorIn(text, static_cast<std::size_t>(control - text.begin()),
+                           sentence("Reason", "a link URL cannot hold control characters"));
         const std::size_t colon = text.find(':');
         const LinkType *type = colon == text.npos ? nullptr : findLinkType(text.substr(0, colon), types);
         if (!type)
-            return errorIn(text, 0, "a link URL starts with " + schemes(types));
+            return errorIn(text, 0, sentence("Reason", "a link URL starts with %1")(schemes(types)));
         const std::size_t at = colon + 1 + (text.substr(colon + 1, 2) == "//" ? 2 : 0);
         LinkUrlParser parser(text, unnamedHost, *type);
         switch (type->target) {
@@ -51,15 +52,12 @@ private:
         return out;
     }
 
-    static tl::unexpected<InputError> errorIn(std::string_view text, std::size_t at, std::string message)
+    static tl::unexpected<InputError> errorIn(std::string_view text, std::size_t at, Reason message)
     {
         return tl::unexpected(InputError{std::move(message), std::string(text.substr(0, 200)), 1, at + 1});
     }
 
-    tl::unexpected<InputError> error(std::size_t at, std::string message) const
-    {
-        return errorIn(m_text, at, std::move(message));
-    }
+    tl::unexpected<InputError> error(std::size_t at, Reason message) const { return errorIn(m_text, at, std::move(message)); }
 
     const char *scheme() const { return m_url.type().scheme; }
 
@@ -79,12 +77,12 @@ private:
         if (const std::size_t colon = device.rfind(':'); colon != device.npos) {
             const auto baud = number(device.substr(colon + 1));
             if (!baud || *baud < 300 || *baud > 12'000'000)
-                return error(at + colon + 1, "the baud rate is a number from 300 to 12000000");
+                return error(at + colon + 1, sentence("Reason", "the baud rate is a number from 300 to 12000000"));
             m_url.m_baud = *baud;
             device = device.substr(0, colon);
         }
         if (device.empty())
-            return error(at, std::string("the device is missing, as in ") + scheme() + ":/dev/ttyUSB0:57600");
+            return error(at, sentence("Reason", "the device is missing, as in %1:/dev/ttyUSB0:57600")(scheme()));
         m_url.m_path = device;
         return m_url;
     }
@@ -92,7 +90,7 @@ private:
     Result<LinkUrl, InputError> file(std::size_t at)
     {
         if (at == m_text.size())
-            return error(at, std::string("the file is missing, as in ") + scheme() + ":flight." + scheme());
+            return error(at, sentence("Reason", "the file is missing, as in %1:flight.%1")(scheme()));
         m_url.m_path = m_text.substr(at);
         return m_url;
     }
@@ -106,7 +104,7 @@ private:
         if (!rest.empty() && rest.front() == '[') {
             const std::size_t close = rest.find(']');
             if (close == rest.npos)
-                return error(at, "the IPv6 address lacks its closing bracket");
+                return error(at, sentence("Reason", "the IPv6 address lacks its closing bracket"));
             host = rest.substr(1, close - 1);
             bracketed = true;
             if (close + 1 >= rest.size() || rest[close + 1] != ':')
@@ -122,7 +120,7 @@ private:
                 host = rest.substr(0, colon);
                 portAt = colon + 1;
                 if (rest.find(':', portAt) != rest.npos)
-                    return error(at, "an IPv6 address must be in brackets, as in [::1]:14550");
+                    return error(at, sentence("Reason", "an IPv6 address must be in brackets, as in [::1]:14550"));
             }
         }
         if (const auto failed = takeHost(at, host, bracketed))
@@ -130,27 +128,28 @@ private:
         return takePort(at + portAt, rest.substr(portAt));
     }
 
-    std::string missingPort() const { return "the port is missing, as in " + m_url.type().syntax(); }
+    Reason missingPort() const { return sentence("Reason", "the port is missing, as in %1")(m_url.type().syntax()); }
 
     std::optional<InputError> takeHost(std::size_t at, std::string_view host, bool bracketed)
     {
         const auto literal = parseHost(host, 0);
         if (bracketed) {
             if (host.find('%') != host.npos)
-                return error(at, "an IPv6 address with a zone (%) is not supported").value();
+                return error(at, sentence("Reason", "an IPv6 address with a zone (%) is not supported")).value();
             if (!literal || host.find(':') == host.npos)
-                return error(at, "\"" + std::string(host) + "\" is not an IPv6 address").value();
+                return error(at, sentence("Reason", "\"%1\" is not an IPv6 address")(std::string(host))).value();
         } else if (host.empty()) {
             if (!m_url.isListening())
-                return error(at, "the host is missing, as in " + m_url.type().syntax()).value();
+                return error(at, sentence("Reason", "the host is missing, as in %1")(m_url.type().syntax())).value();
             m_url.m_host = m_unnamedHost;
             return std::nullopt;
         } else if (!literal) {
             if (host.find_first_not_of("0123456789.") == host.npos)
-                return error(at, "\"" + std::string(host) + "\" is not an IPv4 address").value();
+                return error(at, sentence("Reason", "\"%1\" is not an IPv4 address")(std::string(host))).value();
             if (host.size() > kLongestName || host.front() == '-' || host.front() == '.'
                 || !std::all_of(host.begin(), host.end(), isNameCharacter))
-                return error(at, "\"" + std::string(host.substr(0, 60)) + "\" is not a host name or address").value();
+                return error(at, sentence("Reason", "\"%1\" is not a host name or address")(std::string(host.substr(0, 60))))
+                    .value();
         }
         m_url.m_host = literal ? hostText(*literal) : std::string(host);
         return std::nullopt;
@@ -169,8 +168,8 @@ private:
             return error(at, missingPort());
         if (!port || *port > 65535 || *port < lowest)
             return error(at,
-                         "the port \"" + std::string(digits.substr(0, 20)) + "\" is not a number from " + std::to_string(lowest)
-                             + " to 65535");
+                         sentence("Reason", "the port \"%1\" is not a number from %2 to 65535")(
+                             std::string(digits.substr(0, 20)), lowest));
         m_url.m_port = static_cast<std::uint16_t>(*port);
         return m_url;
     }

@@ -23,7 +23,7 @@ LinkError socketError(QAbstractSocket::SocketError error, const QString &message
     const LinkErrorCode code = codeOf(error);
     const bool needsText = code == LinkErrorCode::System || code == LinkErrorCode::NotSupported
         || code == LinkErrorCode::Unreachable;
-    return {code, std::move(subject), needsText ? message.toStdString() : std::string()};
+    return {code, std::move(subject), needsText ? Reason(message.toStdString()) : Reason()};
 }
 
 } // namespace skyseal::link

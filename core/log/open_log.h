@@ -1,6 +1,7 @@
 // Opens a recording for reading.
 #pragma once
 
+#include "core/base/reason.h"
 #include "core/base/result.h"
 
 #include <fstream>
@@ -8,8 +9,8 @@
 
 namespace skyseal::tlog {
 
-/// Returns the open file, or the reason in words why it cannot be read, e.g. "No such file or directory". Folders and pipes
+/// Returns the open file, or the reason why it cannot be read, e.g. "No such file or directory". Folders and pipes
 /// are refused: reading from them would fail or block.
-Result<std::ifstream, std::string> openLog(const std::string &path);
+Result<std::ifstream, Reason> openLog(const std::string &path);
 
 } // namespace skyseal::tlog

@@ -20,12 +20,12 @@ constexpr std::size_t kMostValues = 4'000'000;
 struct JsonProblem
 {
     QString path; ///< from where it is known on: ".geometry.coordinates[12]"
-    QString message;
+    Reason message;
 };
 
 template<typename T> using Checked = Result<T, JsonProblem>;
 
-tl::unexpected<JsonProblem> problem(const QString &message)
+tl::unexpected<JsonProblem> problem(const Reason &message)
 {
     return tl::unexpected(JsonProblem{{}, message});
 }
@@ -65,7 +65,7 @@ Checked<void> checkSystem(const QJsonObject &root)
     if (name.isEmpty() || name.contains(QLatin1String("CRS84")) || name.endsWith(QLatin1String(":4326")))
         return {};
     return within(QStringLiteral("crs"),
-                  {{}, QStringLiteral("the coordinates are not in WGS84, but in \"%1\"").arg(name.left(60))});
+                  {{}, sentence("Reason", "the coordinates are not in WGS84, but in \"%1\"")(name.left(60).toStdString())});
 }
 
 QString nameOf(const QJsonObject &feature)
@@ -111,9 +111,9 @@ Checked<void> GeoJsonReader::readObject(const QJsonObject &object, const QString
             return {};
         }
         if (depth >= kDeepest)
-            return problem(QStringLiteral("more than %1 objects are within one another").arg(kDeepest));
+            return problem(sentence("Reason", "more than %1 objects are within one another")(kDeepest));
         if (!value.isObject())
-            return within(geometry, {{}, QStringLiteral("this is not an object")});
+            return within(geometry, {{}, sentence("Reason", "this is not an object")});
         if (auto read = readObject(value.toObject(), nameOf(object), depth + 1); !read)
             return within(geometry, std::move(read.error()));
         return {};
@@ -124,14 +124,14 @@ Checked<void> GeoJsonReader::readObject(const QJsonObject &object, const QString
 Checked<void> GeoJsonReader::readAll(const QJsonObject &object, const QString &member, const QString &name, int depth)
 {
     if (depth >= kDeepest)
-        return problem(QStringLiteral("more than %1 objects are within one another").arg(kDeepest));
+        return problem(sentence("Reason", "more than %1 objects are within one another")(kDeepest));
     if (!object[member].isArray())
-        return within(member, {{}, QStringLiteral("this is not an array")});
+        return within(member, {{}, sentence("Reason", "this is not an array")});
     const QJsonArray array = object[member].toArray();
     for (qsizetype i = 0; i < array.size(); ++i) {
         const QJsonValue value = array.at(i);
         auto read = value.isObject() ? readObject(value.toObject(), name, depth + 1)
-                                     : Checked<void>(problem(QStringLiteral("this is not an object")));
+                                     : Checked<void>(problem(sentence("Reason", "this is not an object")));
         if (!read)
             return within(member, within(i, std::move(read.error())).value());
     }
@@ -144,7 +144,8 @@ Checked<void> GeoJsonReader::readGeometry(const QString &type, const QJsonObject
                                     QStringLiteral("LineString"), QStringLiteral("MultiLineString"),
                                     QStringLiteral("Polygon"),    QStringLiteral("MultiPolygon")};
     if (!kTypes.contains(type))
-        return within(QStringLiteral("type"), {{}, QStringLiteral("\"%1\" is not a type of GeoJSON").arg(type.left(40))});
+        return within(QStringLiteral("type"),
+                      {{}, sentence("Reason", "\"%1\" is not a type of GeoJSON")(type.left(40).toStdString())});
     const QString coordinates = QStringLiteral("coordinates");
     if (auto read = readCoordinates(type, object[coordinates], name); !read)
         return within(coordinates, std::move(read.error()));
@@ -154,7 +155,7 @@ Checked<void> GeoJsonReader::readGeometry(const QString &type, const QJsonObject
 Checked<void> GeoJsonReader::readCoordinates(const QString &type, const QJsonValue &coordinates, const QString &name)
 {
     if (!coordinates.isArray())
-        return problem(QStringLiteral("this is not an array"));
+        return problem(sentence("Reason", "this is not an array"));
     if (coordinates.toArray().isEmpty()) { // a geometry without a place, as section 3.1 permits
         m_builder.leaveOut();
         return {};
@@ -189,8 +190,8 @@ Checked<OverlayPoint> GeoJsonReader::pointOf(const QJsonValue &value)
 {
     const QJsonArray numbers = value.toArray();
     if (numbers.size() < 2 || !numbers.at(0).isDouble() || !numbers.at(1).isDouble())
-        return problem(QStringLiteral("this is not a position: [longitude, latitude]"));
-    return m_builder.point(numbers.at(0).toDouble(), numbers.at(1).toDouble()).map_error([](const QString &message) {
+        return problem(sentence("Reason", "this is not a position: [longitude, latitude]"));
+    return m_builder.point(numbers.at(0).toDouble(), numbers.at(1).toDouble()).map_error([](const Reason &message) {
         return JsonProblem{{}, message};
     });
 }
@@ -198,7 +199,7 @@ Checked<OverlayPoint> GeoJsonReader::pointOf(const QJsonValue &value)
 Checked<OverlayLine> GeoJsonReader::lineOf(const QJsonValue &value)
 {
     if (!value.isArray())
-        return problem(QStringLiteral("this is not an array of positions"));
+        return problem(sentence("Reason", "this is not an array of positions"));
     const QJsonArray positions = value.toArray();
     OverlayLine out;
     for (qsizetype i = 0; i < positions.size(); ++i) {
@@ -213,7 +214,7 @@ Checked<OverlayLine> GeoJsonReader::lineOf(const QJsonValue &value)
 Checked<std::vector<OverlayLine>> GeoJsonReader::linesOf(const QJsonValue &value)
 {
     if (!value.isArray())
-        return problem(QStringLiteral("this is not an array of lines"));
+        return problem(sentence("Reason", "this is not an array of lines"));
     const QJsonArray lines = value.toArray();
     std::vector<OverlayLine> out;
     for (qsizetype i = 0; i < lines.size(); ++i) {
@@ -231,9 +232,9 @@ Checked<void> GeoJsonReader::addPolygon(const QJsonValue &value, const QString &
         [&](std::vector<OverlayLine> rings) { m_builder.add(ShapeKind::Polygon, name, std::move(rings)); });
 }
 
-InputError errorAt(const QString &message, std::size_t line = 0)
+InputError errorAt(Reason message, std::size_t line = 0)
 {
-    return {message.toStdString(), {}, line, 0};
+    return {std::move(message), {}, line, 0};
 }
 
 } // namespace
@@ -241,21 +242,22 @@ InputError errorAt(const QString &message, std::size_t line = 0)
 Result<Overlay, InputError> readGeoJson(const QByteArray &content)
 {
     if (hasTooManyValues(content))
-        return tl::unexpected(errorAt(QStringLiteral("the file has more than %1 values").arg(kMostValues)));
+        return tl::unexpected(errorAt(sentence("Reason", "the file has more than %1 values")(kMostValues)));
     QJsonParseError parsed;
     const QJsonDocument document = QJsonDocument::fromJson(content, &parsed);
     if (parsed.error != QJsonParseError::NoError) {
         const auto lines = std::count(content.begin(),
                                       content.begin() + std::clamp<qsizetype>(parsed.offset, 0, content.size()), '\n');
-        return tl::unexpected(errorAt(parsed.errorString(), static_cast<std::size_t>(lines) + 1));
+        return tl::unexpected(errorAt(parsed.errorString().toStdString(), static_cast<std::size_t>(lines) + 1));
     }
     if (!document.isObject())
-        return tl::unexpected(errorAt(QStringLiteral("the file has no JSON object")));
+        return tl::unexpected(errorAt(sentence("Reason", "the file has no JSON object")));
     GeoJsonReader reader;
     const QJsonObject root = document.object();
     const auto read = checkSystem(root).and_then([&] { return reader.readObject(root, {}, 0); });
     if (!read)
-        return tl::unexpected(errorAt(QStringLiteral("%1: %2").arg(read.error().path.mid(1), read.error().message)));
+        return tl::unexpected(
+            errorAt(sentence("Reason", "%1: %2")(read.error().path.mid(1).toStdString(), read.error().message)));
     return reader.take();
 }
 

@@ -38,11 +38,12 @@ private:
     void startGeometry(ShapeKind kind);
     void readCoordinates();
     void takeLine(OverlayLine line);
-    void fail(const QString &message, qint64 line = 0);
+    void fail(Reason message, qint64 line = 0);
 
     QXmlStreamReader m_xml;
     OverlayBuilder m_builder;
     int m_depth = 0;
+    Reason m_failure; ///< other than that the file is not XML
     qint64 m_failedLine = 0;
     int m_placemark = 0;     ///< depth of the element that is open; 0: none
     std::size_t m_first = 0; ///< shape of the placemark
@@ -60,7 +61,7 @@ Result<Overlay, InputError> KmlReader::read()
         switch (m_xml.readNext()) {
         case QXmlStreamReader::StartElement: start(localName(m_xml.qualifiedName())); break;
         case QXmlStreamReader::EndElement: end(localName(m_xml.qualifiedName())); break;
-        case QXmlStreamReader::DTD: fail(QStringLiteral("a document type declaration is not permitted")); break;
+        case QXmlStreamReader::DTD: fail(sentence("Reason", "a document type declaration is not permitted")); break;
         default: break;
         }
     }
@@ -69,23 +70,28 @@ Result<Overlay, InputError> KmlReader::read()
         if (message.endsWith(QLatin1Char('.')))
             message.chop(1);
         const qint64 line = m_failedLine ? m_failedLine : m_xml.lineNumber();
-        return tl::unexpected(InputError{message.toStdString(), {}, static_cast<std::size_t>(std::max<qint64>(line, 0)), 0});
+        return tl::unexpected(InputError{m_failure.empty() ? Reason(message.toStdString()) : m_failure,
+                                         {},
+                                         static_cast<std::size_t>(std::max<qint64>(line, 0)),
+                                         0});
     }
     return m_builder.take();
 }
 
-void KmlReader::fail(const QString &message, qint64 line)
+void KmlReader::fail(Reason message, qint64 line)
 {
     m_failedLine = line ? line : m_xml.lineNumber();
-    m_xml.raiseError(message);
+    m_failure = std::move(message);
+    m_xml.raiseError(QString::fromStdString(m_failure.text()));
 }
 
 void KmlReader::start(QStringView name)
 {
     if (++m_depth > kDeepest)
-        return fail(QStringLiteral("more than %1 elements are within one another").arg(kDeepest));
+        return fail(sentence("Reason", "more than %1 elements are within one another")(kDeepest));
     if (m_depth == 1 && name != QLatin1String("kml"))
-        return fail(QStringLiteral("the file begins with the element \"%1\", not with \"kml\"").arg(name.left(40)));
+        return fail(sentence("Reason", "the file begins with the element \"%1\", not with \"kml\"")(
+            name.left(40).toString().toStdString()));
     if (name == QLatin1String("Placemark")) {
         m_placemark = m_depth;
         m_first = m_builder.shapes();
@@ -112,7 +118,7 @@ void KmlReader::start(QStringView name)
 void KmlReader::startGeometry(ShapeKind kind)
 {
     if (m_geometry)
-        return fail(QStringLiteral("a geometry is within another one"));
+        return fail(sentence("Reason", "a geometry is within another one"));
     m_geometry = m_depth;
     m_kind = kind;
     m_inHole = false;
@@ -158,7 +164,9 @@ void KmlReader::readCoordinates()
         const double longitude = tuple.left(std::max<qsizetype>(comma, 0)).toDouble(&hasLongitude);
         const double latitude = tuple.mid(comma + 1, second < 0 ? -1 : second - comma - 1).toDouble(&hasLatitude);
         if (comma < 0 || !hasLongitude || !hasLatitude)
-            return fail(QStringLiteral("\"%1\" is not a position: longitude,latitude").arg(tuple.left(40)), number);
+            return fail(
+                sentence("Reason", "\"%1\" is not a position: longitude,latitude")(tuple.left(40).toString().toStdString()),
+                number);
         const auto point = m_builder.point(longitude, latitude);
         if (!point)
             return fail(point.error(), number);
@@ -175,7 +183,7 @@ void KmlReader::takeLine(OverlayLine line)
         return;
     }
     if (!m_line.empty() || (m_kind == ShapeKind::Point && line.size() > 1))
-        return fail(QStringLiteral("a geometry has more coordinates than one of its kind can have"));
+        return fail(sentence("Reason", "a geometry has more coordinates than one of its kind can have"));
     m_line = std::move(line);
 }
 

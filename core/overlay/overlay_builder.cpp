@@ -15,6 +15,11 @@ bool isWithin(double degrees, double limit)
     return degrees >= -limit && degrees <= limit; // false for NaN
 }
 
+std::string textOf(double degrees)
+{
+    return QString::number(degrees).toStdString();
+}
+
 /// Files close a ring by its first point.
 void openRing(OverlayLine &ring)
 {
@@ -24,14 +29,14 @@ void openRing(OverlayLine &ring)
 
 } // namespace
 
-Result<OverlayPoint, QString> OverlayBuilder::point(double longitude, double latitude)
+Result<OverlayPoint, Reason> OverlayBuilder::point(double longitude, double latitude)
 {
     if (++m_points > kMostPoints)
-        return tl::unexpected(QStringLiteral("the file has more than %1 positions").arg(kMostPoints));
+        return tl::unexpected(sentence("Reason", "the file has more than %1 positions")(kMostPoints));
     if (!isWithin(longitude, 180))
-        return tl::unexpected(QStringLiteral("the longitude %1 is not within -180 and 180").arg(longitude));
+        return tl::unexpected(sentence("Reason", "the longitude %1 is not within -180 and 180")(textOf(longitude)));
     if (!isWithin(latitude, 90))
-        return tl::unexpected(QStringLiteral("the latitude %1 is not within -90 and 90").arg(latitude));
+        return tl::unexpected(sentence("Reason", "the latitude %1 is not within -90 and 90")(textOf(latitude)));
     return OverlayPoint{latitude, longitude};
 }
 

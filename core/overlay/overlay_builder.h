@@ -10,7 +10,7 @@ class OverlayBuilder
 {
 public:
     /// Counts the position and checks its range. The error is a sentence that says what is wrong, but not where in the file.
-    Result<OverlayPoint, QString> point(double longitude, double latitude);
+    Result<OverlayPoint, Reason> point(double longitude, double latitude);
 
     /// Leaves the shape out if it has too few points. A polygon counts by its outer ring, the first of `lines`.
     void add(ShapeKind kind, const QString &name, std::vector<OverlayLine> lines);

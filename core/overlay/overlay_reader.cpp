@@ -17,25 +17,25 @@ Result<Overlay, InputError> readContent(const QString &suffix, const QByteArray 
         return readKml(content);
     if (suffix == QLatin1String("geojson") || suffix == QLatin1String("json"))
         return readGeoJson(content);
-    const QString problem = suffix == QLatin1String("kmz")
-        ? QStringLiteral("a .kmz is a zip file; unpack it, and add the .kml that is in it")
-        : QStringLiteral("the name ends neither in .kml nor in .geojson or .json");
-    return tl::unexpected(InputError{problem.toStdString(), {}, 0, 0});
+    const Sentence problem = suffix == QLatin1String("kmz")
+        ? sentence("Reason", "a .kmz is a zip file; unpack it, and add the .kml that is in it")
+        : sentence("Reason", "the name ends neither in .kml nor in .geojson or .json");
+    return tl::unexpected(InputError{problem, {}, 0, 0});
 }
 
 Result<QByteArray, InputError> contentOf(const QString &path)
 {
-    const auto failed = [](const QString &message) { return tl::unexpected(InputError{message.toStdString(), {}, 0, 0}); };
+    const auto failed = [](Reason message) { return tl::unexpected(InputError{std::move(message), {}, 0, 0}); };
     QFile file(path);
     if (QFileInfo info(path); info.exists() && !info.isFile()) // a pipe would never end
-        return failed(QStringLiteral("this is not a file"));
+        return failed(sentence("Reason", "this is not a file"));
     if (!file.open(QIODevice::ReadOnly))
-        return failed(file.errorString());
+        return failed(file.errorString().toStdString());
     QByteArray content = file.read(kMostBytes + 1);
     if (file.error() != QFileDevice::NoError)
-        return failed(file.errorString());
+        return failed(file.errorString().toStdString());
     if (content.size() > kMostBytes)
-        return failed(QStringLiteral("the file is larger than %1 MB").arg(kMostBytes / 1024 / 1024));
+        return failed(sentence("Reason", "the file is larger than %1 MB")(kMostBytes / 1024 / 1024));
     return content;
 }
 

@@ -20,7 +20,7 @@ ChecklistItem parseItem(std::string_view line, std::string_view whole, std::vect
     const auto column = static_cast<std::size_t>(condition.data() - whole.data()) + 1;
     auto parsed = parseCondition(condition, column);
     if (item.text.empty()) {
-        problems.push_back({"expected the text of the item before the condition", {}, 0, 1});
+        problems.push_back({sentence("Reason", "expected the text of the item before the condition"), {}, 0, 1});
         item.text = std::string(line);
     } else if (parsed) {
         item.condition = std::move(*parsed);
@@ -36,11 +36,11 @@ ChecklistItem parseItem(std::string_view line, std::string_view whole, std::vect
 
 Result<Checklist, InputError> parseChecklist(std::string_view text, const std::string &source)
 {
-    const auto fail = [&source](const std::string &message, std::size_t line) {
+    const auto fail = [&source](const Reason &message, std::size_t line) {
         return tl::make_unexpected(InputError{message, source, line, 0});
     };
     if (text.size() > kMaxChecklistSize)
-        return fail("longer than " + std::to_string(kMaxChecklistSize) + " bytes", 0);
+        return fail(sentence("Reason", "longer than %1 bytes")(kMaxChecklistSize), 0);
     if (text.starts_with("\xEF\xBB\xBF")) // as some editors begin a text in UTF-8
         text.remove_prefix(3);
     Checklist out;
@@ -49,13 +49,13 @@ Result<Checklist, InputError> parseChecklist(std::string_view text, const std::s
         const std::string_view whole = takeLine(text), line = trimmed(whole);
         ++number;
         if (std::ranges::any_of(line, [](char one) { return static_cast<unsigned char>(one) < 0x20 && one != '\t'; }))
-            return fail("a control character: this is not a text file", number);
+            return fail(sentence("Reason", "a control character: this is not a text file"), number);
         if (line.empty() || line.front() == '#')
             continue;
         if (line.size() > kMaxChecklistItem)
-            return fail("an item longer than " + std::to_string(kMaxChecklistItem) + " bytes", number);
+            return fail(sentence("Reason", "an item longer than %1 bytes")(kMaxChecklistItem), number);
         if (out.items.size() == kMaxChecklistItems)
-            return fail("more than " + std::to_string(kMaxChecklistItems) + " items", number);
+            return fail(sentence("Reason", "more than %1 items")(kMaxChecklistItems), number);
         const std::size_t before = out.problems.size();
         out.items.push_back(parseItem(line, whole, out.problems));
         for (std::size_t i = before; i < out.problems.size(); ++i) {
@@ -64,7 +64,7 @@ Result<Checklist, InputError> parseChecklist(std::string_view text, const std::s
         }
     }
     if (out.items.empty())
-        return fail("no items", 0);
+        return fail(sentence("Reason", "no items"), 0);
     return out;
 }
 

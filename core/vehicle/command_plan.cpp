@@ -3,6 +3,7 @@
 #include "core/mavlink/force_arm.h"
 #include "core/vehicle/flight_modes.h"
 #include "core/vehicle/message_io.h"
+#include "core/vehicle/reasons.h"
 
 #include <cmath>
 
@@ -10,7 +11,7 @@ namespace skyseal::vehicle {
 
 namespace {
 
-using Plan = Result<CommandPlan, std::string>;
+using Plan = Result<CommandPlan, Reason>;
 
 /// Parameter 1 of MAV_CMD_DO_CHANGE_SPEED.
 constexpr float kAirSpeed = mavlink::SPEED_TYPE_AIRSPEED, kGroundSpeed = mavlink::SPEED_TYPE_GROUNDSPEED;
@@ -21,7 +22,7 @@ constexpr std::uint16_t kPositionOnly = mavlink::POSITION_TARGET_TYPEMASK_VX_IGN
     | mavlink::POSITION_TARGET_TYPEMASK_AZ_IGNORE | mavlink::POSITION_TARGET_TYPEMASK_YAW_IGNORE
     | mavlink::POSITION_TARGET_TYPEMASK_YAW_RATE_IGNORE;
 
-tl::unexpected<std::string> refuse(std::string reason)
+tl::unexpected<Reason> refuse(Reason reason)
 {
     return tl::make_unexpected(std::move(reason));
 }
@@ -68,30 +69,30 @@ public:
         if (number)
             return setMode(*number);
         if (m_state.modes.empty())
-            return refuse("the modes of this kind of vehicle are not known");
+            return refuse(reasons::kModesUnknown);
         std::string names;
         for (const std::string &name : m_state.modes)
             names += (names.empty() ? "" : ", ") + name;
-        return refuse("the vehicle has no mode '" + mode.mode + "'; it has " + names);
+        return refuse(reasons::kNoSuchMode(mode.mode, names));
     }
 
     Plan operator()(const TakeOff &takeOff) const
     {
         if (!(takeOff.altitude > 0))
-            return refuse("the altitude of a take-off must be above 0 m");
+            return refuse(reasons::kTakeOffTooLow);
         double altitude = takeOff.altitude;
         if (m_kind.isArduPilot()) {
             if (m_kind.isRover() || m_kind.isSubmarine())
-                return refuse("this kind of vehicle does not fly");
+                return refuse(reasons::kDoesNotFly);
             if (m_state.mode != "GUIDED")
-                return refuse("take-off needs the mode GUIDED, the vehicle is in " + m_state.mode);
+                return refuse(reasons::kTakeOffNeedsGuided(m_state.mode));
             if (!m_state.armed)
-                return refuse("take-off needs an armed vehicle, it is disarmed");
+                return refuse(reasons::kTakeOffNeedsArmed);
         } else if (m_kind.isPx4()) {
             // PX4 expects altitudes above mean sea level.
             const double ground = m_state.home.known() ? m_state.home.altitude : m_state.position.altitude;
             if (std::isnan(ground))
-                return refuse("take-off needs a known position");
+                return refuse(reasons::kTakeOffNeedsPosition);
             altitude += ground;
         }
         CommandOrder out = order(mavlink::MAV_CMD_NAV_TAKEOFF);
@@ -104,7 +105,7 @@ public:
     Plan operator()(const Land &) const
     {
         if (m_kind.isArduPilot())
-            return firstMode({"LAND", "QLAND", "SURFACE"}, "this kind of vehicle has no mode to land in");
+            return firstMode({"LAND", "QLAND", "SURFACE"}, reasons::kNoModeToLand);
         CommandOrder out = order(mavlink::MAV_CMD_NAV_LAND);
         if (m_kind.isPx4())
             out.parameters[3] = out.parameters[4] = out.parameters[5] = std::nanf("");
@@ -114,20 +115,20 @@ public:
     Plan operator()(const ReturnToLaunch &) const
     {
         if (m_kind.isArduPilot())
-            return firstMode({"RTL"}, "this kind of vehicle has no mode to return in");
+            return firstMode({"RTL"}, reasons::kNoModeToReturn);
         return plan(order(mavlink::MAV_CMD_NAV_RETURN_TO_LAUNCH));
     }
 
     Plan operator()(const GoTo &place) const
     {
         if (!isPlace(place.latitude, place.longitude, place.altitudeRelative))
-            return refuse("the location is not on the globe");
+            return refuse(reasons::kNotOnGlobe);
         const bool guided = m_state.mode == "GUIDED";
         if (m_kind.isArduPilot() && !guided && !place.changeMode)
-            return refuse("going to a location needs the mode GUIDED, the vehicle is in " + m_state.mode);
+            return refuse(reasons::kGoToNeedsGuided(m_state.mode));
         auto reposition = orderAt(mavlink::MAV_CMD_DO_REPOSITION, place.latitude, place.longitude, place.altitudeRelative);
         if (!reposition)
-            return refuse("going to a location needs a known home altitude");
+            return refuse(reasons::kGoToNeedsHome);
         reposition->parameters[0] = -1; // the present speed
         if (m_kind.isPx4() || (m_kind.isArduPilot() && !guided))
             reposition->parameters[1] = mavlink::MAV_DO_REPOSITION_FLAGS_CHANGE_MODE;
@@ -148,17 +149,17 @@ public:
     Plan operator()(const ChangeAltitude &change) const
     {
         if (!std::isfinite(change.altitudeRelative))
-            return refuse("the altitude is not a number");
+            return refuse(reasons::kAltitudeNoNumber);
         if (m_kind.isRover() || m_kind.isSubmarine())
-            return refuse("this kind of vehicle does not fly");
+            return refuse(reasons::kDoesNotFly);
         if (!m_kind.isPx4()) {
             if (!m_state.position.known())
-                return refuse("changing the altitude needs a known position");
+                return refuse(reasons::kAltitudeNeedsPosition);
             return (*this)(
                 GoTo{m_state.position.latitude, m_state.position.longitude, change.altitudeRelative, change.changeMode});
         }
         if (std::isnan(homeAltitude()))
-            return refuse("changing the altitude needs a known home altitude");
+            return refuse(reasons::kAltitudeNeedsHome);
         CommandOrder out = order(mavlink::MAV_CMD_DO_REPOSITION, -1, mavlink::MAV_DO_REPOSITION_FLAGS_CHANGE_MODE);
         out.parameters[3] = out.parameters[4] = out.parameters[5] = std::nanf(
             ""); // keeps heading and place (navigator_main.cpp)
@@ -174,17 +175,17 @@ public:
         if (m_kind.isArduPilot() && m_kind.isCopter())
             return firstMode({"BRAKE"}, {});
         if (m_kind.isArduPilot() || m_kind.isPx4())
-            return firstMode({"LOITER", "POSHOLD"}, "this kind of vehicle has no mode to loiter in");
+            return firstMode({"LOITER", "POSHOLD"}, reasons::kNoModeToLoiter);
         return plan(order(mavlink::MAV_CMD_NAV_LOITER_UNLIM));
     }
 
     Plan operator()(const PointAt &place) const
     {
         if (!isPlace(place.latitude, place.longitude, place.altitudeRelative))
-            return refuse("the location is not on the globe");
+            return refuse(reasons::kNotOnGlobe);
         auto point = orderAt(mavlink::MAV_CMD_DO_SET_ROI_LOCATION, place.latitude, place.longitude, place.altitudeRelative);
         if (!point)
-            return refuse("pointing at a location needs a known home altitude");
+            return refuse(reasons::kPointNeedsHome);
         CommandPlan out{{*point}, {}};
         point->command = mavlink::MAV_CMD_DO_SET_ROI; // of older ArduPilot
         point->parameters[0] = mavlink::MAV_ROI_LOCATION;
@@ -201,9 +202,9 @@ public:
     Plan operator()(const SetHome &home) const
     {
         if (!isPlace(home.latitude, home.longitude, 0))
-            return refuse("the location is not on the globe");
+            return refuse(reasons::kNotOnGlobe);
         if (std::isnan(homeAltitude()))
-            return refuse("moving home needs a known home altitude");
+            return refuse(reasons::kHomeNeedsHome);
         CommandOrder out = order(mavlink::MAV_CMD_DO_SET_HOME);
         out.asInt = true;
         out.frame = mavlink::MAV_FRAME_GLOBAL; // relative altitudes would refer to the home that moves
@@ -218,7 +219,7 @@ public:
     Plan operator()(const ChangeSpeed &speed) const
     {
         if (!(speed.metresPerSecond > 0))
-            return refuse("the speed must be above 0 m/s");
+            return refuse(reasons::kSpeedTooLow);
         const float kind = m_kind.isPlane() ? kAirSpeed : kGroundSpeed;
         return plan(order(mavlink::MAV_CMD_DO_CHANGE_SPEED, kind, static_cast<float>(speed.metresPerSecond), -1));
     }
@@ -271,13 +272,13 @@ private:
         return std::isnan(out.parameters[6]) ? std::nullopt : std::optional(out);
     }
 
-    Plan firstMode(std::initializer_list<std::string_view> names, std::string otherwise) const
+    Plan firstMode(std::initializer_list<std::string_view> names, const Sentence &otherwise) const
     {
         for (const std::string_view name : names) {
             if (const auto number = modeNumber(m_kind, name))
                 return setMode(*number);
         }
-        return refuse(std::move(otherwise));
+        return refuse(otherwise);
     }
 
     /// MAV_CMD_DO_SET_MODE, or the older SET_MODE message for firmware without it.
@@ -322,8 +323,7 @@ private:
 
 } // namespace
 
-Result<CommandPlan, std::string> planCommand(const VehicleCommand &command, const VehicleState &state,
-                                             const Addressing &addressing)
+Result<CommandPlan, Reason> planCommand(const VehicleCommand &command, const VehicleState &state, const Addressing &addressing)
 {
     return std::visit(Planner(state, addressing), command);
 }

@@ -2,6 +2,7 @@
 // the state change that confirms the command. Older firmware does not support every command, so there may be alternatives.
 #pragma once
 
+#include "core/base/reason.h"
 #include "core/base/result.h"
 #include "core/vehicle/command_client.h"
 #include "core/vehicle/vehicle_command.h"
@@ -60,8 +61,7 @@ struct CommandPlan
     bool replaces = true; ///< a newer command with the same kind of effect cancels this one
 };
 
-/// The error is the reason, for people, why nothing is sent.
-Result<CommandPlan, std::string> planCommand(const VehicleCommand &command, const VehicleState &state,
-                                             const Addressing &addressing);
+/// The error is the reason why nothing is sent.
+Result<CommandPlan, Reason> planCommand(const VehicleCommand &command, const VehicleState &state, const Addressing &addressing);
 
 } // namespace skyseal::vehicle

@@ -1,6 +1,7 @@
 #include "core/vehicle/commander.h"
 
-#include "core/vehicle/result_text.h"
+#include "core/vehicle/reasons.h"
+#include "core/vehicle/result_reason.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -41,13 +42,14 @@ const NeededMode *neededMode(const CommandPlan &plan, std::size_t alternative)
     return message && message->mode ? &*message->mode : nullptr;
 }
 
-std::string reportedState(const Effect &effect, const VehicleState &state)
+/// Acknowledged, but the vehicle reports another state.
+Reason otherState(const Effect &effect, const VehicleState &state)
 {
     if (std::holds_alternative<ArmedIs>(effect))
-        return state.armed ? "armed" : "disarmed";
+        return state.armed ? reasons::kStillArmed : reasons::kStillDisarmed;
     if (std::holds_alternative<ModeIs>(effect))
-        return "the mode " + state.mode;
-    return "mission item " + std::to_string(state.missionCurrent);
+        return reasons::kOtherMode(state.mode);
+    return reasons::kOtherItem(state.missionCurrent);
 }
 
 } // namespace
@@ -113,7 +115,7 @@ void Commander::handleText(const StatusText &text)
             continue;
         action.texts += (action.texts.empty() ? "" : "; ") + text.text;
         if (action.phase == Phase::AwaitingReason)
-            finish(action, CommandOutcome::Refused, commandResultText(action.result));
+            finish(action, CommandOutcome::Refused, commandResultReason(action.result));
     }
     removeDone();
 }
@@ -130,7 +132,7 @@ void Commander::handleDeadline(TimePoint now)
         case Phase::Requesting: break; // m_client has the deadline
         case Phase::Repeating: repeat(now, action); break;
         case Phase::Confirming: confirmationTimedOut(now, action); break;
-        case Phase::AwaitingReason: finish(action, CommandOutcome::Refused, commandResultText(action.result)); break;
+        case Phase::AwaitingReason: finish(action, CommandOutcome::Refused, commandResultReason(action.result)); break;
         }
     }
     takeAnswers(now); // a repeated request may have been refused at once
@@ -146,8 +148,7 @@ void Commander::giveUpAfterSleep(TimePoint now)
         report(CommandResult{.id = action.id,
                              .systemId = addressing().system,
                              .outcome = CommandOutcome::TimedOut,
-                             .reason = "no answer yet, and not sent again: this program was suspended for "
-                                 + std::to_string(seconds) + " s"});
+                             .reason = reasons::kSuspended(seconds)});
         action.done = true;
     }
     m_client.clear();
@@ -168,11 +169,11 @@ void Commander::begin(TimePoint now, RequestId id, const VehicleCommand &command
     Action action;
     action.id = id;
     if (!plan) {
-        finish(action, CommandOutcome::Refused, "nothing was sent: " + plan.error());
+        finish(action, CommandOutcome::Refused, nothingSent(plan.error()));
         return;
     }
     if (m_actions.size() >= kMaxActions) {
-        finish(action, CommandOutcome::Refused, "nothing was sent: too many commands are waiting for answers");
+        finish(action, CommandOutcome::Refused, nothingSent(reasons::kTooManyCommands));
         return;
     }
     action.plan = std::move(*plan);
@@ -195,7 +196,7 @@ void Commander::replaceOthers(TimePoint now, Action &action)
             continue;
         if (other.ticket)
             m_client.cancel(now, *other.ticket);
-        finish(other, CommandOutcome::Refused, "replaced by a newer command");
+        finish(other, CommandOutcome::Refused, reasons::kReplaced);
         action.mayRetry = action.mayRetry || sameEffect;
     }
     removeDone();
@@ -249,7 +250,7 @@ void Commander::followMode(TimePoint now, Action &action)
         action.repeats = 0;
         repeat(now, action);
     } else if (present != (action.awaitsMode ? action.modeBefore : mode->customMode)) {
-        finish(action, CommandOutcome::Refused, "it needs the mode " + mode->name + ", the vehicle went to " + state().mode);
+        finish(action, CommandOutcome::Refused, reasons::kLeftForMode(mode->name, state().mode));
     }
 }
 
@@ -262,16 +263,15 @@ void Commander::repeat(TimePoint now, Action &action)
         m_context.outbox.push(action.awaitsMode ? message.mode->request : message.message);
     } else if (action.awaitsMode) {
         nextAlternative(now, action, CommandOutcome::TimedOut,
-                        "it needs the mode " + message.mode->name + ", the vehicle stays in " + state().mode);
+                        reasons::kStaysInMode(message.mode->name, state().mode));
     } else if (message.effectExpected) {
-        nextAlternative(now, action, CommandOutcome::TimedOut, "no answer to " + std::to_string(kRepeats) + " attempts");
+        nextAlternative(now, action, CommandOutcome::TimedOut, reasons::kNoAnswer(kRepeats));
     } else {
-        finish(action, CommandOutcome::Accepted,
-               "sent " + std::to_string(kRepeats) + " times; the vehicle does not confirm it");
+        finish(action, CommandOutcome::Accepted, reasons::kNotConfirmed(kRepeats));
     }
 }
 
-void Commander::nextAlternative(TimePoint now, Action &action, CommandOutcome otherwise, std::string reason)
+void Commander::nextAlternative(TimePoint now, Action &action, CommandOutcome otherwise, Reason reason)
 {
     if (action.alternative + 1 < action.plan.alternatives.size()) {
         ++action.alternative;
@@ -292,10 +292,9 @@ void Commander::takeAnswers(TimePoint now)
         switch (answer->kind) {
         case CommandAnswer::Kind::Answered: answered(now, *action, answer->result); break;
         case CommandAnswer::Kind::TimedOut:
-            nextAlternative(now, *action, CommandOutcome::TimedOut,
-                            "no answer to " + std::to_string(CommandClient::kAttempts) + " attempts");
+            nextAlternative(now, *action, CommandOutcome::TimedOut, reasons::kNoAnswer(CommandClient::kAttempts));
             break;
-        case CommandAnswer::Kind::Replaced: finish(*action, CommandOutcome::Refused, "replaced by a newer command"); break;
+        case CommandAnswer::Kind::Replaced: finish(*action, CommandOutcome::Refused, reasons::kReplaced); break;
         }
     }
     removeDone();
@@ -319,7 +318,7 @@ void Commander::answered(TimePoint now, Action &action, std::uint8_t result)
     if (tryNext && action.alternative + 1 < action.plan.alternatives.size()) {
         nextAlternative(now, action, CommandOutcome::Refused, {});
     } else if (!action.texts.empty()) {
-        finish(action, CommandOutcome::Refused, commandResultText(result));
+        finish(action, CommandOutcome::Refused, commandResultReason(result));
     } else {
         action.phase = Phase::AwaitingReason;
         action.deadline = now + kReasonTimeout;
@@ -329,13 +328,12 @@ void Commander::answered(TimePoint now, Action &action, std::uint8_t result)
 void Commander::confirmationTimedOut(TimePoint now, Action &action)
 {
     if (!action.heartbeatSeen) {
-        finish(action, CommandOutcome::Accepted, "acknowledged; no heartbeat since");
+        finish(action, CommandOutcome::Accepted, reasons::kNoHeartbeat);
     } else if (action.mayRetry) {
         action.mayRetry = false;
         startAlternative(now, action);
     } else {
-        finish(action, CommandOutcome::TimedOut,
-               "acknowledged, but the vehicle reports " + reportedState(action.plan.effect, state()));
+        finish(action, CommandOutcome::TimedOut, otherState(action.plan.effect, state()));
     }
 }
 
@@ -349,12 +347,12 @@ template<typename T, typename Predicate> void Commander::effectReported(Predicat
     removeDone();
 }
 
-void Commander::finish(Action &action, CommandOutcome outcome, std::string reason)
+void Commander::finish(Action &action, CommandOutcome outcome, Reason reason)
 {
     if (action.done)
         return;
     if (outcome == CommandOutcome::Refused && !action.texts.empty())
-        reason += ": " + action.texts;
+        reason = reasons::kWithTexts(std::move(reason), action.texts);
     const bool unanswered = outcome == CommandOutcome::TimedOut && action.result == 0 && action.phase != Phase::Confirming;
     report(CommandResult{action.id, addressing().system, outcome, action.result, std::move(reason), unanswered});
     action.done = true;

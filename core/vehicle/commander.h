@@ -72,14 +72,14 @@ private:
     void replaceOthers(TimePoint now, Action &action);
     void handleAck(TimePoint now, std::uint16_t command, std::uint8_t result);
     void startAlternative(TimePoint now, Action &action);
-    void nextAlternative(TimePoint now, Action &action, CommandOutcome otherwise, std::string reason);
+    void nextAlternative(TimePoint now, Action &action, CommandOutcome otherwise, Reason reason);
     void repeat(TimePoint now, Action &action);
     void followMode(TimePoint now, Action &action);
     void takeAnswers(TimePoint now);
     void answered(TimePoint now, Action &action, std::uint8_t result);
     void confirmationTimedOut(TimePoint now, Action &action);
     template<typename T, typename Predicate> void effectReported(Predicate matches);
-    void finish(Action &action, CommandOutcome outcome, std::string reason);
+    void finish(Action &action, CommandOutcome outcome, Reason reason);
     void giveUpAfterSleep(TimePoint now);
     void removeDone();
 

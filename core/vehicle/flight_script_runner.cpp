@@ -1,6 +1,6 @@
 #include "core/vehicle/flight_script_runner.h"
 
-#include "core/vehicle/result_text.h"
+#include "core/vehicle/short_number.h"
 
 namespace skyseal::vehicle {
 
@@ -62,16 +62,16 @@ void FlightScriptRunner::handleResult(const CommandResult &result)
     if (m_phase != Phase::WaitingForResult || m_awaited != result.id)
         return;
     switch (result.outcome) {
-    case CommandOutcome::Accepted: return end(StepResult::Accepted, result.reason);
-    case CommandOutcome::Refused: return end(StepResult::Refused, result.reason);
-    case CommandOutcome::TimedOut: return end(StepResult::TimedOut, result.reason);
+    case CommandOutcome::Accepted: return end(StepResult::Accepted, result.reason.text());
+    case CommandOutcome::Refused: return end(StepResult::Refused, result.reason.text());
+    case CommandOutcome::TimedOut: return end(StepResult::TimedOut, result.reason.text());
     }
 }
 
 void FlightScriptRunner::handleResult(const ParameterResult &result)
 {
     if (m_phase == Phase::WaitingForResult && m_awaited == result.id)
-        end(result.ok ? StepResult::Accepted : StepResult::Refused, result.reason);
+        end(result.ok ? StepResult::Accepted : StepResult::Refused, result.reason.text());
 }
 
 std::optional<ScriptRequest> FlightScriptRunner::pollRequest()

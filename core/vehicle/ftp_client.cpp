@@ -1,6 +1,8 @@
 #include "core/vehicle/ftp_client.h"
 
 #include "core/vehicle/ftp_listing.h"
+#include "core/vehicle/reasons.h"
+#include "core/vehicle/result_reason.h"
 
 #include <algorithm>
 #include <utility>
@@ -21,7 +23,7 @@ bool FtpClient::perform(TimePoint now, RequestId id, const Request &request)
         if (!begin(now, id, FileAction::Write, write->path))
             return true;
         if (!m_transfer.setSource(write->content)) {
-            finish(false, "nothing was sent: a file has at most " + std::to_string(FileTransfer::kMostBytes) + " bytes");
+            finish(false, nothingSent(reasons::kContentTooLarge(FileTransfer::kMostBytes)));
             return true;
         }
         stepWithPath(now, Phase::Creating, mavlink::MAV_FTP_OPCODE_CREATEFILE);
@@ -29,7 +31,7 @@ bool FtpClient::perform(TimePoint now, RequestId id, const Request &request)
         if (begin(now, id, FileAction::Remove, remove->path))
             stepWithPath(now, Phase::Removing, mavlink::MAV_FTP_OPCODE_REMOVEFILE);
     } else if (m_phase != Phase::Idle && !m_ended && isCancelOf(request, m_transfer.id())) {
-        terminate(now, "cancelled");
+        terminate(now, reasons::kCancelled);
     } else {
         return false;
     }
@@ -96,11 +98,11 @@ bool FtpClient::read(TimePoint now, const std::string &path, std::function<void(
 void FtpClient::cancelRead(TimePoint now)
 {
     if (m_phase != Phase::Idle && m_ended)
-        terminate(now, "cancelled");
+        terminate(now, reasons::kCancelled);
 }
 
 /// Closes the file without waiting for an answer.
-void FtpClient::terminate(TimePoint now, std::string reason, bool unfit)
+void FtpClient::terminate(TimePoint now, Reason reason, bool unfit)
 {
     FtpMessage message;
     message.sequence = ++m_sequence;
@@ -120,15 +122,15 @@ TransferProgress FtpClient::transferred() const
 
 bool FtpClient::begin(TimePoint now, RequestId id, FileAction action, const std::string &path)
 {
-    const auto refuse = [&](std::string reason) {
+    const auto refuse = [&](Reason reason) {
         report(
             FileResult{.id = id, .systemId = addressing().system, .action = action, .path = path, .reason = std::move(reason)});
         return false;
     };
     if (m_phase != Phase::Idle)
-        return refuse("another file transfer is under way");
+        return refuse(reasons::kFileUnderWay);
     if (path.empty() || path.size() > kMostPath || path.find('\0') != std::string::npos)
-        return refuse("nothing was sent: a path of up to " + std::to_string(kMostPath) + " bytes is needed");
+        return refuse(nothingSent(reasons::kNoPath(kMostPath)));
     m_transfer = FileTransfer(id, action, path);
     m_wasReset = false;
     m_reached = 0;
@@ -196,7 +198,7 @@ void FtpClient::handleStepAnswer(TimePoint now, const FtpMessage &answer)
     case Phase::Checking:
         if (!answer.number())
             return finishUnchecked();
-        return m_transfer.verify(answer.number()) ? finish(true) : finishUnfit("the checksums of both ends differ");
+        return m_transfer.verify(answer.number()) ? finish(true) : finishUnfit(reasons::kChecksumsDiffer);
     case Phase::Removing: return finish(true);
     default: return;
     }
@@ -220,7 +222,7 @@ void FtpClient::handleStepRefusal(TimePoint now, const FtpMessage &nak)
         break;
     default: break;
     }
-    finish(false, ftpErrorText(nak));
+    finish(false, ftpErrorReason(nak));
 }
 
 /// Makes room once, and repeats the request then, if the vehicle has no session for it: in use by transfers of this station
@@ -245,7 +247,7 @@ void FtpClient::handleListing(TimePoint now, const FtpMessage &answer)
     if (part.count == 0)
         return finish(true);
     if (!m_transfer.addEntries(std::move(part)))
-        return finish(false, "the folder has more than " + std::to_string(FileTransfer::kMostEntries) + " entries");
+        return finish(false, reasons::kFolderTooLarge(FileTransfer::kMostEntries));
     stepWithPath(now, Phase::Listing, mavlink::MAV_FTP_OPCODE_LISTDIRECTORY, m_transfer.listed());
 }
 
@@ -254,11 +256,11 @@ void FtpClient::handleOpened(TimePoint now, const FtpMessage &answer)
     m_session = answer.session;
     const auto size = answer.number();
     if (!size)
-        return finish(false, "the vehicle does not report the size of the file");
+        return finish(false, reasons::kSizeMissing);
     if (!m_transfer.announce(*size))
-        return finish(false, "the file is larger than " + std::to_string(FileTransfer::kMostBytes) + " bytes");
+        return finish(false, reasons::kFileTooLarge(FileTransfer::kMostBytes));
     if (!m_transfer.beginPart())
-        return terminate(now, "the size of the file does not match the part that is kept", true);
+        return terminate(now, reasons::kFileUnlikePart, true);
     if (m_transfer.size() == 0)
         return close(now);
     m_window.setCount(m_transfer.chunks());
@@ -309,7 +311,7 @@ void FtpClient::handleBurst(TimePoint now, const FtpMessage &answer)
             endAt(answer.offset); // both autopilots name the offset that is the end
         if (*error == mavlink::MAV_FTP_ERR_EOF || *error == mavlink::MAV_FTP_ERR_UNKNOWNCOMMAND)
             return fillGaps(now);
-        return finish(false, ftpErrorText(answer));
+        return finish(false, ftpErrorReason(answer));
     }
     const std::size_t index = answer.offset / kChunk;
     if (answer.session != m_session || index > m_reached + kMostJump)
@@ -374,7 +376,7 @@ void FtpClient::handleChunkAnswer(TimePoint now, const FtpMessage &answer)
         if (!endAt(*index * kChunk))
             return;
     } else if (answer.error()) {
-        return finish(false, ftpErrorText(answer));
+        return finish(false, ftpErrorReason(answer));
     } else if (isWrite) {
         if (m_window.arrived(now, *index))
             m_deadline = now + kGiveUp;
@@ -405,7 +407,7 @@ bool FtpClient::takeChunk(TimePoint now, std::uint32_t offset, ByteView data)
 bool FtpClient::endAt(std::size_t bytes)
 {
     if (!m_transfer.endAt(bytes)) {
-        finishUnfit("the file changed while it was read");
+        finishUnfit(reasons::kFileChanged);
         return false;
     }
     m_window.setCount(m_transfer.chunks());
@@ -433,11 +435,11 @@ void FtpClient::check(TimePoint now)
 void FtpClient::finishUnchecked()
 {
     if (m_transfer.kept())
-        return finishUnfit("without a checksum, the part that is kept cannot be used");
+        return finishUnfit(reasons::kPartUnchecked);
     finish(true);
 }
 
-void FtpClient::finish(bool ok, std::string reason, bool changeUnanswered, bool unfit)
+void FtpClient::finish(bool ok, Reason reason, bool changeUnanswered, bool unfit)
 {
     FileResult result = m_transfer.takeResult(ok);
     result.systemId = addressing().system;
@@ -459,17 +461,15 @@ void FtpClient::giveUp(TimePoint now)
     case Phase::Closing: return check(now); // what was to be transferred is there
     case Phase::Checking:
         if (m_transfer.kept())
-            return finish(false, "the vehicle does not send the checksum");
+            return finish(false, reasons::kChecksumMissing);
         return finish(true);
     case Phase::Reading:
-    case Phase::Bursting:
-        return finish(false, "the vehicle does not send byte " + std::to_string(m_window.firstMissing() * kChunk));
-    case Phase::Writing:
-        return finish(false, "the vehicle does not accept byte " + std::to_string(m_window.firstMissing() * kChunk));
+    case Phase::Bursting: return finish(false, reasons::kByteMissing(m_window.firstMissing() * kChunk));
+    case Phase::Writing: return finish(false, reasons::kByteNotAccepted(m_window.firstMissing() * kChunk));
     default: break;
     }
     const bool isChange = m_transfer.action() == FileAction::Write || m_transfer.action() == FileAction::Remove;
-    finish(false, "no answer to " + std::to_string(m_repetition.attempts()) + " attempts", isChange);
+    finish(false, reasons::kNoAnswer(m_repetition.attempts()), isChange);
 }
 
 } // namespace skyseal::vehicle

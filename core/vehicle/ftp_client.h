@@ -104,9 +104,9 @@ private:
     bool endAt(std::size_t bytes);
     void close(TimePoint now);
     void check(TimePoint now);
-    void terminate(TimePoint now, std::string reason, bool unfit = false);
-    void finish(bool ok, std::string reason = {}, bool changeUnanswered = false, bool unfit = false);
-    void finishUnfit(std::string reason) { finish(false, std::move(reason), false, true); }
+    void terminate(TimePoint now, Reason reason, bool unfit = false);
+    void finish(bool ok, Reason reason = {}, bool changeUnanswered = false, bool unfit = false);
+    void finishUnfit(Reason reason) { finish(false, std::move(reason), false, true); }
     void finishUnchecked();
     void giveUp(TimePoint now);
     bool isTransferring() const { return m_phase == Phase::Reading || m_phase == Phase::Writing; }

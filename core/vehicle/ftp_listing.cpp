@@ -43,25 +43,4 @@ FtpListing parseListing(ByteView data)
     return out;
 }
 
-std::string ftpErrorText(const mavlink::FtpMessage &refusal)
-{
-    const std::uint8_t error = refusal.error().value_or(mavlink::MAV_FTP_ERR_FAIL);
-    switch (error) {
-    case mavlink::MAV_FTP_ERR_FAIL: return "the vehicle reports a failure";
-    case mavlink::MAV_FTP_ERR_FAILERRNO:
-        if (refusal.size > 1 && refusal.data[1] == 2)
-            return "no such file or folder";
-        return "the vehicle reports error " + std::to_string(refusal.size > 1 ? refusal.data[1] : 0);
-    case mavlink::MAV_FTP_ERR_INVALIDDATASIZE: return "the vehicle refuses the size";
-    case mavlink::MAV_FTP_ERR_INVALIDSESSION: return "the vehicle has closed the file";
-    case mavlink::MAV_FTP_ERR_NOSESSIONSAVAILABLE: return "too many files are open on the vehicle";
-    case mavlink::MAV_FTP_ERR_EOF: return "end of file";
-    case mavlink::MAV_FTP_ERR_UNKNOWNCOMMAND: return "not supported by the vehicle";
-    case mavlink::MAV_FTP_ERR_FILEEXISTS: return "the file exists";
-    case mavlink::MAV_FTP_ERR_FILEPROTECTED: return "the file is protected";
-    case mavlink::MAV_FTP_ERR_FILENOTFOUND: return "no such file or folder";
-    }
-    return "the vehicle reports error code " + std::to_string(error);
-}
-
 } // namespace skyseal::vehicle

@@ -1,8 +1,8 @@
-// Parses answers of MAVLink FTP: one part of a directory listing, and the reason of a refusal.
+// Parses one part of a directory listing of MAVLink FTP.
 // https://mavlink.io/en/services/ftp.html
 #pragma once
 
-#include "core/mavlink/ftp_message.h"
+#include "core/base/bytes.h"
 #include "core/vehicle/remote_file.h"
 
 #include <cstdint>
@@ -18,8 +18,5 @@ struct FtpListing
     std::uint32_t count = 0;         ///< entries in the message, those that are skipped included
 };
 FtpListing parseListing(ByteView data);
-
-/// For people: "no such file or folder", …; of MAV_FTP_ERR_FAILERRNO with the number that the vehicle sends.
-std::string ftpErrorText(const mavlink::FtpMessage &refusal);
 
 } // namespace skyseal::vehicle

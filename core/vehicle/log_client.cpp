@@ -1,5 +1,7 @@
 #include "core/vehicle/log_client.h"
 
+#include "core/vehicle/reasons.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -14,7 +16,7 @@ bool LogClient::perform(TimePoint now, RequestId id, const Request &request)
         if (!begin(now, id, LogAction::Read, *read))
             return true;
         if (read->log == 0 && kind().isArduPilot())
-            finish(false, "the vehicle has no such log");
+            finish(false, reasons::kNoSuchLog);
         else
             requestList(now); // for its size
     } else if (std::holds_alternative<EraseLogs>(request)) {
@@ -24,7 +26,7 @@ bool LogClient::perform(TimePoint now, RequestId id, const Request &request)
         m_deadline = now + kEraseTimeout;
         requestList(now);
     } else if (m_phase != Phase::Idle && isCancelOf(request, m_request)) {
-        finish(false, "cancelled");
+        finish(false, reasons::kCancelled);
     } else {
         return false;
     }
@@ -52,12 +54,11 @@ void LogClient::handleDeadline(TimePoint now)
         return;
     if (now >= m_deadline) {
         if (m_action == LogAction::Erase)
-            return finish(false, "the vehicle still has logs, or does not answer", true);
+            return finish(false, reasons::kLogsRemain, true);
         if (m_phase == Phase::Listing)
             return finish(false,
-                          kind().isArduPilot() && state().armed ? "the vehicle does not list its logs while it is armed"
-                                                                : "the vehicle does not list its logs");
-        return finish(false, "the vehicle does not send byte " + std::to_string(m_content.pieceOffset()) + " and following");
+                          kind().isArduPilot() && state().armed ? reasons::kLogsNotListedArmed : reasons::kLogsNotListed);
+        return finish(false, reasons::kBytesMissing(m_content.pieceOffset()));
     }
     if (m_phase == Phase::Reading)
         steer(now);
@@ -88,11 +89,8 @@ std::optional<TransferProgress> LogClient::progress() const
 bool LogClient::begin(TimePoint now, RequestId id, LogAction action, ReadLog log)
 {
     if (m_phase != Phase::Idle) {
-        report(LogResult{.id = id,
-                         .systemId = addressing().system,
-                         .action = action,
-                         .log = log.log,
-                         .reason = "another request for logs is under way"});
+        report(LogResult{
+            .id = id, .systemId = addressing().system, .action = action, .log = log.log, .reason = reasons::kLogsUnderWay});
         return false;
     }
     m_request = id;
@@ -145,7 +143,7 @@ void LogClient::handleEntry(TimePoint now, const mavlink::LogEntry &entry)
     }
     m_announced = entry.num_logs;
     if (m_action == LogAction::Read && entry.last_log_num < m_log && !(entry.id == m_log && entry.size > 0))
-        return finish(false, "the vehicle has no such log");
+        return finish(false, reasons::kNoSuchLog);
     if (m_entries.size() < kMostLogs && m_entries.emplace(entry.id, OnboardLog{entry.id, entry.size, entry.time_utc}).second
         && m_action != LogAction::Erase)
         m_deadline = now + kGiveUp;
@@ -168,11 +166,11 @@ void LogClient::handleListed(TimePoint now)
     }
     const auto entry = m_entries.find(m_log);
     if (entry == m_entries.end())
-        return finish(false, "the vehicle has no such log");
+        return finish(false, reasons::kNoSuchLog);
     if (entry->second.size > kMostBytes)
-        return finish(false, "the log is larger than " + std::to_string(kMostBytes) + " bytes");
+        return finish(false, reasons::kLogTooLarge(kMostBytes));
     if (!beginPart(entry->second))
-        return finishUnfit("the log does not match the part that is kept");
+        return finishUnfit(reasons::kLogUnlikePart);
     m_content = LogContent(entry->second.size);
     if (m_content.size() == 0 || !takeKept())
         return finish(true);
@@ -265,7 +263,7 @@ void LogClient::handleData(TimePoint now, const mavlink::LogData &data)
     m_silent = 0;
     m_repeat = now + std::max({m_pace.pause(), m_rtt.timeout(), kLeastPause});
     if (count < kChunk && data.ofs + count < m_content.size() && !m_content.endAt(data.ofs + count))
-        return finishUnfit("the log changed while it was read");
+        return finishUnfit(reasons::kLogChanged);
     const ByteView bytes = ByteView(data.data).first(count);
     const bool isNew = m_content.store(index, bytes);
     if (isNew)
@@ -282,7 +280,7 @@ void LogClient::handleData(TimePoint now, const mavlink::LogData &data)
     requestPiece(now);
 }
 
-void LogClient::finish(bool ok, std::string reason, bool changeUnanswered, bool unfit)
+void LogClient::finish(bool ok, Reason reason, bool changeUnanswered, bool unfit)
 {
     LogResult result{.id = m_request, .systemId = addressing().system, .action = m_action, .log = m_log, .ok = ok};
     result.reason = std::move(reason);

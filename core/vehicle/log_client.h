@@ -67,8 +67,8 @@ private:
     void steer(TimePoint now);
     void requestRun(const LogContent::Run &run);
     void rest(TimePoint now);
-    void finish(bool ok, std::string reason = {}, bool changeUnanswered = false, bool unfit = false);
-    void finishUnfit(std::string reason) { finish(false, std::move(reason), false, true); }
+    void finish(bool ok, Reason reason = {}, bool changeUnanswered = false, bool unfit = false);
+    void finishUnfit(Reason reason) { finish(false, std::move(reason), false, true); }
 
     RequestId m_request{};
     Phase m_phase = Phase::Idle;

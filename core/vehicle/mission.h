@@ -3,6 +3,7 @@
 // https://mavlink.io/en/services/mission.html
 #pragma once
 
+#include "core/base/reason.h"
 #include "core/mavlink/enums.h"
 #include "core/vehicle/request_id.h"
 
@@ -64,7 +65,7 @@ struct MissionResult
     MissionTransfer transfer{};
     MissionType type = MissionType::Mission;
     bool ok = false;
-    std::string reason = {};       ///< why it failed, for people
+    Reason reason = {};            ///< why it failed
     bool changeUnanswered = false; ///< an upload or clear that got no answer at all
     /// The items that the vehicle now has; null unless ok.
     MissionItems items = {};

@@ -1,6 +1,7 @@
 #include "core/vehicle/mission_client.h"
 
-#include "core/vehicle/result_text.h"
+#include "core/vehicle/reasons.h"
+#include "core/vehicle/result_reason.h"
 
 #include <algorithm>
 #include <cmath>
@@ -85,7 +86,7 @@ void MissionClient::handleDeadline(TimePoint now)
         return kind().isArduPilot() ? giveUp() : restart(now, missingItem());
     case Phase::Uploading:
         if (now >= m_deadline)
-            return restart(now, "the vehicle stopped requesting items");
+            return restart(now, reasons::kItemsNotRequested);
         break;
     case Phase::Announcing:
     case Phase::RequestingCount:
@@ -120,11 +121,11 @@ std::optional<TransferProgress> MissionClient::progress() const
 void MissionClient::upload(TimePoint now, std::vector<MissionItem> items)
 {
     if (items.size() > kMaxItems)
-        return finish(false, "a mission has at most " + std::to_string(kMaxItems) + " items");
+        return finish(false, reasons::kTooManyItems(kMaxItems));
     m_items = std::move(items);
     for (std::size_t i = 0; i < m_items.size(); ++i) {
         if (!(std::abs(m_items[i].latitude) <= 90 && std::abs(m_items[i].longitude) <= 180))
-            return finish(false, "item " + std::to_string(i) + " is not on the globe");
+            return finish(false, reasons::kItemNotOnGlobe(i));
         m_items[i].sequence = static_cast<std::uint16_t>(i);
     }
     enter(now, Phase::Announcing);
@@ -223,14 +224,14 @@ void MissionClient::handleAck(TimePoint now, std::uint8_t result)
             return;
         // A request out of order ends the download on the vehicle (PX4).
         if (otherExpected || result == mavlink::MAV_MISSION_ERROR)
-            return restart(now, missionResultText(result));
+            return restart(now, missionResultReason(result));
         break;
     case Phase::Clearing:
         if (otherExpected || timedOut)
             return;
         break;
     }
-    finish(accepted, accepted ? std::string() : missionResultText(result));
+    finish(accepted, accepted ? Reason() : missionResultReason(result));
 }
 
 void MissionClient::handleUploadAck(TimePoint now, std::uint8_t result)
@@ -240,8 +241,8 @@ void MissionClient::handleUploadAck(TimePoint now, std::uint8_t result)
     switch (result) {
     case mavlink::MAV_MISSION_ACCEPTED:
         // Of an item before the last one: PX4 has ended the upload, and takes the repetition for that of the last item.
-        return m_furthest + 1 >= m_items.size() ? finish(true) : restart(now, "the vehicle ended the upload early");
-    case mavlink::MAV_MISSION_OPERATION_CANCELLED: return restart(now, missionResultText(result));
+        return m_furthest + 1 >= m_items.size() ? finish(true) : restart(now, reasons::kUploadEndedEarly);
+    case mavlink::MAV_MISSION_OPERATION_CANCELLED: return restart(now, missionResultReason(result));
     case mavlink::MAV_MISSION_INVALID_SEQUENCE:
         if (repeated && !last && m_inferred < kInferred) {
             ++m_inferred;
@@ -252,17 +253,17 @@ void MissionClient::handleUploadAck(TimePoint now, std::uint8_t result)
     case mavlink::MAV_MISSION_ERROR:
         // The vehicle no longer expects an item. The lost answer was its acceptance, a refusal, or the end by time-out.
         if (repeated)
-            return restart(now, missionResultText(result));
+            return restart(now, missionResultReason(result));
         break;
     default: break;
     }
-    finish(false, missionResultText(result));
+    finish(false, missionResultReason(result));
 }
 
 bool MissionClient::begin(RequestId id, MissionTransfer transfer, MissionType type)
 {
     if (m_phase != Phase::Idle) {
-        report(MissionResult{id, addressing().system, transfer, type, false, "another mission transfer is under way"});
+        report(MissionResult{id, addressing().system, transfer, type, false, reasons::kMissionUnderWay});
         return false;
     }
     m_request = id;
@@ -323,7 +324,7 @@ void MissionClient::release(TimePoint now)
     enter(now, Phase::Announcing);
 }
 
-void MissionClient::restart(TimePoint now, std::string reason)
+void MissionClient::restart(TimePoint now, Reason reason)
 {
     if (++m_rounds >= kRounds)
         return finish(false, std::move(reason));
@@ -337,9 +338,9 @@ void MissionClient::awaitItem(TimePoint now)
     m_deadline = now + (kind().isArduPilot() ? kGiveUp : kDownloadStalled);
 }
 
-std::string MissionClient::missingItem() const
+Reason MissionClient::missingItem() const
 {
-    return "the vehicle does not send item " + std::to_string(m_window.firstMissing());
+    return reasons::kItemMissing(m_window.firstMissing());
 }
 
 void MissionClient::sendItem(const MissionItem &item)
@@ -371,7 +372,7 @@ void MissionClient::sendItem(const MissionItem &item)
     }
 }
 
-void MissionClient::finish(bool ok, std::string reason, bool changeUnanswered)
+void MissionClient::finish(bool ok, Reason reason, bool changeUnanswered)
 {
     MissionResult result{m_request, addressing().system, m_transfer, m_type, ok, std::move(reason), changeUnanswered};
     if (ok) {
@@ -393,8 +394,7 @@ void MissionClient::giveUp()
 {
     if (m_phase == Phase::Downloading)
         return finish(false, missingItem());
-    finish(false, "no answer to " + std::to_string(m_repetition.attempts()) + " attempts",
-           m_transfer != MissionTransfer::Download);
+    finish(false, reasons::kNoAnswer(m_repetition.attempts()), m_transfer != MissionTransfer::Download);
 }
 
 } // namespace skyseal::vehicle

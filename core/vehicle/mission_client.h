@@ -85,14 +85,14 @@ private:
     bool begin(RequestId id, MissionTransfer transfer, MissionType type);
     void enter(TimePoint now, Phase phase);
     void transmit(TimePoint now);
-    void restart(TimePoint now, std::string reason);
+    void restart(TimePoint now, Reason reason);
     void release(TimePoint now);
     void awaitItem(TimePoint now);
-    std::string missingItem() const;
+    Reason missingItem() const;
     void requestItems(TimePoint now);
     void offer(TimePoint now, std::size_t sequence);
     void sendItem(const MissionItem &item);
-    void finish(bool ok, std::string reason = {}, bool changeUnanswered = false);
+    void finish(bool ok, Reason reason = {}, bool changeUnanswered = false);
     void giveUp();
     /// The message with the type of this transfer.
     template<typename Message> void sendTyped(Message message)

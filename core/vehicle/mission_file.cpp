@@ -39,24 +39,24 @@ bool isInRange(const std::array<double, kColumns> &n, std::size_t sequence)
 
 Result<std::vector<MissionItem>, InputError> parseMission(std::string_view text, const std::string &source)
 {
-    const auto wrong = [&source](std::string message, std::size_t line) {
+    const auto wrong = [&source](Reason message, std::size_t line) {
         return tl::unexpected(InputError{std::move(message), source, line});
     };
     const auto header = fieldsOf(takeLine(text), " \t");
     if (header.size() != 3 || header[0] != "QGC" || header[1] != "WPL" || header[2] != "110")
-        return wrong("not a mission file: the first line must be \"QGC WPL 110\"", 1);
+        return wrong(sentence("Reason", "not a mission file: the first line must be \"QGC WPL 110\""), 1);
     std::vector<MissionItem> items;
     for (std::size_t line = 2; !text.empty(); ++line) {
         const auto cells = fieldsOf(takeLine(text), " \t");
         if (cells.empty())
             continue;
         if (cells.size() != kColumns)
-            return wrong("an item has 12 columns, this line has " + std::to_string(cells.size()), line);
+            return wrong(sentence("Reason", "an item has 12 columns, this line has %1")(cells.size()), line);
         const auto n = numbersOf(cells);
         if (!n || !isInRange(*n, items.size()))
-            return wrong("a column is not a number or is out of range, or the numbering has a gap", line);
+            return wrong(sentence("Reason", "a column is not a number or is out of range, or the numbering has a gap"), line);
         if (items.size() == kMostItems)
-            return wrong("a mission has at most " + std::to_string(kMostItems) + " items", line);
+            return wrong(sentence("Reason", "a mission has at most %1 items")(kMostItems), line);
         MissionItem item;
         item.sequence = static_cast<std::uint16_t>((*n)[0]);
         item.current = (*n)[1] != 0;
@@ -71,7 +71,7 @@ Result<std::vector<MissionItem>, InputError> parseMission(std::string_view text,
         items.push_back(item);
     }
     if (items.empty())
-        return wrong("the mission has no items", 0);
+        return wrong(sentence("Reason", "the mission has no items"), 0);
     return items;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/bytes.h"
+#include "core/base/reason.h"
 #include "core/vehicle/kept_part.h"
 #include "core/vehicle/request_id.h"
 
@@ -42,7 +43,7 @@ struct LogResult
     LogAction action{};
     std::uint16_t log = 0;
     bool ok = false;
-    std::string reason = {};       ///< why it failed, for people
+    Reason reason = {};            ///< why it failed
     bool changeUnanswered = false; ///< logs are still there after an erase
     bool unfit = false;            ///< what has arrived, or was kept, is not the log: it must be read anew
     std::shared_ptr<const std::vector<OnboardLog>> entries = {}; ///< of List

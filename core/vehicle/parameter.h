@@ -2,6 +2,7 @@
 // https://mavlink.io/en/services/parameter.html
 #pragma once
 
+#include "core/base/reason.h"
 #include "core/mavlink/enums.h"
 #include "core/vehicle/request_id.h"
 
@@ -42,7 +43,7 @@ struct ParameterResult
     std::uint8_t systemId = 0;
     Parameter parameter{}; ///< with the value that the vehicle reports, if it reported one; without a name for a list
     bool ok = false;
-    std::string reason = {};       ///< why it failed, for people
+    Reason reason = {};            ///< why it failed
     bool changeUnanswered = false; ///< a write that got no answer at all
     ParameterAction action = ParameterAction::Write;
     std::shared_ptr<const std::vector<Parameter>> all = {}; ///< of ReadList, sorted by name

@@ -2,7 +2,8 @@
 
 #include "core/base/printable.h"
 #include "core/mavlink/packed_parameters.h"
-#include "core/vehicle/result_text.h"
+#include "core/vehicle/reasons.h"
+#include "core/vehicle/short_number.h"
 
 #include <algorithm>
 #include <bit>
@@ -175,7 +176,7 @@ void ParameterClient::exchange(TimePoint now, RequestId id, const std::string &n
         report(ParameterResult{.id = id,
                                .systemId = addressing().system,
                                .parameter = {name, value.value_or(0)},
-                               .reason = "nothing was sent: a name of up to 16 characters and a number are needed",
+                               .reason = nothingSent(reasons::kNoParameter),
                                .action = value ? ParameterAction::Write : ParameterAction::Read});
         return;
     }
@@ -277,9 +278,8 @@ void ParameterClient::handleListDeadline(TimePoint now)
 void ParameterClient::giveUp()
 {
     m_giveUp = m_listDeadline = kNever;
-    std::string reason = m_window.received() == 0
-        ? "the vehicle does not send its parameters"
-        : "only " + std::to_string(m_window.received()) + " of " + std::to_string(m_store.expected()) + " parameters came";
+    Reason reason = m_window.received() == 0 ? Reason(reasons::kParametersMissing)
+                                             : reasons::kParametersIncomplete(m_window.received(), m_store.expected());
     report(ParameterResult{
         .id = m_read, .systemId = addressing().system, .reason = std::move(reason), .action = ParameterAction::ReadList});
 }
@@ -302,10 +302,10 @@ void ParameterClient::handleExchangeDeadline(TimePoint now)
     ParameterResult result{.id = front.id, .systemId = addressing().system};
     if (front.reported) {
         result.parameter = *front.reported;
-        result.reason = "the vehicle keeps " + shortNumber(front.reported->value, 6);
+        result.reason = reasons::kValueKept(shortNumber(front.reported->value, 6));
     } else {
         result.parameter = {front.name, front.value.value_or(0)};
-        result.reason = "no answer to " + std::to_string(m_repetition.attempts()) + " attempts";
+        result.reason = reasons::kNoAnswer(m_repetition.attempts());
         result.changeUnanswered = front.value.has_value();
     }
     finishExchange(now, std::move(result));

@@ -53,7 +53,7 @@ Result<std::vector<Parameter>, InputError> parseParameters(std::string_view text
 {
     std::vector<Parameter> out;
     std::set<std::string, std::less<>> names;
-    const auto wrong = [&source](std::string message, std::size_t line) {
+    const auto wrong = [&source](Reason message, std::size_t line) {
         return tl::unexpected(InputError{std::move(message), source, line});
     };
     for (std::size_t number = 1; !text.empty(); ++number) {
@@ -63,15 +63,15 @@ Result<std::vector<Parameter>, InputError> parseParameters(std::string_view text
             continue;
         auto parameter = parameterIn(line);
         if (!parameter)
-            return wrong("NAME,VALUE or QGroundControl's five columns are expected", number);
+            return wrong(sentence("Reason", "NAME,VALUE or QGroundControl's five columns are expected"), number);
         if (!names.insert(parameter->name).second)
-            return wrong(parameter->name + " occurs twice", number);
+            return wrong(sentence("Reason", "%1 occurs twice")(parameter->name), number);
         if (out.size() == kMostParameters)
-            return wrong("more than " + std::to_string(kMostParameters) + " parameters", number);
+            return wrong(sentence("Reason", "more than %1 parameters")(kMostParameters), number);
         out.push_back(std::move(*parameter));
     }
     if (out.empty())
-        return wrong("contains no parameters", 0);
+        return wrong(sentence("Reason", "contains no parameters"), 0);
     return out;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/bytes.h"
+#include "core/base/reason.h"
 #include "core/vehicle/kept_part.h"
 #include "core/vehicle/request_id.h"
 
@@ -58,7 +59,7 @@ struct FileResult
     FileAction action{};
     std::string path = {};
     bool ok = false;
-    std::string reason = {};       ///< why it failed, for people
+    Reason reason = {};            ///< why it failed
     bool changeUnanswered = false; ///< a write or removal that got no answer at all
     bool unfit = false;            ///< what has arrived, or was kept, is not the file: it must be read anew
     bool verified = false;         ///< the checksums of both ends are the same

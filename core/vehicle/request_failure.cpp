@@ -9,7 +9,7 @@ struct Failure
 {
     RequestId id;
     std::uint8_t systemId;
-    std::string reason;
+    Reason reason;
 
     Event operator()(const VehicleCommand &) const
     {
@@ -51,7 +51,7 @@ struct Failure
 
 } // namespace
 
-Event failureOf(RequestId id, std::uint8_t systemId, const Request &request, std::string reason)
+Event failureOf(RequestId id, std::uint8_t systemId, const Request &request, Reason reason)
 {
     return std::visit(Failure{id, systemId, std::move(reason)}, request);
 }

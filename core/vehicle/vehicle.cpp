@@ -1,5 +1,6 @@
 #include "core/vehicle/vehicle.h"
 
+#include "core/vehicle/reasons.h"
 #include "core/vehicle/request_failure.h"
 #include "core/vehicle/vehicle_parts.h"
 
@@ -77,7 +78,7 @@ void Vehicle::perform(TimePoint now, RequestId id, const Request &request)
         if (client->perform(now, id, request))
             return;
     }
-    m_parts->context.events.push_back(failureOf(id, systemId(), request, "nothing was sent: not supported"));
+    m_parts->context.events.push_back(failureOf(id, systemId(), request, nothingSent(reasons::kNotSupported)));
 }
 
 void Vehicle::setStreams(TimePoint now, StreamProfile profile, double rate)

@@ -1,6 +1,7 @@
 // Commands to a vehicle, as a person or a script gives them, and their result. CommandPlan turns them into MAV_CMD numbers.
 #pragma once
 
+#include "core/base/reason.h"
 #include "core/vehicle/request_id.h"
 
 #include <cstdint>
@@ -98,8 +99,8 @@ struct CommandResult
     std::uint8_t systemId = 0;
     CommandOutcome outcome{};
     std::uint8_t result = 0; ///< MAV_RESULT, if the vehicle answered
-    /// For people: the name of the MAV_RESULT and the vehicle's status texts, or why nothing was sent.
-    std::string reason = {};
+    /// The MAV_RESULT and the vehicle's status texts, or why nothing was sent.
+    Reason reason = {};
     bool changeUnanswered = false; ///< timed out without any answer
 };
 

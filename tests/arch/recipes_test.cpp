@@ -127,7 +127,7 @@ void addPing(ChangedTree &tree)
     tree.insert(q("core/vehicle/event.h"), "#include \"core/vehicle/parameter.h\"\n", "#include \"core/vehicle/ping.h\"\n");
     tree.insert(q("core/vehicle/event.h"), "using Event = std::variant<CommandResult, ", "PingResult, ");
     tree.insert(
-        q("core/vehicle/request_failure.cpp"), "    std::string reason;\n",
+        q("core/vehicle/request_failure.cpp"), "    Reason reason;\n",
         "    Event operator()(const Ping &) const { return PingResult{.id = id, .systemId = systemId, .reason = reason}; }\n");
     tree.insert(q("core/vehicle/vehicle_parts.h"), "#include \"core/vehicle/parameter_client.h\"\n",
                 "#include \"core/vehicle/ping_client.h\"\n");
@@ -139,8 +139,9 @@ void addPing(ChangedTree &tree)
 
 void addTextOfPing(ChangedTree &tree)
 {
-    tree.insert(q("core/engine/text/event_text.cpp"), "    explicit Describe(const PeerNames &names) : m_names(names) {}\n",
-                "    EventText operator()(const vehicle::PingResult &e) const { return {qt(e.reason), kInfo, e.systemId}; }\n");
+    tree.insert(
+        q("core/engine/text/event_text.cpp"), "    explicit Describe(const PeerNames &names) : m_names(names) {}\n",
+        "    EventText operator()(const vehicle::PingResult &e) const { return {reasonText(e.reason), kInfo, e.systemId}; }\n");
 }
 
 void checkThatRecipeNames(const QString &text, const QStringList &files)

@@ -2,6 +2,7 @@
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QDir>
+#include <QtCore/QDirIterator>
 #include <QtCore/QFile>
 #include <QtCore/QRegularExpression>
 #include <QtCore/QXmlStreamReader>
@@ -101,6 +102,32 @@ class TranslationsTest : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    /// They are collected by the name of a function of this program, which lupdate must be told.
+    void everyReasonIsCollected()
+    {
+        static const QRegularExpression kSentence(
+            QStringLiteral("\\bsentence\\(\\s*\"Reason\",\\s*((?:\"(?:[^\"\\\\]|\\\\.)*\"\\s*)+)\\)"));
+        static const QRegularExpression kPart(QStringLiteral("\"((?:[^\"\\\\]|\\\\.)*)\""));
+        const TranslatedTexts known = readTranslations(QStringLiteral("skyseal.ts"));
+        int found = 0;
+        for (const char *room : {"core", "app"}) {
+            QDirIterator files(QStringLiteral(SKYSEAL_SOURCE_DIR "/") + QLatin1String(room),
+                               {QStringLiteral("*.cpp"), QStringLiteral("*.h")}, QDir::Files, QDirIterator::Subdirectories);
+            while (files.hasNext()) {
+                QFile file(files.next());
+                QVERIFY(file.open(QIODevice::ReadOnly));
+                const QString text = QString::fromUtf8(file.readAll());
+                for (auto match = kSentence.globalMatch(text); match.hasNext(); ++found) {
+                    QString source;
+                    for (auto part = kPart.globalMatch(match.next().captured(1)); part.hasNext();)
+                        source += part.next().captured(1).replace(QStringLiteral("\\\""), QStringLiteral("\""));
+                    QVERIFY2(known.contains({QStringLiteral("Reason"), source, QString()}), qPrintable(source));
+                }
+            }
+        }
+        QVERIFY(found > 200);
+    }
+
     void lostFormIsFound_data()
     {
         QTest::addColumn<QString>("source");

@@ -43,7 +43,7 @@ public:
     bool skipTo(std::uint64_t counter) override;
     std::uint64_t lastSeen(const channel::PublicKey &peer) override;
     bool remember(const channel::PublicKey &peer, std::uint64_t counter) override;
-    std::string problem() const override { return trouble; }
+    Reason problem() const override { return trouble; }
     bool fails = false;
     std::string trouble;         ///< reason why nothing is stored, as on a full disk
     std::uint64_t timeOfDay = 1; ///< wall clock; no result may depend on it

@@ -116,7 +116,8 @@ void EventTextTest::hostileTextsSteerNoLabel()
     vehicle::TextReceived received;
     received.text.text = hostile;
     vehicle::ParameterResult parameter;
-    parameter.parameter.name = parameter.reason = hostile;
+    parameter.parameter.name = hostile;
+    parameter.reason = hostile;
     vehicle::CommandResult command;
     command.reason = hostile;
     for (const Event &event : {Event(received), Event(parameter), Event(command), Event(channel::ForgeryAlarm{kSession, 1, 1}),

@@ -146,13 +146,13 @@ void GatewayTransferTest::plansAreWrittenAndRead()
     const MissionType kind{static_cast<std::uint8_t>(type)};
     const std::vector<vehicle::MissionItem> items = someItems(kind);
     const auto written = flight.result<vehicle::MissionResult>(vehicle::WriteMission{items, kind});
-    QVERIFY2(written.ok, written.reason.c_str());
+    QVERIFY2(written.ok, written.reason.text().c_str());
     QCOMPARE(itemsOf(*flight.aircraft, kind), items.size());
     const auto read = flight.result<vehicle::MissionResult>(vehicle::ReadMission{kind});
-    QVERIFY2(read.ok, read.reason.c_str());
+    QVERIFY2(read.ok, read.reason.text().c_str());
     QVERIFY(std::ranges::equal(*read.items, items, isSame));
     const auto cleared = flight.result<vehicle::MissionResult>(vehicle::ClearMission{kind});
-    QVERIFY2(cleared.ok, cleared.reason.c_str());
+    QVERIFY2(cleared.ok, cleared.reason.text().c_str());
     QCOMPARE(itemsOf(*flight.aircraft, kind), std::size_t(0));
     EVENTUALLY(flight.switches() > 5);
     QCOMPARE(flight.client.ears->snapshot->mavlink.lost, std::uint64_t(0));
@@ -167,7 +167,7 @@ void GatewayTransferTest::readerReadsPlans()
     const vehicle::RequestId id = flight.ground.station->perform(1, vehicle::WriteMission{items, kind});
     EVENTUALLY(flight.gatewayWrote(id));
     const auto read = flight.result<vehicle::MissionResult>(vehicle::ReadMission{kind});
-    QVERIFY2(read.ok, read.reason.c_str());
+    QVERIFY2(read.ok, read.reason.text().c_str());
     QVERIFY(std::ranges::equal(*read.items, items, isSame));
 }
 
@@ -179,15 +179,15 @@ void GatewayTransferTest::filesAndLogsAreTransferred()
     for (std::size_t i = 0; i < content->size(); ++i)
         (*content)[i] = static_cast<std::uint8_t>(i * 131 + i / 256);
     const auto written = flight.result<vehicle::FileResult>(vehicle::WriteFile{"APM/terrain.dat", content});
-    QVERIFY2(written.ok && written.verified, written.reason.c_str());
+    QVERIFY2(written.ok && written.verified, written.reason.text().c_str());
     const auto read = flight.result<vehicle::FileResult>(vehicle::ReadFile{"APM/terrain.dat"});
-    QVERIFY2(read.ok && read.verified, read.reason.c_str());
+    QVERIFY2(read.ok && read.verified, read.reason.text().c_str());
     QCOMPARE(*read.content, *content);
     const auto parameters = flight.result<vehicle::FileResult>(vehicle::ReadFile{"@PARAM/param.pck"});
-    QVERIFY2(parameters.ok, parameters.reason.c_str());
+    QVERIFY2(parameters.ok, parameters.reason.text().c_str());
     QVERIFY(parameters.content->size() > 1000);
     const auto removed = flight.result<vehicle::FileResult>(vehicle::RemoveFile{"APM/terrain.dat"});
-    QVERIFY2(removed.ok, removed.reason.c_str());
+    QVERIFY2(removed.ok, removed.reason.text().c_str());
 
     // A flight makes a log, which comes by both protocols.
     QVERIFY(!flight.aircraft->autopilot().arming().arm(true));
@@ -195,15 +195,15 @@ void GatewayTransferTest::filesAndLogsAreTransferred()
     EVENTUALLY(flight.aircraft->autopilot().time() > armedAt + 1'000'000);
     flight.aircraft->autopilot().arming().disarm(true);
     const auto logs = flight.result<vehicle::LogResult>(vehicle::ListLogs{});
-    QVERIFY2(logs.ok && logs.entries->size() == 1, logs.reason.c_str());
+    QVERIFY2(logs.ok && logs.entries->size() == 1, logs.reason.text().c_str());
     const auto log = flight.result<vehicle::LogResult>(vehicle::ReadLog{logs.entries->front().id});
-    QVERIFY2(log.ok, log.reason.c_str());
+    QVERIFY2(log.ok, log.reason.text().c_str());
     QVERIFY(log.content->size() > 1000);
     const auto file = flight.result<vehicle::FileResult>(vehicle::ReadFile{"APM/LOGS/00000001.BIN"});
-    QVERIFY2(file.ok, file.reason.c_str());
+    QVERIFY2(file.ok, file.reason.text().c_str());
     QCOMPARE(*file.content, *log.content);
     const auto erased = flight.result<vehicle::LogResult>(vehicle::EraseLogs{});
-    QVERIFY2(erased.ok, erased.reason.c_str());
+    QVERIFY2(erased.ok, erased.reason.text().c_str());
     QVERIFY(flight.switches() > 5);
     QCOMPARE(flight.client.ears->snapshot->mavlink.lost, std::uint64_t(0));
 

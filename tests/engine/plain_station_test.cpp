@@ -161,7 +161,7 @@ void PlainStationTest::takenPortIsNamed()
     };
     EVENTUALLY(failed().addressInUse);
     const std::string port = ":" + std::to_string(portOf(address));
-    QVERIFY2(failed().problem.find(port) != std::string::npos, failed().problem.c_str());
+    QVERIFY2(failed().problem.text().find(port) != std::string::npos, failed().problem.text().c_str());
 }
 
 namespace {
@@ -281,24 +281,24 @@ void PlainStationTest::requestToAnUnknownVehicleFails()
     const auto commands = ground.ears->all<vehicle::CommandResult>();
     QCOMPARE(commands.size(), std::size_t(1));
     QVERIFY(commands[0].id == ids[0] && commands[0].outcome == vehicle::CommandOutcome::Refused);
-    QCOMPARE(commands[0].reason, reason);
+    QCOMPARE(commands[0].reason.text(), reason);
     const auto parameters = ground.ears->all<vehicle::ParameterResult>();
     QCOMPARE(parameters.size(), std::size_t(3));
     for (std::size_t i = 0; i < parameters.size(); ++i)
-        QVERIFY(parameters[i].id == ids[1 + i] && !parameters[i].ok && parameters[i].reason == reason);
+        QVERIFY(parameters[i].id == ids[1 + i] && !parameters[i].ok && parameters[i].reason.text() == reason);
     QCOMPARE(parameters[1].parameter.name, std::string("RTL_ALT"));
     QCOMPARE(parameters[2].parameter.name, std::string("RTL_ALT"));
     const auto files = ground.ears->all<vehicle::FileResult>();
     QCOMPARE(files.size(), std::size_t(5)); // the cancellation among them
     for (std::size_t i = 0; i < files.size(); ++i)
-        QVERIFY(files[i].id == ids[i < 4 ? 4 + i : 11] && !files[i].ok && files[i].reason == reason);
+        QVERIFY(files[i].id == ids[i < 4 ? 4 + i : 11] && !files[i].ok && files[i].reason.text() == reason);
     const auto logs = ground.ears->all<vehicle::LogResult>();
     QCOMPARE(logs.size(), std::size_t(3));
     for (std::size_t i = 0; i < logs.size(); ++i)
-        QVERIFY(logs[i].id == ids[8 + i] && !logs[i].ok && logs[i].reason == reason);
+        QVERIFY(logs[i].id == ids[8 + i] && !logs[i].ok && logs[i].reason.text() == reason);
     const auto missions = ground.ears->all<vehicle::MissionResult>();
     for (std::size_t i = 0; i < missions.size(); ++i)
-        QVERIFY(missions[i].id == ids[12 + i] && !missions[i].ok && missions[i].reason == reason);
+        QVERIFY(missions[i].id == ids[12 + i] && !missions[i].ok && missions[i].reason.text() == reason);
     QCOMPARE(int(missions[2].transfer), int(vehicle::MissionTransfer::Clear));
 }
 

@@ -169,7 +169,7 @@ void RecorderTest::leavesSpaceFree()
     recorder.record(timeOf(0), kFrame);
     std::optional<RecordingSnapshot> problem;
     QVERIFY(test::eventually([&] { return (problem = recorder.takeProblem()).has_value(); }));
-    QCOMPARE(problem->problem, std::string("less than 1099511627776 MiB are free there"));
+    QCOMPARE(problem->problem.text(), std::string("less than 1099511627776 MiB are free there"));
     recorder.record(timeOf(1), kFrame);
     EVENTUALLY_EQUAL(recorder.snapshot().dropped, std::uint64_t(2));
     QVERIFY(!recorder.takeProblem()); // reported once
@@ -190,7 +190,7 @@ void RecorderTest::failedWriteLeavesNoEmptyFile()
         std::optional<RecordingSnapshot> problem;
         while (!(problem = recorder.takeProblem()))
             std::this_thread::yield();
-        _exit(problem->problem.starts_with("cannot be written") ? 0 : 1);
+        _exit(problem->problem.text().starts_with("cannot be written") ? 0 : 1);
     }
     int status = 0;
     QCOMPARE(waitpid(child, &status, 0), child);

@@ -165,7 +165,8 @@ private Q_SLOTS:
         replay->perform(PlayReplay{});
         EVENTUALLY(m_newest);
         QCOMPARE(m_newest->links.at(0).phase, LinkPhase::Failed);
-        QCOMPARE(m_newest->links.at(0).problem, std::string("cannot read /no/such/file.tlog: No such file or directory"));
+        QCOMPARE(m_newest->links.at(0).problem.text(),
+                 std::string("cannot read /no/such/file.tlog: No such file or directory"));
         QVERIFY(m_newest->vehicles.empty());
     }
 

@@ -299,12 +299,13 @@ void SealedStationTest::observerCannotCommand()
     EVENTUALLY(!ground.ears->all<vehicle::CommandResult>().empty());
     const vehicle::CommandResult result = ground.ears->all<vehicle::CommandResult>()[0];
     QCOMPARE(int(result.outcome), int(vehicle::CommandOutcome::TimedOut));
-    QVERIFY2(result.reason.starts_with("no answer to 5 attempts; ") && result.reason.find("observer") != std::string::npos,
-             result.reason.c_str());
+    QVERIFY2(result.reason.text().starts_with("no answer to 5 attempts; ")
+                 && result.reason.text().find("observer") != std::string::npos,
+             result.reason.text().c_str());
     ground.station->perform(1, vehicle::WriteParameter{"FS_GCS_ENABLE", 0});
     EVENTUALLY(!ground.ears->all<vehicle::ParameterResult>().empty());
     const vehicle::ParameterResult written = ground.ears->all<vehicle::ParameterResult>()[0];
-    QVERIFY2(!written.ok && written.reason.find("observer") != std::string::npos, written.reason.c_str());
+    QVERIFY2(!written.ok && written.reason.text().find("observer") != std::string::npos, written.reason.text().c_str());
     const engine::AgentSnapshot agent = rig.agent->snapshot();
     QVERIFY(agent.counters.observerRefused > 0);
     QCOMPARE(int(vehicle.vehicle.autopilot().modes().current()), int(sim::FlightMode::Stabilize));

@@ -28,13 +28,13 @@ void StorageWatchTest::repeatsEachMinute()
         std::vector<std::string> out;
         for (int i = 0; i < seconds; ++i) {
             if (const auto event = watch.note(now += std::chrono::seconds(1), problem))
-                out.push_back(event->problem);
+                out.push_back(event->problem.text());
         }
         return out;
     };
     QVERIFY(eventsIn(100, "").empty());
     QCOMPARE(eventsIn(150, "full"), (std::vector<std::string>{"full", "full", "full"}));
-    QCOMPARE(watch.problem(), std::string("full"));
+    QCOMPARE(watch.problem().text(), std::string("full"));
     QCOMPARE(eventsIn(100, ""), std::vector<std::string>{""});
     QCOMPARE(eventsIn(10, "full"), std::vector<std::string>{"full"}); // at once
 }

@@ -138,7 +138,7 @@ void ExpectationTest::errors()
     QFETCH(QString, message);
     const auto parsed = Expectation::parse(text.toStdString());
     QVERIFY(!parsed);
-    QVERIFY2(QString::fromStdString(parsed.error().message).contains(message), parsed.error().message.c_str());
+    QVERIFY2(QString::fromStdString(parsed.error().message.text()).contains(message), parsed.error().message.text().c_str());
     QCOMPARE(parsed.error().column, static_cast<std::size_t>(column));
 }
 

@@ -17,7 +17,7 @@ QString legsOf(const char *script)
 {
     const auto plan = parseFlightPlan(script);
     if (!plan)
-        return QString::fromStdString(plan.error().message);
+        return QString::fromStdString(plan.error().message.text());
     QString out;
     for (const auto &leg : plan->legs) {
         for (const vehicle::FlightStep &step : leg)
@@ -119,7 +119,7 @@ private Q_SLOTS:
     {
         const auto plan = parseFlightPlan("arm | takeoff high");
         QVERIFY(!plan);
-        QVERIFY2(plan.error().message.find("step 2: expected an altitude") == 0, plan.error().message.c_str());
+        QVERIFY2(plan.error().message.text().find("step 2: expected an altitude") == 0, plan.error().message.text().c_str());
     }
 
     /// Two flights of two phases, one block each.

@@ -242,7 +242,7 @@ void AttackFilesTest::failingDiskEndsNoSession()
     const bool remembered = store->remember(peer, 17);
     const std::uint64_t seen = store->lastSeen(peer);
     const bool told = test::eventually(
-        [&] { return contains(store->problem(), error.isEmpty() ? "does not answer" : error.toStdString()); });
+        [&] { return contains(store->problem().text(), error.isEmpty() ? "does not answer" : error.toStdString()); });
     setTrouble(false);
     HOLDS(remembered, "a failing disk ends no session");
     QCOMPARE(seen, std::uint64_t(17));

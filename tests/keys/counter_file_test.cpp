@@ -285,7 +285,7 @@ void CounterFileTest::hangingDiskHoldsNothingUp()
     const auto store = std::move(*FileCounterStore::open(disk));
     std::uint64_t last = *store->next();
     store->waitUntilStored();
-    QCOMPARE(store->problem(), std::string());
+    QCOMPARE(store->problem().text(), std::string());
     {
         const std::lock_guard lock(mutex);
         hangs = true;
@@ -294,14 +294,14 @@ void CounterFileTest::hangingDiskHoldsNothingUp()
     QVERIFY(store->remember({}, 7)); // wakes the thread of the store
     while (updates == before)
         std::this_thread::yield();
-    QCOMPARE(store->problem(), std::string()); // perhaps it is just slow
+    QCOMPARE(store->problem().text(), std::string()); // perhaps it is just slow
     while (const auto number = store->next()) {
         QVERIFY(*number > last);
         last = *number;
     }
     QVERIFY(!store->next());
     second = std::chrono::duration_cast<std::chrono::seconds>(FileCounterStore::kSlow).count();
-    QCOMPARE(store->problem(), std::string("/disk/counters: the disk does not answer"));
+    QCOMPARE(store->problem().text(), std::string("/disk/counters: the disk does not answer"));
     for (std::uint64_t i = 0; i < 3 * FileCounterStore::kBlock; ++i) { // goes on in memory
         const auto number = store->next();
         QVERIFY(number && *number > last);
@@ -315,7 +315,7 @@ void CounterFileTest::hangingDiskHoldsNothingUp()
     }
     answers.notify_all();
     QVERIFY(store->waitUntilStored().message.empty());
-    QCOMPARE(store->problem(), std::string());
+    QCOMPARE(store->problem().text(), std::string());
     const auto number = store->next();
     QVERIFY(number && *number > last);
 }
@@ -373,7 +373,7 @@ void CounterFileTest::fileThatCannotBeWrittenIsUsedAsItIs()
         return tl::unexpected(InputError{"Read-only file system", "/disk/counters"});
     };
     const auto store = std::move(*FileCounterStore::open(disk));
-    QCOMPARE(store->problem(), std::string("/disk/counters: Read-only file system"));
+    QCOMPARE(store->problem().text(), std::string("/disk/counters: Read-only file system"));
     QCOMPARE(store->lastSeen({}), std::uint64_t(17)); // old first messages stay refused
     QCOMPARE(store->next(), std::optional<std::uint64_t>(5000));
     disk.read = [] { return Result<StoredCounters, InputError>(tl::unexpected(InputError{"is damaged", "/disk/counters"})); };
@@ -392,7 +392,7 @@ void CounterFileTest::fileThatCannotBeCreatedIsMadeLater()
     };
     const auto opened = FileCounterStore::open(disk);
     QVERIFY(opened);
-    QCOMPARE((*opened)->problem(), std::string("counters: No space left on device"));
+    QCOMPARE((*opened)->problem().text(), std::string("counters: No space left on device"));
     QCOMPARE((*opened)->next(), std::optional<std::uint64_t>(1));
     full = false;
     QVERIFY((*opened)->remember({}, 9)); // tries again at once

@@ -135,7 +135,7 @@ void PeersFileTest::addsRefusingDoubles()
     QVERIFY(!file.add(entry("two words", 1)));
     QVERIFY(!file.add(entry("#a", 1)));
     const auto damaged = file.add(entry("J\xfcrgen", 1));
-    QVERIFY(!damaged && damaged.error().message.find("character 2 is not valid UTF-8") != std::string::npos);
+    QVERIFY(!damaged && damaged.error().message.text().find("character 2 is not valid UTF-8") != std::string::npos);
     PeerEntry newline = entry("c", 1);
     newline.presharedKeyFile = "x\nmallory pilot any skyseal:";
     QVERIFY(!file.add(newline));

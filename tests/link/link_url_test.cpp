@@ -153,7 +153,7 @@ void LinkUrlTest::refuses()
     QFETCH(std::string, says);
     const auto url = LinkUrl::parse(text);
     QVERIFY(!url.has_value());
-    QVERIFY2(url.error().message.find(says) != std::string::npos, url.error().text().c_str());
+    QVERIFY2(url.error().message.text().find(says) != std::string::npos, url.error().text().c_str());
     QCOMPARE(int(url.error().column), column);
     QCOMPARE(url.error().source, text);
 }

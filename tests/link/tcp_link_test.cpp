@@ -304,7 +304,7 @@ void TcpLinkTest::portInUseFails()
     QCOMPARE(second->state(), LinkState::Failed);
     QCOMPARE(second->error().code, LinkErrorCode::PortInUse);
     QCOMPARE(second->localAddress(), first->localAddress());
-    QVERIFY2(second->error().detail.starts_with("link_tests (process "), second->error().detail.c_str());
+    QVERIFY2(second->error().detail.text().starts_with("link_tests (process "), second->error().detail.text().c_str());
     first->close();
     second->open();
     QCOMPARE(second->state(), LinkState::Listening);

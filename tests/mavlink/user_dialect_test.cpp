@@ -173,7 +173,7 @@ void UserDialectTest::wrongFilesAreRefused()
     }
     QVERIFY(!dialect.has_value());
     const InputError &error = dialect.error();
-    QVERIFY2(QByteArray::fromStdString(error.message).contains(reason), error.text().c_str());
+    QVERIFY2(QByteArray::fromStdString(error.message.text()).contains(reason), error.text().c_str());
     QCOMPARE(static_cast<int>(error.line), line);
     QVERIFY2(QByteArray::fromStdString(error.source).endsWith(".xml"), error.text().c_str());
 }

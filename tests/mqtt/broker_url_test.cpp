@@ -69,7 +69,7 @@ void BrokerUrlTest::saysWhatIsWrong()
     QFETCH(QString, problem);
     const auto url = BrokerUrl::parse(QTest::currentDataTag());
     QVERIFY(!url);
-    QVERIFY2(url.error().message.find(problem.toStdString()) != std::string::npos, url.error().text().c_str());
+    QVERIFY2(url.error().message.text().find(problem.toStdString()) != std::string::npos, url.error().text().c_str());
 }
 
 void BrokerUrlTest::showsNoPassword()

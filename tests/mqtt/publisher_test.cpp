@@ -303,7 +303,7 @@ void PublisherTest::wrongFilesAreNamed()
     config.loginFile = file.fileName().toStdString();
     const auto created = Publisher::create(config);
     QVERIFY(!created);
-    QVERIFY2(created.error().message.find(problem.toStdString()) != std::string::npos, created.error().text().c_str());
+    QVERIFY2(created.error().message.text().find(problem.toStdString()) != std::string::npos, created.error().text().c_str());
     QCOMPARE(created.error().source, config.loginFile);
     file.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ReadOther);
     const auto open = Publisher::create(config);

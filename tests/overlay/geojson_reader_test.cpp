@@ -90,7 +90,7 @@ private Q_SLOTS:
         QFETCH(int, line);
         const auto read = readGeoJson(content);
         QVERIFY(!read);
-        const QString text = QString::fromStdString(read.error().message);
+        const QString text = QString::fromStdString(read.error().message.text());
         QVERIFY2(!text.isEmpty() && text.contains(message), qPrintable(text));
         QCOMPARE(read.error().line, std::size_t(line));
     }
@@ -106,11 +106,11 @@ private Q_SLOTS:
         QCOMPARE(fits->shapes[0].lines[0].size(), kMostPoints);
         const auto over = line(most + "[3,4],[5,6]");
         QVERIFY(!over);
-        QCOMPARE(QString::fromStdString(over.error().message),
+        QCOMPARE(QString::fromStdString(over.error().message.text()),
                  QStringLiteral("coordinates[200000]: the file has more than 200000 positions"));
         const auto many = line(QByteArray("[],").repeated(2'100'000) + "[]");
         QVERIFY(!many);
-        QVERIFY(QString::fromStdString(many.error().message).contains(QStringLiteral("values")));
+        QVERIFY(QString::fromStdString(many.error().message.text()).contains(QStringLiteral("values")));
     }
 };
 

@@ -105,7 +105,7 @@ private Q_SLOTS:
         QFETCH(QString, message);
         const auto read = readKml(content);
         QVERIFY(!read);
-        const QString text = QString::fromStdString(read.error().message);
+        const QString text = QString::fromStdString(read.error().message.text());
         QVERIFY2(!text.isEmpty() && text.contains(message), qPrintable(text));
         QCOMPARE(read.error().line, std::size_t(line));
     }
@@ -118,7 +118,7 @@ private Q_SLOTS:
         QCOMPARE(fits->shapes[0].lines[0].size(), kMostPoints);
         const auto over = readKml(placemark("<LineString><coordinates>" + most + "3,4</coordinates></LineString>"));
         QVERIFY(!over);
-        QVERIFY(QString::fromStdString(over.error().message).contains(QStringLiteral("more than 200000 positions")));
+        QVERIFY(QString::fromStdString(over.error().message.text()).contains(QStringLiteral("more than 200000 positions")));
     }
 };
 

@@ -332,7 +332,7 @@ private Q_SLOTS:
         QCOMPARE(agents.first, QStringLiteral("Sealed, disk error at the agent"));
         QVERIFY2(agents.second.contains(QStringLiteral("The link stays up")), qPrintable(agents.second));
         snapshot.sessions.front().stats.peerCannotStore = false;
-        snapshot.storageProblem.clear();
+        snapshot.storageProblem = {};
         QCOMPARE(shown().first, QStringLiteral("Sealed"));
     }
     void silentSessionIsShown()

@@ -63,7 +63,7 @@ void CommandTest::repeatsOnceASecondWithARisingConfirmation()
     QVERIFY(result);
     QCOMPARE(result->id, RequestId{7});
     QCOMPARE(result->outcome, CommandOutcome::TimedOut);
-    QCOMPARE(result->reason, std::string("no answer to 5 attempts"));
+    QCOMPARE(result->reason.text(), std::string("no answer to 5 attempts"));
     QVERIFY(result->changeUnanswered);
 }
 
@@ -91,7 +91,8 @@ void CommandTest::nothingIsSentAfterASleep()
         QVERIFY(result);
         QCOMPARE(result->id, RequestId{id});
         QCOMPARE(result->outcome, CommandOutcome::TimedOut);
-        QCOMPARE(result->reason, std::string("no answer yet, and not sent again: this program was suspended for 3599 s"));
+        QCOMPARE(result->reason.text(),
+                 std::string("no answer yet, and not sent again: this program was suspended for 3599 s"));
         QVERIFY(!result->changeUnanswered);
     }
     for (const TimePoint end = h.now + std::chrono::seconds(20); h.now < end; h.now += std::chrono::milliseconds(100)) {
@@ -167,7 +168,7 @@ void CommandTest::acknowledgedButNotDoneTimesOut()
     const auto result = h.poll<CommandResult>();
     QVERIFY(result);
     QCOMPARE(result->outcome, CommandOutcome::TimedOut);
-    QCOMPARE(result->reason, std::string("acknowledged, but the vehicle reports disarmed"));
+    QCOMPARE(result->reason.text(), std::string("acknowledged, but the vehicle reports disarmed"));
 
     h.vehicle.perform(h.now, RequestId{2}, Arm{});
     h.ack(kArm, kAccepted);
@@ -175,7 +176,7 @@ void CommandTest::acknowledgedButNotDoneTimesOut()
     const auto unseen = h.poll<CommandResult>();
     QVERIFY(unseen);
     QCOMPARE(unseen->outcome, CommandOutcome::Accepted);
-    QCOMPARE(unseen->reason, std::string("acknowledged; no heartbeat since"));
+    QCOMPARE(unseen->reason.text(), std::string("acknowledged; no heartbeat since"));
 }
 
 void CommandTest::reasonMayComeBeforeTheRefusal()
@@ -190,7 +191,7 @@ void CommandTest::reasonMayComeBeforeTheRefusal()
     QVERIFY(result);
     QCOMPARE(result->outcome, CommandOutcome::Refused);
     QCOMPARE(result->result, kFailed);
-    QCOMPARE(result->reason, std::string("failed: PreArm: Compass not healthy"));
+    QCOMPARE(result->reason.text(), std::string("failed: PreArm: Compass not healthy"));
 }
 
 void CommandTest::reasonMayComeAfterTheRefusal()
@@ -201,7 +202,7 @@ void CommandTest::reasonMayComeAfterTheRefusal()
     QVERIFY(!h.poll<CommandResult>());
     h.runUntil(at(100.3));
     h.feed(statusText("Arm: Throttle too high"));
-    QCOMPARE(h.poll<CommandResult>()->reason, std::string("failed: Arm: Throttle too high"));
+    QCOMPARE(h.poll<CommandResult>()->reason.text(), std::string("failed: Arm: Throttle too high"));
 }
 
 void CommandTest::refusalWithoutAReasonDoesNotWaitLong()
@@ -210,7 +211,7 @@ void CommandTest::refusalWithoutAReasonDoesNotWaitLong()
     h.vehicle.perform(h.now, RequestId{1}, Arm{});
     h.ack(kArm, kDenied);
     h.runUntil(at(100.7));
-    QCOMPARE(h.poll<CommandResult>()->reason, std::string("denied"));
+    QCOMPARE(h.poll<CommandResult>()->reason.text(), std::string("denied"));
 }
 
 void CommandTest::modeFallsBackToTheOldMessage()
@@ -240,7 +241,7 @@ void CommandTest::oldMessageMayBeAcknowledgedByItsId()
     h.ack(kSetMode, kUnsupported);
     h.ack(mavlink::SetMode::kId, kFailed, 0);
     h.feed(statusText("Mode change to AUTO failed: missing mission", 4));
-    QCOMPARE(h.poll<CommandResult>()->reason, std::string("failed: Mode change to AUTO failed: missing mission"));
+    QCOMPARE(h.poll<CommandResult>()->reason.text(), std::string("failed: Mode change to AUTO failed: missing mission"));
 }
 
 void CommandTest::unknownModeNamesThoseThatExist()
@@ -250,8 +251,8 @@ void CommandTest::unknownModeNamesThoseThatExist()
     const auto result = h.poll<CommandResult>();
     QVERIFY(result);
     QCOMPARE(result->outcome, CommandOutcome::Refused);
-    QVERIFY(result->reason.find("'WARP'") != std::string::npos);
-    QVERIFY(result->reason.find("STABILIZE, ACRO, ALT_HOLD") != std::string::npos);
+    QVERIFY(result->reason.text().find("'WARP'") != std::string::npos);
+    QVERIFY(result->reason.text().find("STABILIZE, ACRO, ALT_HOLD") != std::string::npos);
     QVERIFY(h.sent().empty());
 }
 
@@ -259,11 +260,12 @@ void CommandTest::takeOffStatesItsPreconditions()
 {
     Harness h = Harness::copter(0, false);
     h.vehicle.perform(h.now, RequestId{1}, TakeOff{10});
-    QCOMPARE(h.poll<CommandResult>()->reason,
+    QCOMPARE(h.poll<CommandResult>()->reason.text(),
              std::string("nothing was sent: take-off needs the mode GUIDED, the vehicle is in STABILIZE"));
     h.feed(heartbeat(4, false));
     h.vehicle.perform(h.now, RequestId{2}, TakeOff{10});
-    QCOMPARE(h.poll<CommandResult>()->reason, std::string("nothing was sent: take-off needs an armed vehicle, it is disarmed"));
+    QCOMPARE(h.poll<CommandResult>()->reason.text(),
+             std::string("nothing was sent: take-off needs an armed vehicle, it is disarmed"));
     h.feed(heartbeat(4, true));
     h.vehicle.perform(h.now, RequestId{3}, TakeOff{-1});
     QCOMPARE(h.poll<CommandResult>()->outcome, CommandOutcome::Refused);
@@ -286,7 +288,7 @@ void CommandTest::newerModeReplacesTheOneUnderWay()
     const auto first = h.poll<CommandResult>();
     QVERIFY(first);
     QCOMPARE(first->id, RequestId{1});
-    QCOMPARE(first->reason, std::string("replaced by a newer command"));
+    QCOMPARE(first->reason.text(), std::string("replaced by a newer command"));
     const auto sent = h.sentOf<mavlink::CommandLong>();
     QCOMPARE(sent.size(), std::size_t(2));
     QCOMPARE(sent[1].param2, 6.f);
@@ -353,7 +355,7 @@ void CommandTest::goToFallsBackToATargetAndIsConfirmedByItsEcho()
     Harness h = Harness::copter(0, true);
     const GoTo place{-35.3625, 149.1655, 25};
     h.vehicle.perform(h.now, RequestId{1}, place);
-    QCOMPARE(h.poll<CommandResult>()->reason,
+    QCOMPARE(h.poll<CommandResult>()->reason.text(),
              std::string("nothing was sent: going to a location needs the mode GUIDED, the vehicle is in STABILIZE"));
     h.feed(heartbeat(4, true));
     h.vehicle.perform(h.now, RequestId{2}, place);
@@ -382,7 +384,7 @@ void CommandTest::goToWithoutAnEchoSaysSo()
     QCOMPARE(h.sentOf<mavlink::SetPositionTargetGlobalInt>().size(), std::size_t(5));
     const auto result = h.poll<CommandResult>();
     QVERIFY(result);
-    QCOMPARE(result->reason, std::string("sent 5 times; the vehicle does not confirm it"));
+    QCOMPARE(result->reason.text(), std::string("sent 5 times; the vehicle does not confirm it"));
 }
 
 void CommandTest::landAndReturnAreModesOnArduPilot()

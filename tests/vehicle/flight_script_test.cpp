@@ -142,7 +142,8 @@ void FlightScriptTest::errorsNameStepColumnAndExpectation()
     QFETCH(QByteArray, message);
     const auto steps = parseFlightScript(script.toStdString());
     QVERIFY(!steps);
-    QVERIFY2(steps.error().message.find(message.toStdString()) != std::string::npos, steps.error().message.c_str());
+    QVERIFY2(steps.error().message.text().find(message.toStdString()) != std::string::npos,
+             steps.error().message.text().c_str());
     QCOMPARE(int(steps.error().column), column);
 }
 

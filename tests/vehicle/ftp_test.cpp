@@ -84,7 +84,7 @@ void FtpTest::folderIsListedInParts()
         peer.files["log" + std::to_string(i) + ".bin"] = noise(static_cast<std::size_t>(i));
     LossyLink link(h, peer, 0, 1);
     const FileResult result = resultOf<FileResult>(h, link, ListFolder{"/APM/LOGS"});
-    QVERIFY2(result.ok, result.reason.c_str());
+    QVERIFY2(result.ok, result.reason.text().c_str());
     QCOMPARE(result.entries->size(), std::size_t(10));
     QCOMPARE((*result.entries)[9], (RemoteFile{"log9.bin", 9, false}));
     const FtpListing parsed = parseListing(asBytes(std::string_view("Dfolder\0S\0Fa\x1b[2Jb\t12\0Fx", 23)));
@@ -104,7 +104,7 @@ void FtpTest::fileIsReadAndChecked()
         peer.files["/log.bin"] = noise(size);
         LossyLink link(h, peer, 0, 1);
         const FileResult result = resultOf<FileResult>(h, link, vehicle::ReadFile{"/log.bin"});
-        QVERIFY2(result.ok && result.verified, result.reason.c_str());
+        QVERIFY2(result.ok && result.verified, result.reason.text().c_str());
         QCOMPARE(*result.content, peer.files["/log.bin"]);
         QCOMPARE(peer.sessions, 0);
     }
@@ -122,7 +122,7 @@ void FtpTest::sizeOfMadeUpFileIsAnEstimate()
                 peer.files["@PARAM/param.pck"] = noise(size);
                 LossyLink link(h, peer, 0.1, 3);
                 const FileResult result = resultOf<FileResult>(h, link, vehicle::ReadFile{"@PARAM/param.pck"});
-                QVERIFY2(result.ok && !result.verified, result.reason.c_str());
+                QVERIFY2(result.ok && !result.verified, result.reason.text().c_str());
                 QCOMPARE(*result.content, peer.files["@PARAM/param.pck"]);
             }
         }
@@ -138,7 +138,7 @@ void FtpTest::sequenceNumbersOfTheProgramBeforeAreNotRepeated()
         h.now = at(path[1] == 'a' ? 100 : 103); // another process
         LossyLink link(h, peer, 0, 1);
         const FileResult removed = resultOf<FileResult>(h, link, vehicle::RemoveFile{path});
-        QVERIFY2(removed.ok, removed.reason.c_str());
+        QVERIFY2(removed.ok, removed.reason.text().c_str());
         QVERIFY(!peer.files.contains(path));
     }
 }
@@ -167,7 +167,7 @@ void FtpTest::requestsWithoutASessionMakeRoom()
         peer.busy = 1;
         LossyLink link(h, peer, 0, 1);
         const FileResult result = resultOf<FileResult>(h, link, request);
-        QVERIFY2(result.ok, result.reason.c_str());
+        QVERIFY2(result.ok, result.reason.text().c_str());
         QCOMPARE(peer.resets, 1);
     }
 }
@@ -180,7 +180,7 @@ void FtpTest::vehicleWithoutBurstsOrChecksums()
     peer.files["/a"] = noise(50'000);
     LossyLink link(h, peer, 0.1, 1);
     const FileResult result = resultOf<FileResult>(h, link, vehicle::ReadFile{"/a"});
-    QVERIFY2(result.ok && !result.verified, result.reason.c_str());
+    QVERIFY2(result.ok && !result.verified, result.reason.text().c_str());
     QCOMPARE(*result.content, peer.files["/a"]);
 }
 
@@ -193,7 +193,7 @@ void FtpTest::differentChecksumIsAFailure()
     LossyLink link(h, peer, 0, 1);
     const FileResult result = resultOf<FileResult>(h, link, vehicle::ReadFile{"/a"});
     QVERIFY(!result.ok && !result.content);
-    QCOMPARE(result.reason, std::string("the checksums of both ends differ"));
+    QCOMPARE(result.reason.text(), std::string("the checksums of both ends differ"));
 }
 
 void FtpTest::fileIsWrittenAndRemoved()
@@ -204,11 +204,11 @@ void FtpTest::fileIsWrittenAndRemoved()
     for (const std::size_t size : {std::size_t(0), std::size_t(1000), FtpClient::kChunk * 60}) {
         const auto content = std::make_shared<const Bytes>(noise(size));
         const FileResult written = resultOf<FileResult>(h, link, vehicle::WriteFile{"/script.lua", content});
-        QVERIFY2(written.ok && written.verified, written.reason.c_str());
+        QVERIFY2(written.ok && written.verified, written.reason.text().c_str());
         QCOMPARE(peer.files["/script.lua"], *content);
     }
     const FileResult removed = resultOf<FileResult>(h, link, vehicle::RemoveFile{"/script.lua"});
-    QVERIFY2(removed.ok, removed.reason.c_str());
+    QVERIFY2(removed.ok, removed.reason.text().c_str());
     QVERIFY(peer.files.empty());
 }
 
@@ -217,8 +217,8 @@ void FtpTest::missingFileIsAFailure()
     Harness h = Harness::copter();
     FtpPeer peer;
     LossyLink link(h, peer, 0, 2);
-    QCOMPARE(resultOf<FileResult>(h, link, vehicle::ReadFile{"/none"}).reason, std::string("no such file or folder"));
-    QCOMPARE(resultOf<FileResult>(h, link, vehicle::RemoveFile{"/none"}).reason, std::string("no such file or folder"));
+    QCOMPARE(resultOf<FileResult>(h, link, vehicle::ReadFile{"/none"}).reason.text(), std::string("no such file or folder"));
+    QCOMPARE(resultOf<FileResult>(h, link, vehicle::RemoveFile{"/none"}).reason.text(), std::string("no such file or folder"));
     QVERIFY(!resultOf<FileResult>(h, link, vehicle::ReadFile{""}).ok);
     QVERIFY(!resultOf<FileResult>(h, link, vehicle::ReadFile{std::string(239, 'a')}).ok);
 }
@@ -233,7 +233,7 @@ void FtpTest::fullVehicleIsReset()
     QVERIFY(resultOf<FileResult>(h, link, vehicle::ReadFile{"/a"}).ok);
     QCOMPARE(peer.resets, 1);
     peer.busy = 5; // once only: other stations have their files open
-    QCOMPARE(resultOf<FileResult>(h, link, vehicle::ReadFile{"/a"}).reason,
+    QCOMPARE(resultOf<FileResult>(h, link, vehicle::ReadFile{"/a"}).reason.text(),
              std::string("too many files are open on the vehicle"));
     QCOMPARE(peer.resets, 2);
 }
@@ -249,7 +249,7 @@ void FtpTest::silentVehicleIsGivenUp()
         QCOMPARE(FtpMessage::decode(request.payload).sequence, FtpMessage::decode(requests[0].payload).sequence);
     const auto result = h.poll<FileResult>();
     QVERIFY(result && !result->ok && result->changeUnanswered);
-    QCOMPARE(result->reason, std::string("no answer to 14 attempts"));
+    QCOMPARE(result->reason.text(), std::string("no answer to 14 attempts"));
 }
 
 void FtpTest::transferIsCancelled()
@@ -267,7 +267,7 @@ void FtpTest::transferIsCancelled()
     QCOMPARE(int(last.opcode), int(mavlink::MAV_FTP_OPCODE_TERMINATESESSION));
     QCOMPARE(last.session, std::uint8_t(3));
     const auto result = h.poll<FileResult>();
-    QVERIFY(result && !result->ok && result->id == RequestId{1} && result->reason == "cancelled");
+    QVERIFY(result && !result->ok && result->id == RequestId{1} && result->reason.text() == "cancelled");
     h.runUntil(h.now + std::chrono::seconds(60));
     QVERIFY(h.sentOf<mavlink::FileTransferProtocol>().empty());
 }
@@ -278,7 +278,7 @@ void FtpTest::oneTransferAtATime()
     h.vehicle.perform(h.now, RequestId{1}, vehicle::ReadFile{"/a"});
     h.vehicle.perform(h.now, RequestId{2}, ListFolder{"/"});
     const auto result = h.poll<FileResult>();
-    QVERIFY(result && result->id == RequestId{2} && result->reason == "another file transfer is under way");
+    QVERIFY(result && result->id == RequestId{2} && result->reason.text() == "another file transfer is under way");
 }
 
 void FtpTest::everythingArrivesThroughABadRadio_data()
@@ -300,10 +300,10 @@ void FtpTest::everythingArrivesThroughABadRadio()
     peer.files["/a"] = noise(120'000, static_cast<unsigned>(seed));
     LossyLink link(h, peer, loss, static_cast<unsigned>(seed));
     const FileResult read = resultOf<FileResult>(h, link, vehicle::ReadFile{"/a"});
-    QVERIFY2(read.ok, read.reason.c_str());
+    QVERIFY2(read.ok, read.reason.text().c_str());
     QCOMPARE(*read.content, peer.files["/a"]);
     const FileResult written = resultOf<FileResult>(h, link, vehicle::WriteFile{"/b", read.content});
-    QVERIFY2(written.ok, written.reason.c_str());
+    QVERIFY2(written.ok, written.reason.text().c_str());
     QCOMPARE(peer.files["/b"], peer.files["/a"]);
     QCOMPARE(resultOf<FileResult>(h, link, ListFolder{"/"}).entries->size(), std::size_t(2));
     QVERIFY(resultOf<FileResult>(h, link, vehicle::RemoveFile{"/a"}).ok);
@@ -365,7 +365,7 @@ void FtpTest::endlessFolderIsBounded()
     for (int part = 0; part < 10'000; ++part) {
         if (const auto result = h.poll<FileResult>()) {
             QVERIFY(!result->ok);
-            QCOMPARE(result->reason, std::string("the folder has more than 10000 entries"));
+            QCOMPARE(result->reason.text(), std::string("the folder has more than 10000 entries"));
             return;
         }
         auto [request, answer] = sentAndAnswer(h);
@@ -385,7 +385,7 @@ void FtpTest::giantFileIsRefused()
     auto [request, answer] = sentAndAnswer(h);
     answer.appendNumber(0xFFFFFFFF);
     h.feed(toUs(answer));
-    QCOMPARE(h.poll<FileResult>()->reason, std::string("the file is larger than 268435456 bytes"));
+    QCOMPARE(h.poll<FileResult>()->reason.text(), std::string("the file is larger than 268435456 bytes"));
 }
 
 void FtpTest::farChunkIsNotKept()

@@ -114,7 +114,7 @@ void KeptPartTest::fileGoesOn()
     Harness h = Harness::copter();
     LossyLink link(h, peer, 0, 1);
     const FileResult result = resultOf<FileResult>(h, link, vehicle::ReadFile{"/a", kept, sink});
-    QVERIFY2(result.ok && result.verified, result.reason.c_str());
+    QVERIFY2(result.ok && result.verified, result.reason.text().c_str());
     QCOMPARE(*result.content, peer.files["/a"]);
     // Of the last 16 chunks each is requested twice.
     const std::size_t missing = kKeptFile - bytesIn(*kept), twice = 16 * FtpClient::kChunk;
@@ -132,7 +132,7 @@ void KeptPartTest::completeFileIsOnlyChecked()
     Harness h = Harness::copter();
     LossyLink link(h, peer, 0, 1);
     const FileResult result = resultOf<FileResult>(h, link, vehicle::ReadFile{"/a", sink->kept(), sink});
-    QVERIFY2(result.ok && result.verified, result.reason.c_str());
+    QVERIFY2(result.ok && result.verified, result.reason.text().c_str());
     QCOMPARE(*result.content, peer.files["/a"]);
     QCOMPARE(peer.bytesSent, std::size_t(0));
 }
@@ -156,7 +156,7 @@ void KeptPartTest::changedFileIsNotGluedToItsOldHalf()
     const FileResult glued = resultOf<FileResult>(h, link, vehicle::ReadFile{"/a", sink->kept(), sink});
     QVERIFY(!glued.ok && glued.unfit && !glued.content);
     const FileResult anew = resultOf<FileResult>(h, link, vehicle::ReadFile{"/a", nullptr, sink});
-    QVERIFY2(anew.ok && anew.verified, anew.reason.c_str());
+    QVERIFY2(anew.ok && anew.verified, anew.reason.text().c_str());
     QCOMPARE(*anew.content, peer.files["/a"]);
     QCOMPARE(bytesIn(*sink->kept()), static_cast<std::size_t>(size)); // nothing of the old one
 }
@@ -198,7 +198,7 @@ void KeptPartTest::virtualFileIsNotKept()
     sink->append(0, Bytes(FtpClient::kChunk, 1));
     const std::size_t before = sink->journal.size();
     const FileResult result = resultOf<FileResult>(h, link, vehicle::ReadFile{"@PARAM/param.pck", sink->kept(), sink});
-    QVERIFY2(result.ok, result.reason.c_str());
+    QVERIFY2(result.ok, result.reason.text().c_str());
     QCOMPARE(*result.content, peer.files["@PARAM/param.pck"]);
     QCOMPARE(sink->journal.size(), before);
 }

@@ -127,11 +127,11 @@ void MissionTest::refusalsAreWorded()
     h.feed(acknowledgement(4));
     auto result = h.poll<MissionResult>();
     QVERIFY(result && !result->ok);
-    QCOMPARE(result->reason, std::string("no space left on the vehicle"));
+    QCOMPARE(result->reason.text(), std::string("no space left on the vehicle"));
     auto bad = plan(2);
     bad[1].latitude = 95;
     h.vehicle.perform(h.now, RequestId{1}, WriteMission{bad});
-    QCOMPARE(h.poll<MissionResult>()->reason, std::string("item 1 is not on the globe"));
+    QCOMPARE(h.poll<MissionResult>()->reason.text(), std::string("item 1 is not on the globe"));
 }
 
 void MissionTest::uploadStopsWhenNobodyAsks()
@@ -140,7 +140,7 @@ void MissionTest::uploadStopsWhenNobodyAsks()
     h.vehicle.perform(h.now, RequestId{1}, WriteMission{plan(2)});
     h.runUntil(at(150));
     QCOMPARE(h.sentOf<mavlink::MissionCount>().size(), std::size_t(8));
-    QCOMPARE(h.poll<MissionResult>()->reason, std::string("no answer to 8 attempts"));
+    QCOMPARE(h.poll<MissionResult>()->reason.text(), std::string("no answer to 8 attempts"));
 }
 
 void MissionTest::lostAcknowledgementBeginsAnew()
@@ -203,7 +203,7 @@ void MissionTest::arduPilotIsAskedForSeveralAtATime()
     h.runUntil(h.now + std::chrono::seconds(60));
     const auto result = h.poll<MissionResult>();
     QVERIFY(result && !result->ok && !result->items);
-    QCOMPARE(result->reason, std::string("the vehicle does not send item 1"));
+    QCOMPARE(result->reason.text(), std::string("the vehicle does not send item 1"));
     QVERIFY(h.vehicle.state(h.now).transfers.empty());
 }
 
@@ -225,7 +225,7 @@ void MissionTest::downloadThatTheVehicleEndedBeginsAnew()
         h.feed(toUs<mavlink::MissionCount>(2));
         h.feed(acknowledgement(mavlink::MAV_MISSION_ERROR));
     }
-    QCOMPARE(h.poll<MissionResult>()->reason, std::string("the vehicle reports an error"));
+    QCOMPARE(h.poll<MissionResult>()->reason.text(), std::string("the vehicle reports an error"));
 }
 
 void MissionTest::refusedRepetitionStandsForALostRequest()
@@ -326,7 +326,7 @@ void MissionTest::oneTransferAtATime()
     QVERIFY(result && !result->ok);
     QCOMPARE(result->id, RequestId{2});
     QCOMPARE(result->transfer, MissionTransfer::Clear);
-    QCOMPARE(result->reason, std::string("another mission transfer is under way"));
+    QCOMPARE(result->reason.text(), std::string("another mission transfer is under way"));
 }
 
 void MissionTest::otherKindsOfPlansAreNotOurs()
@@ -369,13 +369,13 @@ void MissionTest::uploadAndDownloadThroughABadRadio()
 
     h.vehicle.perform(h.now, RequestId{1}, WriteMission{plan(50)});
     QVERIFY(link.run(std::chrono::seconds(180), ended));
-    QVERIFY2(result->ok, result->reason.c_str());
+    QVERIFY2(result->ok, result->reason.text().c_str());
     QCOMPARE(peer->stored.size(), std::size_t(50));
     QCOMPARE(peer->stored[49].x, 480049000);
 
     h.vehicle.perform(h.now, RequestId{1}, ReadMission{});
     QVERIFY(link.run(std::chrono::seconds(180), ended));
-    QVERIFY2(result->ok, result->reason.c_str());
+    QVERIFY2(result->ok, result->reason.text().c_str());
     QCOMPARE(h.vehicle.mission()->size(), std::size_t(50));
     for (std::size_t i = 0; i < 50; ++i)
         QVERIFY(std::abs(h.vehicle.mission()->at(i).latitude - plan(50)[i].latitude) < 1e-9);
@@ -470,7 +470,7 @@ void MissionTest::outagesDuringTransfers()
                 h.vehicle.perform(h.now, RequestId{1}, ReadMission{});
             std::optional<MissionResult> result;
             QVERIFY(link.run(std::chrono::minutes(2), [&] { return (result = h.poll<MissionResult>()).has_value(); }));
-            QVERIFY2(result->ok, result->reason.c_str());
+            QVERIFY2(result->ok, result->reason.text().c_str());
             QCOMPARE(peer->stored.size(), std::size_t(100));
             QCOMPARE(result->items->size(), std::size_t(100));
             for (std::size_t i = 0; i < 100; ++i)
@@ -494,7 +494,7 @@ void MissionTest::px4IsReleasedFromTheTransferBefore()
     const TimePoint begin = h.now;
     h.vehicle.perform(h.now, RequestId{2}, WriteMission{plan(4), MissionType::Fence});
     QVERIFY(link.run(std::chrono::seconds(30), ended));
-    QVERIFY2(result->ok, result->reason.c_str());
+    QVERIFY2(result->ok, result->reason.text().c_str());
     QVERIFY(h.now < begin + std::chrono::seconds(2));
     QCOMPARE(peer.stored.size(), std::size_t(4));
 }
@@ -508,7 +508,7 @@ void MissionTest::persistentRefusalIsReported()
         QVERIFY(!h.sentOf<mavlink::MissionCount>().empty());
         h.feed(acknowledgement(mavlink::MAV_MISSION_ERROR));
     }
-    QCOMPARE(h.poll<MissionResult>()->reason, std::string("the vehicle reports an error"));
+    QCOMPARE(h.poll<MissionResult>()->reason.text(), std::string("the vehicle reports an error"));
     Harness copter = Harness::copter(); // ArduPilot has other reasons
     copter.vehicle.perform(copter.now, RequestId{1}, WriteMission{plan(4)});
     copter.feed(acknowledgement(mavlink::MAV_MISSION_ERROR));

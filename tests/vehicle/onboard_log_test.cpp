@@ -140,7 +140,7 @@ void OnboardLogTest::logsAreListed()
     for (std::uint16_t id = 3; id < 30; ++id)
         peer.logs[id] = noise(id);
     const LogResult result = resultOf<LogResult>(h, link, ListLogs{});
-    QVERIFY2(result.ok, result.reason.c_str());
+    QVERIFY2(result.ok, result.reason.text().c_str());
     QCOMPARE(result.entries->size(), std::size_t(27));
     QCOMPARE((*result.entries)[0], (OnboardLog{3, 3, 0}));
 }
@@ -154,7 +154,7 @@ void OnboardLogTest::logIsReadWhateverItsSize()
         peer.logs[4] = noise(size);
         LossyLink link(h, peer, 0, 1);
         const LogResult result = resultOf<LogResult>(h, link, ReadLog{4});
-        QVERIFY2(result.ok, result.reason.c_str());
+        QVERIFY2(result.ok, result.reason.text().c_str());
         QCOMPARE(*result.content, peer.logs[4]);
     }
 }
@@ -169,13 +169,13 @@ void OnboardLogTest::missingLogIsAFailure()
         peer.isPx4 = isPx4;
         peer.ends = 0;
         const TimePoint begin = h.now;
-        QCOMPARE(resultOf<LogResult>(h, link, ReadLog{9}).reason, std::string("the vehicle has no such log"));
+        QCOMPARE(resultOf<LogResult>(h, link, ReadLog{9}).reason.text(), std::string("the vehicle has no such log"));
         QVERIFY(h.now < begin + std::chrono::seconds(1));
         link.run(std::chrono::milliseconds(100), [] { return false; });
         QCOMPARE(peer.ends, 1); // what else comes is not wanted
     }
     h.sent();
-    QCOMPARE(resultOf<LogResult>(h, link, ReadLog{0}).reason,
+    QCOMPARE(resultOf<LogResult>(h, link, ReadLog{0}).reason.text(),
              std::string("the vehicle has no such log")); // ArduPilot counts from 1
     peer.logs.clear();                                    // of a vehicle that is silent about a log that it does not have
     h.vehicle.perform(h.now, RequestId{1}, ReadLog{9});
@@ -193,7 +193,7 @@ void OnboardLogTest::logThatEndsBeforeItsListedSize()
         peer.logs[4] = noise(size);
         LossyLink link(h, peer, 0.1, 2);
         const LogResult result = resultOf<LogResult>(h, link, ReadLog{4});
-        QVERIFY2(result.ok, result.reason.c_str());
+        QVERIFY2(result.ok, result.reason.text().c_str());
         QCOMPARE(*result.content, peer.logs[4]);
     }
 }
@@ -219,7 +219,7 @@ void OnboardLogTest::silentVehicleIsGivenUp()
     h.runUntil(h.now + std::chrono::seconds(60));
     const std::size_t requests = h.sentOf<mavlink::LogRequestList>().size();
     QVERIFY2(requests >= 4 && requests <= 10, std::to_string(requests).c_str());
-    QCOMPARE(h.poll<LogResult>()->reason, std::string("the vehicle does not list its logs"));
+    QCOMPARE(h.poll<LogResult>()->reason.text(), std::string("the vehicle does not list its logs"));
     QVERIFY(!h.poll<LogResult>());
 }
 
@@ -230,10 +230,10 @@ void OnboardLogTest::transferIsCancelled()
     h.feed(mavlink::LogEntry{.id = 4, .num_logs = 4, .last_log_num = 4, .time_utc = 0, .size = 1000});
     h.sent();
     h.vehicle.perform(h.now, RequestId{2}, ListLogs{});
-    QCOMPARE(h.poll<LogResult>()->reason, std::string("another request for logs is under way"));
+    QCOMPARE(h.poll<LogResult>()->reason.text(), std::string("another request for logs is under way"));
     h.vehicle.perform(h.now, RequestId{3}, CancelTransfer{RequestId{1}});
     const auto result = h.poll<LogResult>();
-    QVERIFY(result && result->id == RequestId{1} && result->reason == "cancelled");
+    QVERIFY(result && result->id == RequestId{1} && result->reason.text() == "cancelled");
     QCOMPARE(h.sentOf<mavlink::LogRequestEnd>().size(), std::size_t(1));
 }
 
@@ -252,7 +252,7 @@ void OnboardLogTest::lostLinkIsNotFlooded()
     QVERIFY(before > 10);
     std::optional<LogResult> result;
     QVERIFY(link.run(std::chrono::seconds(60), [&] { return (result = h.poll<LogResult>()).has_value(); }));
-    QVERIFY2(result->reason.find("does not send byte") != std::string::npos, result->reason.c_str());
+    QVERIFY2(result->reason.text().find("does not send byte") != std::string::npos, result->reason.text().c_str());
     QVERIFY2(peer.requests - before < 150, std::to_string(peer.requests - before).c_str());
 }
 
@@ -296,7 +296,7 @@ void OnboardLogTest::logGoesOn()
     sink->journal.resize(kept->journalSize);
     const std::size_t missing = kSize - bytesIn(*kept);
     const LogResult result = read(0, kept);
-    QVERIFY2(result.ok, result.reason.c_str());
+    QVERIFY2(result.ok, result.reason.text().c_str());
     QCOMPARE(*result.content, peer.logs[4]);
     QCOMPARE(bytesIn(*sink->kept()), kSize);
     // What lies between the lost chunks comes along from a PX4.
@@ -329,7 +329,7 @@ void OnboardLogTest::otherLogStartsAnew()
     const LogResult glued = resultOf<LogResult>(h, link, ReadLog{4, sink->kept(), sink});
     QVERIFY(!glued.ok && glued.unfit && !glued.content);
     const LogResult anew = resultOf<LogResult>(h, link, ReadLog{4, nullptr, sink});
-    QVERIFY2(anew.ok, anew.reason.c_str());
+    QVERIFY2(anew.ok, anew.reason.text().c_str());
     QCOMPARE(*anew.content, peer.logs[4]);
 }
 
@@ -359,7 +359,7 @@ void OnboardLogTest::everythingArrivesThroughABadRadio()
     LossyLink link(h, peer, loss, static_cast<unsigned>(seed));
     QCOMPARE(resultOf<LogResult>(h, link, ListLogs{}).entries->size(), std::size_t(9));
     const LogResult result = resultOf<LogResult>(h, link, ReadLog{9});
-    QVERIFY2(result.ok, result.reason.c_str());
+    QVERIFY2(result.ok, result.reason.text().c_str());
     QCOMPARE(*result.content, peer.logs[9]);
 }
 

@@ -69,7 +69,7 @@ void ParameterTest::silentVehicleIsGivenUp()
     QCOMPARE(h.sentOf<mavlink::ParamRequestList>().size(), std::size_t(10));
     const auto result = h.poll<ParameterResult>();
     QVERIFY(result && !result->ok);
-    QCOMPARE(result->reason, std::string("the vehicle does not send its parameters"));
+    QCOMPARE(result->reason.text(), std::string("the vehicle does not send its parameters"));
     QVERIFY(!h.poll<ParameterResult>());
 }
 
@@ -91,7 +91,7 @@ void ParameterTest::writeIsReadBackAndRepeated()
     h.vehicle.perform(h.now, RequestId{1}, WriteParameter{"NOBODY", 1});
     h.runUntil(at(120));
     const auto silent = h.poll<ParameterResult>();
-    QVERIFY(silent && !silent->ok && silent->reason.starts_with("no answer to "));
+    QVERIFY(silent && !silent->ok && silent->reason.text().starts_with("no answer to "));
     h.vehicle.perform(h.now, RequestId{1}, WriteParameter{"A_NAME_THAT_IS_TOO_LONG", 1});
     QVERIFY(!h.poll<ParameterResult>()->ok);
     h.vehicle.perform(h.now, RequestId{1}, WriteParameter{"A", std::numeric_limits<double>::quiet_NaN()});
@@ -116,7 +116,7 @@ void ParameterTest::singleParameterIsReadByName()
     h.runUntil(at(120));
     const auto missing = h.poll<ParameterResult>();
     QVERIFY(missing && !missing->ok && missing->id == RequestId{2} && !missing->changeUnanswered);
-    QVERIFY(missing->reason.starts_with("no answer to "));
+    QVERIFY(missing->reason.text().starts_with("no answer to "));
 }
 
 void ParameterTest::singleParametersFollowTheRoundTrip()
@@ -175,7 +175,7 @@ void ParameterTest::vehicleMayKeepItsOwnValue()
     }
     const auto result = h.poll<ParameterResult>();
     QVERIFY(result && !result->ok);
-    QCOMPARE(result->reason, std::string("the vehicle keeps 1000"));
+    QCOMPARE(result->reason.text(), std::string("the vehicle keeps 1000"));
     QCOMPARE(result->parameter.value, 1000.);
 }
 
@@ -319,7 +319,7 @@ void ParameterTest::wholeListThroughABadRadio()
     h.vehicle.perform(h.now, RequestId{1}, WriteParameter{nameOf(17), 99});
     std::optional<ParameterResult> result;
     QVERIFY(link.run(std::chrono::seconds(60), [&] { return (result = h.poll<ParameterResult>()).has_value(); }));
-    QVERIFY2(result->ok, result->reason.c_str());
+    QVERIFY2(result->ok, result->reason.text().c_str());
     QCOMPARE(peer.at(17), 99.f);
 }
 

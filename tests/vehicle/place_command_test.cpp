@@ -275,7 +275,7 @@ private Q_SLOTS:
         const VehicleCommand commands[] = {ChangeAltitude{30}, SetHome{1, 2}, PointAt{1, 2}, GoTo{1, 2, 3}, SetHome{91, 2}};
         h.vehicle.perform(h.now, RequestId{1}, commands[command]);
         QVERIFY(h.sent().empty());
-        QCOMPARE(QString::fromStdString(h.poll<CommandResult>()->reason), QStringLiteral("nothing was sent: ") + reason);
+        QCOMPARE(QString::fromStdString(h.poll<CommandResult>()->reason.text()), QStringLiteral("nothing was sent: ") + reason);
     }
 
     void roversDoNotClimb()
@@ -283,7 +283,7 @@ private Q_SLOTS:
         Harness h;
         h.feed(heartbeat(mavlink::ROVER_MODE_GUIDED, true, mavlink::MAV_TYPE_GROUND_ROVER));
         h.vehicle.perform(h.now, RequestId{1}, ChangeAltitude{30});
-        QCOMPARE(h.poll<CommandResult>()->reason, std::string("nothing was sent: this kind of vehicle does not fly"));
+        QCOMPARE(h.poll<CommandResult>()->reason.text(), std::string("nothing was sent: this kind of vehicle does not fly"));
     }
 };
 

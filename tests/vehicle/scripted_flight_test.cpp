@@ -283,11 +283,11 @@ void ScriptedFlightTest::missionIsUploadedAndFlown()
         return result.has_value();
     };
     QVERIFY(world.run(60, transferred));
-    QVERIFY2(result->ok, result->reason.c_str());
+    QVERIFY2(result->ok, result->reason.text().c_str());
     vehicle.perform(world.now, RequestId{2}, ReadMission{});
     result.reset();
     QVERIFY(world.run(60, transferred));
-    QVERIFY2(result->ok, result->reason.c_str());
+    QVERIFY2(result->ok, result->reason.text().c_str());
     QCOMPARE(vehicle.mission()->size(), std::size_t(4));
     QVERIFY(std::abs(vehicle.mission()->at(3).latitude - items[3].latitude) < 1e-6);
 

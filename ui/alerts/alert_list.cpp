@@ -201,7 +201,7 @@ void AlertList::showStorage(const engine::Snapshot &snapshot, double now)
         const engine::Event event = engine::RecordingProblem{recording.file, recording.problem};
         raiseState({{AlertKind::NotRecording},
                     AlertSeverity::Warning,
-                    Text::tr("Not recording: %1").arg(engine::qt(recording.problem)),
+                    Text::tr("Not recording: %1").arg(reasonText(recording.problem)),
                     engine::eventText(event, m_names).sentence},
                    now);
     }
@@ -209,7 +209,7 @@ void AlertList::showStorage(const engine::Snapshot &snapshot, double now)
         const engine::Event event = engine::CounterStorage{snapshot.storageProblem};
         raiseState({{AlertKind::CountersNotStored},
                     AlertSeverity::Warning,
-                    Text::tr("Counters not stored: %1").arg(engine::qt(snapshot.storageProblem)),
+                    Text::tr("Counters not stored: %1").arg(reasonText(snapshot.storageProblem)),
                     engine::eventText(event, m_names).sentence},
                    now);
     }

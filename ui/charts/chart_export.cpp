@@ -75,7 +75,7 @@ QString writeImage(const QString &file, const QImage &image)
 QString writeWhole(const QString &file, const QByteArray &content)
 {
     const auto saved = saveFile(file.toStdString(), asBytes({content.data(), std::size_t(content.size())}));
-    return saved ? QString() : engine::fromStd(saved.error().text());
+    return saved ? QString() : engine::reasonText(saved.error().reason());
 }
 
 } // namespace skyseal::ui

@@ -1,6 +1,7 @@
 #include "ui/dialogs/settings_dialog.h"
 
 #include "core/base/research.h"
+#include "core/engine/text/qt_text.h"
 #include "core/link/link_url.h"
 #include "ui/alerts/speech.h"
 #include "ui/ask_file.h"
@@ -61,7 +62,7 @@ SettingsDialog::SettingsDialog(const Settings &settings, QWidget *parent) : QDia
     connect(m_link, &QLineEdit::textChanged, this, [this, buttons] {
         const auto parsed = link::LinkUrl::parse(m_link->text().toStdString());
         buttons->button(QDialogButtonBox::Ok)->setEnabled(parsed.has_value());
-        m_link->setToolTip(parsed ? QString() : QString::fromStdString(parsed.error().message));
+        m_link->setToolTip(parsed ? QString() : engine::reasonText(parsed.error().message));
     });
     // A layout's smallest height is that of its texts on one line, while they wrap at this width.
     constexpr int kWidth = 100 * kGrid;

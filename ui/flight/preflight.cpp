@@ -72,11 +72,11 @@ void Preflight::read(const QString &path, List &list)
     const std::string text = in.read(static_cast<qint64>(vehicle::kMaxChecklistSize) + 1).toStdString();
     auto parsed = vehicle::parseChecklist(text, QFileInfo(path).fileName().toStdString());
     if (!parsed) {
-        list.problems << fromStd(parsed.error().text());
+        list.problems << reasonText(parsed.error().reason());
         return;
     }
     for (const InputError &problem : parsed->problems)
-        list.problems << fromStd(problem.text());
+        list.problems << reasonText(problem.reason());
     list.items = std::move(parsed->items);
 }
 

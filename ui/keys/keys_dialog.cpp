@@ -193,7 +193,7 @@ void KeysDialog::revokePeer()
                   .icon = QMessageBox::Warning},
                  this, this, [this, name] {
                      if (const auto removed = m_keyring.removePeer(name); !removed)
-                         notify(fromStd(removed.error().text()));
+                         notify(reasonText(removed.error().reason()));
                  });
 }
 

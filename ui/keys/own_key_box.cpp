@@ -127,7 +127,7 @@ void OwnKeyBox::exportKey()
              .use = FileQuestion::Use::Write},
             [this](const QString &file) {
                 const auto written = m_keyring.exportPublicKey(file);
-                m_result->setText(written ? tr("written to %1").arg(file) : fromStd(written.error().text()));
+                m_result->setText(written ? tr("written to %1").arg(file) : reasonText(written.error().reason()));
             });
 }
 

@@ -244,7 +244,7 @@ void PairingDialog::check()
     keys::PeerEntry entry;
     entry.peer.name = m_agent->name().toStdString();
     const auto fits = keys::checkPeerEntry(entry);
-    m_problem->setText(fits ? QString() : fromStd(fits.error().message));
+    m_problem->setText(fits ? QString() : reasonText(fits.error().message));
     m_agree->setEnabled(fits && (m_warning->isHidden() || m_warning->isAccepted()));
 }
 

@@ -113,7 +113,7 @@ void PeerDialog::readKeyFile()
                 const auto text = m_keyring.readKeyText(file);
                 m_key->setText(text ? *text : QString());
                 if (!text)
-                    m_problem->setText(fromStd(text.error().text()));
+                    m_problem->setText(reasonText(text.error().reason()));
             });
 }
 
@@ -140,29 +140,28 @@ QString PeerDialog::problem(KnownPeer &out) const
     if (const KnownPeer *known = knownByName(out.name); known && !m_changing)
         out.role = known->role;
     QString wrong;
-    const auto note = [&wrong](const std::string &text) {
+    const auto note = [&wrong](const QString &text) {
         if (wrong.isEmpty())
-            wrong = fromStd(text);
+            wrong = text;
     };
     if (!m_changing) {
         const auto key = keys::publicKeyFromText(m_key->text().toStdString());
         if (key)
             out.key = *key;
         else
-            note(m_key->text().isEmpty()
-                     ? tr("Paste the public key that skyseal-cli keys show prints at the other end.").toStdString()
-                     : key.error().message);
+            note(m_key->text().isEmpty() ? tr("Paste the public key that skyseal-cli keys show prints at the other end.")
+                                         : reasonText(key.error().message));
     }
     keys::PeerEntry entry;
     entry.peer.name = out.name.toStdString();
     if (const auto fits = keys::checkPeerEntry(entry); !fits)
-        note(out.name.isEmpty() ? tr("Enter a name.").toStdString() : fits.error().message);
+        note(out.name.isEmpty() ? tr("Enter a name.") : reasonText(fits.error().message));
     const QString systems = m_systems->text().trimmed();
     auto ids = keys::systemIdsFromText(systems.isEmpty() ? "any" : systems.toStdString());
     if (ids)
         out.systems = std::move(*ids);
     else
-        note(ids.error().message);
+        note(reasonText(ids.error().message));
     return wrong;
 }
 
@@ -205,7 +204,7 @@ void PeerDialog::accept()
     if (done)
         QDialog::accept();
     else
-        m_problem->setText(fromStd(done.error().text()));
+        m_problem->setText(reasonText(done.error().reason()));
 }
 
 } // namespace skyseal::ui

@@ -315,7 +315,7 @@ void GatewaySection::showSnapshot(const engine::Snapshot &snapshot)
     if (snapshot.served.size() > 1 && !link.problem.empty())
         phase = tr("%1: %2").arg(fromStd(link.url), phase);
     if (!link.problem.empty())
-        showState(tr("%1: %2").arg(phase, fromStd(link.problem)), colors.alarm);
+        showState(tr("%1: %2").arg(phase, reasonText(link.problem)), colors.alarm);
     else if (m_open)
         showState(tr("%1, open to other computers; %2").arg(phase, served(snapshot.clients.size())), colors.warning);
     else

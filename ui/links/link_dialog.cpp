@@ -209,7 +209,7 @@ QString LinkDialog::problem() const
 {
     const auto parsed = LinkUrl::parse(url().toStdString());
     if (!parsed)
-        return fromStd(parsed.error().message);
+        return reasonText(parsed.error().message);
     const auto settings = mavsec();
     const auto digits = settings ? 2 * MavsecCipher::nonceLength(settings->kind) : 0;
     const bool wrongNonce = settings && !settings->nonceHex.empty()

@@ -53,7 +53,7 @@ QVariant LinkModel::data(const QModelIndex &index, int role) const
                                     : fromStd(link->url);
         case State:
             return link->problem.empty() ? engine::linkPhaseText(link->phase)
-                                         : tr("%1: %2").arg(engine::linkPhaseText(link->phase), fromStd(link->problem));
+                                         : tr("%1: %2").arg(engine::linkPhaseText(link->phase), reasonText(link->problem));
         case Local: return link->localAddress.empty() ? dash() : fromStd(link->localAddress);
         case Remote: return link->remoteAddress.empty() ? dash() : fromStd(link->remoteAddress);
         case Received: return tr("%1 · %2").arg(rateText(link->rxBytesPerSecond), sizeText(link->rxBytes));

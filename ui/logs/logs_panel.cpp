@@ -92,7 +92,7 @@ void LogsPanel::showViewState(const ViewState &view)
     m_frames->setFigure(recording.active ? grouped(recording.frames) : dash());
     m_dropped->setFigure(recording.active ? grouped(recording.dropped) : dash());
     m_dropped->setColor(recording.dropped > 0 ? stateColors(palette()).warning : QColor());
-    const QString problem = fromStd(recording.problem);
+    const QString problem = reasonText(recording.problem);
     if (m_problem->text() != problem)
         m_problem->setText(problem);
 }

@@ -130,7 +130,7 @@ void MissionPanel::sendFile(const QString &file, std::uint8_t systemId)
     }
     const auto items = vehicle::parseMission(in.readAll().toStdString(), file.toStdString());
     if (!items) {
-        say(fromStd(items.error().text()));
+        say(reasonText(items.error().reason()));
         return;
     }
     say(items->size() == 1 ? tr("Sending one item…") : tr("Sending %1 items…").arg(items->size()));
@@ -140,7 +140,7 @@ void MissionPanel::sendFile(const QString &file, std::uint8_t systemId)
 void MissionPanel::saveFile(const QString &file, const MissionModel::Mission &mission)
 {
     const auto saved = skyseal::saveFile(file.toStdString(), asBytes(vehicle::missionText(*mission)));
-    say(saved ? tr("Saved %1").arg(file) : fromStd(saved.error().text()));
+    say(saved ? tr("Saved %1").arg(file) : reasonText(saved.error().reason()));
 }
 
 void MissionPanel::showViewState(const ViewState &view)

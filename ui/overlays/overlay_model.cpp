@@ -125,7 +125,7 @@ void OverlayModel::read(Entry &entry, Accept accept, bool onlyIfNewer)
             out.leftOut = read->overlay.leftOut;
             out.digest = read->digest;
         } else {
-            out.problem = engine::qt(read.error().text());
+            out.problem = reasonText(read.error().reason());
         }
         return out;
     };

@@ -138,9 +138,9 @@ void ParametersPanel::handleEvent(const engine::Event &event)
 {
     const auto *written = std::get_if<vehicle::ParameterResult>(&event);
     if (written && written->action == vehicle::ParameterAction::ReadList && written->systemId == m_systemId)
-        m_result->showResult(written->ok ? tr("Fetched") : tr("Not fetched: %1").arg(fromStd(written->reason)));
+        m_result->showResult(written->ok ? tr("Fetched") : tr("Not fetched: %1").arg(reasonText(written->reason)));
     if (written && written->action == vehicle::ParameterAction::Write && written->systemId == m_systemId)
-        m_model.written(written->parameter, written->ok, fromStd(written->reason));
+        m_model.written(written->parameter, written->ok, reasonText(written->reason));
 }
 
 } // namespace skyseal::ui

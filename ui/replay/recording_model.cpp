@@ -30,7 +30,7 @@ QString vehicleOf(const RecordingInfo &recording)
     if (!recording.isRead())
         return RecordingModel::tr("reading…");
     if (!recording.index)
-        return RecordingModel::tr("cannot be read: %1").arg(fromStd(recording.problem));
+        return RecordingModel::tr("cannot be read: %1").arg(reasonText(recording.problem));
     QStringList out;
     for (const std::uint8_t systemId : recording.index->vehicles) {
         const auto mode = std::ranges::find(recording.index->modes, systemId, &tlog::ModeChange::systemId);

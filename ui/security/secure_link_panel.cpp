@@ -247,7 +247,7 @@ void SecureLinkPanel::showHead(const ViewState &view)
             title = tr("Sealed, disk error on this computer");
             advice = tr("Handshake counters cannot be stored: %1. The link stays up. If this program restarts now, "
                         "agents will refuse its first handshake and return the correct counter.")
-                         .arg(fromStd(view.snapshot->storageProblem));
+                         .arg(reasonText(view.snapshot->storageProblem));
             color = colors.warning;
         }
         break;

@@ -54,7 +54,7 @@ void TrafficBar::showViewState(const ViewState &view)
             const QString where = fromStd(link.localAddress.empty() ? link.url : link.localAddress);
             parts << (link.problem.empty()
                           ? tr("%1 %2").arg(engine::linkPhaseText(link.phase), where)
-                          : tr("%1 %2 (%3)").arg(engine::linkPhaseText(link.phase), where, fromStd(link.problem)));
+                          : tr("%1 %2 (%3)").arg(engine::linkPhaseText(link.phase), where, reasonText(link.problem)));
         }
     }
     const QString links = parts.isEmpty() ? tr("no link") : parts.join(QStringLiteral(" · "));
@@ -74,7 +74,7 @@ void TrafficBar::showViewState(const ViewState &view)
     if (!recording.problem.empty()) {
         m_recording->setFigure(tr("not recording"));
         m_recording->setColor(colors.alarm);
-        m_recording->setToolTip(fromStd(recording.problem));
+        m_recording->setToolTip(reasonText(recording.problem));
     } else {
         m_recording->setFigure(recording.active ? tr("recording %1").arg(sizeText(recording.bytes)) : tr("not recording"));
         m_recording->setColor({});

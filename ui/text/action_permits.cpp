@@ -67,7 +67,7 @@ QString actionDisabledReason(const vehicle::VehicleCommand &command, const ViewS
     if (reason.isEmpty()) {
         // Commands that the client would refuse to send: take-off in another mode, and commands that the vehicle lacks.
         if (const auto plan = vehicle::planCommand(command, view.vehicle->state, {}); !plan)
-            reason = fromStd(plan.error());
+            reason = reasonText(plan.error());
     }
     return reason.isEmpty() ? QString() : Text::tr("Not now: %1").arg(reason);
 }

@@ -11,6 +11,7 @@
 namespace skyseal::ui {
 
 using engine::fromStd;
+using engine::reasonText;
 
 /// "3D fix", "no fix", …; a dash where unknown.
 QString fixText(int gpsFixType);

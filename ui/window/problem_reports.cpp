@@ -39,11 +39,11 @@ void ProblemReports::reportPortInUse(const engine::LinkSnapshot &link)
     bool ok = false;
     const int port = url.mid(colon + 1).toInt(&ok);
     if (!ok || port <= 0 || port >= 65535) {
-        report(tr("%1 is in use by another program: %2").arg(url, fromStd(link.problem)));
+        report(tr("%1 is in use by another program: %2").arg(url, reasonText(link.problem)));
         return;
     }
     const QString other = url.left(colon + 1) + QString::number(port + 1);
-    QString problem = fromStd(link.problem);
+    QString problem = reasonText(link.problem);
     if (!problem.isEmpty())
         problem[0] = problem[0].toUpper();
     report(problem, tr("Listen on %1 instead").arg(port + 1), [this, other, id = link.id] {

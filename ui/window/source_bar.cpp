@@ -87,7 +87,7 @@ void SourceBar::showReplay(const ViewState &replay)
     });
     const auto failed = std::ranges::find(links, engine::LinkPhase::Failed, &engine::LinkSnapshot::phase);
     m_replay->setEnabled(failed == links.end());
-    const QString title = failed != links.end() ? tr("REPLAY: %1 · %2").arg(m_name, fromStd(failed->problem))
+    const QString title = failed != links.end() ? tr("REPLAY: %1 · %2").arg(m_name, reasonText(failed->problem))
         : over                                  ? tr("REPLAY: %1 · finished").arg(m_name)
                                                 : tr("REPLAY: %1").arg(m_name);
     if (m_title->text() == title)

@@ -102,7 +102,7 @@ int pairWithAgent(const QStringList &arguments)
     QObject::connect(&engine, &engine::Station::eventOccurred, &talk, [&](const engine::Event &event) {
         const auto *changed = std::get_if<engine::LinkChanged>(&event);
         if (changed && (changed->link.phase == engine::LinkPhase::Failed || changed->link.addressInUse)) {
-            complain(name, changed->link.url + ": " + changed->link.problem);
+            complain(name, changed->link.url + ": " + changed->link.problem.text());
             QCoreApplication::exit(kCannotOpen);
         }
     });

@@ -62,7 +62,7 @@ std::optional<channel::PeerRole> readRole(Options &options, const std::string &t
 std::string readName(Options &options, std::string text)
 {
     if (const auto fits = keys::checkPeerName(text); !fits)
-        options.fail(fits.error().message);
+        options.fail(fits.error().message.text());
     return text;
 }
 
@@ -71,7 +71,7 @@ std::optional<std::vector<std::uint8_t>> readSystems(Options &options, const std
     auto ids = keys::systemIdsFromText(text);
     if (ids)
         return std::move(*ids);
-    options.fail(ids.error().message);
+    options.fail(ids.error().message.text());
     return std::nullopt;
 }
 
@@ -115,7 +115,7 @@ Result<keys::PublicKey, InputError> readPublicKey(Options &options)
     }
     const auto key = keys::publicKeyFromText(text);
     if (!key)
-        options.fail((given.isEmpty() ? options.text("from") + ": " : std::string()) + key.error().message);
+        options.fail((given.isEmpty() ? options.text("from") + ": " : std::string()) + key.error().message.text());
     return key.value_or(keys::PublicKey{});
 }
 

@@ -54,10 +54,10 @@ private:
             if (result.unfit)
                 m_part->remove();
             if (result.unfit && std::exchange(m_isResumed, false)) {
-                reportRestarted(result.reason);
+                reportRestarted(result.reason.text());
                 return ask(m_download.request(nullptr, m_part));
             }
-            finish(m_download.prefix + result.reason
+            finish(m_download.prefix + result.reason.text()
                    + (m_part->isOpen() ? "; " + m_part->path() + " keeps what has arrived" : std::string()));
         }
     }

@@ -60,7 +60,7 @@ protected:
         if (result.ok) {
             show(result.parameter, systemId(), isJson());
         } else {
-            showFailure(result.parameter.name, systemId(), result.reason, isJson());
+            showFailure(result.parameter.name, systemId(), result.reason.text(), isJson());
             ++m_failed;
         }
         next();
@@ -101,7 +101,7 @@ protected:
     }
     void parameterEnded(const ParameterResult &result) override
     {
-        result.ok &&result.all ? finishSaved(m_take(*result.all, m_vehicle)) : finish(result.reason);
+        result.ok &&result.all ? finishSaved(m_take(*result.all, m_vehicle)) : finish(result.reason.text());
     }
 
 private:
@@ -136,7 +136,7 @@ protected:
         if (result.action != vehicle::ParameterAction::ReadList)
             return Exchange::parameterEnded(result);
         if (!result.ok || !result.all)
-            return finish(result.reason);
+            return finish(result.reason.text());
         for (const Parameter &wanted : m_file)
             compare(wanted, findIn(*result.all, wanted.name));
         if (!isJson() && m_differ == 0)

@@ -32,7 +32,7 @@ private:
     template<typename Other> void end(const Other &result)
     {
         if constexpr (std::is_same_v<Other, Result>)
-            result.ok ? finishSaved(m_take(result)) : finish(m_subject + result.reason);
+            result.ok ? finishSaved(m_take(result)) : finish(m_subject + result.reason.text());
     }
 
     vehicle::Request m_request;

@@ -51,7 +51,7 @@ struct AgentSnapshot
     /// Of the session whose commands may be the oldest, with the limits in force; nullopt without a session.
     std::optional<channel::FreshnessReport> freshness;
     std::optional<SigningCounters> signing; ///< if there is a signing key
-    std::string storageProblem;             ///< why the counters of handshakes are not stored; empty if they are
+    Reason storageProblem;                  ///< why the counters of handshakes are not stored; empty if they are
     double processCpuPercent = 0;
     std::uint64_t residentBytes = 0;
 };

@@ -155,7 +155,7 @@ LinkSnapshot LinkPool::describe(const Entry &entry) const
     if (remote != Address{})
         out.remoteAddress = link::toText(remote);
     if (link.error().code != link::LinkErrorCode::None && link.state() != link::LinkState::Ended)
-        out.problem = link.error().sentence();
+        out.problem = link.error().reason();
     out.addressInUse = link.error().code == link::LinkErrorCode::PortInUse;
     out.hostUnknown = link.error().code == link::LinkErrorCode::HostUnknown;
     out.recording = link.traits().isRecording;

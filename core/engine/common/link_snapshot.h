@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/path.h"
+#include "core/base/reason.h"
 
 #include <cstdint>
 #include <string>
@@ -17,7 +18,7 @@ struct LinkSnapshot
     LinkPhase phase{};
     std::string localAddress;  ///< "0.0.0.0:14550"; always shown
     std::string remoteAddress; ///< of the newest datagram or connection
-    std::string problem;       ///< error text of the system or the link; empty without one
+    Reason problem;            ///< of the system or the link; empty without one
     bool addressInUse = false; ///< the problem is a port that another program uses
     bool hostUnknown = false;  ///< the problem is a host name that cannot be resolved
     bool listenOnly = false;   ///< a stream of MAVSec's published code: insecure; nothing is sent to it

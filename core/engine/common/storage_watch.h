@@ -3,16 +3,16 @@
 #pragma once
 
 #include "core/base/clock.h"
+#include "core/base/reason.h"
 
 #include <optional>
-#include <string>
 
 namespace skyseal::engine {
 
 /// Event: this program cannot store the counters of handshakes, or can store them again.
 struct CounterStorage
 {
-    std::string problem; ///< empty: they can be stored again
+    Reason problem; ///< empty: they can be stored again
 };
 
 class StorageWatch
@@ -21,7 +21,7 @@ public:
     static constexpr Duration kRepeatEvery = std::chrono::minutes(1);
 
     /// Takes the state of the store, about once a second. Returns the event that is due.
-    std::optional<CounterStorage> note(TimePoint now, std::string problem)
+    std::optional<CounterStorage> note(TimePoint now, Reason problem)
     {
         const bool wasFailing = !m_problem.empty();
         m_problem = std::move(problem);
@@ -34,10 +34,10 @@ public:
         m_due = now + kRepeatEvery;
         return CounterStorage{m_problem};
     }
-    const std::string &problem() const { return m_problem; }
+    const Reason &problem() const { return m_problem; }
 
 private:
-    std::string m_problem;
+    Reason m_problem;
     TimePoint m_due = TimePoint::min();
 };
 

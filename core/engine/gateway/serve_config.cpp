@@ -94,7 +94,7 @@ Result<ServeConfig, std::string> ServeConfig::parse(std::string_view text, const
     const std::size_t comma = text.find(',');
     auto url = link::LinkUrl::parse(text.substr(0, comma), link::LinkUrl::kLoopback);
     if (!url)
-        return tl::unexpected(url.error().message);
+        return tl::unexpected(url.error().message.text());
     if (url->type().target != link::LinkTarget::HostPort)
         return tl::unexpected("'" + std::string(url->type().scheme) + "': clients are served over UDP or TCP");
     ServeConfig out{.url = std::move(*url), .write = unnamed};

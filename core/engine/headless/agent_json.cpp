@@ -103,7 +103,7 @@ std::string agentStatsEvent(std::string_view event, const AgentSnapshot &snapsho
     if (snapshot.signing)
         writeSigning(json, *snapshot.signing);
     if (!snapshot.storageProblem.empty())
-        json.field("storage_problem", snapshot.storageProblem);
+        json.field("storage_problem", snapshot.storageProblem.text());
     writeProcess(json, snapshot.processCpuPercent, snapshot.residentBytes);
     json.endObject();
     return json.text();

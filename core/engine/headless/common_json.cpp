@@ -43,7 +43,7 @@ std::string linkEvent(const LinkSnapshot &link, std::string_view side)
     if (link.listenOnly)
         json.field("framing", "mavsec2019").field("insecure", true);
     if (!link.problem.empty())
-        json.field("problem", link.problem);
+        json.field("problem", link.problem.text());
     return endEvent(json);
 }
 
@@ -52,7 +52,7 @@ std::string counterStorageEvent(const CounterStorage &storage)
     JsonWriter json = beginEvent("counter_storage");
     json.field("works", storage.problem.empty());
     if (!storage.problem.empty())
-        json.field("problem", storage.problem);
+        json.field("problem", storage.problem.text());
     return endEvent(json);
 }
 

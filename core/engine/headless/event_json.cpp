@@ -76,7 +76,7 @@ std::string commandEvent(const vehicle::StepReport &report)
 std::string recordingEvent(const RecordingProblem &problem)
 {
     JsonWriter json = beginEvent("recording");
-    json.field("file", problem.file).field("problem", problem.problem);
+    json.field("file", problem.file).field("problem", problem.problem.text());
     return endEvent(json);
 }
 
@@ -197,7 +197,7 @@ void writeStatistics(JsonWriter &json, const Snapshot &snapshot, double time)
     writeProcess(json, snapshot.processCpuPercent, snapshot.residentBytes);
     json.field("events_dropped", snapshot.eventsDropped);
     if (!snapshot.storageProblem.empty())
-        json.field("storage_problem", snapshot.storageProblem);
+        json.field("storage_problem", snapshot.storageProblem.text());
     if (!snapshot.served.empty())
         writeClients(json, snapshot.clients);
     if (snapshot.broker)

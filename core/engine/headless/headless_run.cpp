@@ -107,10 +107,10 @@ void HeadlessRun::watchLinks(const LinkSnapshot &link)
     if (link.phase == LinkPhase::Finished && m_played.contains(link.id))
         m_played[link.id] = true;
     if (!known->second && !link.problem.empty())
-        m_linkProblem = link.url + ": " + link.problem;
+        m_linkProblem = link.url + ": " + link.problem.text();
     const bool hopeless = link.phase == LinkPhase::Failed || (link.phase == LinkPhase::Waiting && link.hostUnknown);
     if (!known->second && hopeless && m_brokenLink.empty()) {
-        m_brokenLink = link.url + ": " + link.problem;
+        m_brokenLink = link.url + ": " + link.problem.text();
         stop();
     }
 }
@@ -120,7 +120,7 @@ void HeadlessRun::watchServed(const LinkSnapshot &link)
 {
     if (!link.addressInUse && link.phase != LinkPhase::Failed)
         return;
-    m_brokenLink = link.url + ": " + link.problem;
+    m_brokenLink = link.url + ": " + link.problem.text();
     stop();
 }
 

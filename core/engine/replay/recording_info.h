@@ -1,6 +1,7 @@
 // One recording in a folder, and what its index tells.
 #pragma once
 
+#include "core/base/reason.h"
 #include "core/log/log_index.h"
 
 #include <cstdint>
@@ -16,7 +17,7 @@ struct RecordingInfo
     std::uint64_t eventBytes = 0;                  ///< of the file with link events beside it
     WallTime modified{};                           ///< when the file was written last
     std::shared_ptr<const tlog::LogIndex> index{}; ///< null before the file was read, and if it cannot be
-    std::string problem{};                         ///< reason why it cannot be read; empty if it can
+    Reason problem{};                              ///< reason why it cannot be read; empty if it can
 
     bool isRead() const { return index || !problem.empty(); }
 };

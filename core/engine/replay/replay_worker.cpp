@@ -57,9 +57,9 @@ bool ReplayWorker::open()
     auto file = tlog::openLog(path);
     auto indexed = tlog::openLog(path);
     if (!file || !indexed) {
-        const std::string why = file ? indexed.error() : file.error();
+        const Reason why = file ? indexed.error() : file.error();
         m_link.phase = LinkPhase::Failed;
-        m_link.problem = link::LinkError{link::LinkErrorCode::FileUnreadable, path, why}.sentence();
+        m_link.problem = link::LinkError{link::LinkErrorCode::FileUnreadable, path, why}.reason();
         return false;
     }
     m_file = std::move(*file);

@@ -61,7 +61,8 @@ struct AgentUnanswering
 };
 struct RecordingProblem
 {
-    std::string file, problem;
+    std::string file;
+    Reason problem;
 };
 /// The reader did not keep up, and the oldest events before this one were dropped; see OutputQueue.
 struct EventsDropped

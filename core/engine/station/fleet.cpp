@@ -1,5 +1,7 @@
 #include "core/engine/station/fleet.h"
 
+#include "core/vehicle/reasons.h"
+
 namespace skyseal::engine {
 
 namespace {
@@ -14,10 +16,6 @@ vehicle::VehicleConfig vehicleConfig(const StationConfig &config)
     out.timeSyncEvery = config.timeSyncEvery;
     return out;
 }
-
-/// Only the agent's list contains the role of this station, and an agent answers neither an observer's commands nor late ones.
-const std::string kMaybeDropped =
-    "; the agent may know this station as an observer, or the commands reach it too late: it drops both";
 
 } // namespace
 
@@ -54,7 +52,7 @@ void Fleet::publishEvents(vehicle::Vehicle &vehicle, bool sealed, const Notify &
     const auto publish = [&](auto &event) {
         if constexpr (requires { event.changeUnanswered; }) {
             if (sealed && event.changeUnanswered)
-                event.reason += kMaybeDropped;
+                event.reason = vehicle::reasons::kMaybeDropped(std::move(event.reason));
         }
         notify(std::move(event));
     };

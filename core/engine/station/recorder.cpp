@@ -20,6 +20,10 @@ constexpr auto kRetryAfter = std::chrono::seconds(10);
 constexpr std::size_t kTimeLength = 8;
 constexpr std::size_t kMostWaiting = 1000; ///< link events that a slow disk keeps in memory
 
+constexpr Sentence kCannotCreate = sentence("Reason", "cannot be created: %1");
+constexpr Sentence kCannotWrite = sentence("Reason", "cannot be written: %1");
+constexpr Sentence kNoRoom = sentence("Reason", "less than %1 MiB are free there");
+
 std::string nameByTime()
 {
     const std::time_t now = std::time(nullptr);
@@ -137,7 +141,7 @@ void Recorder::run()
         if (error != 0 && !m_problem) { // the recording itself goes on
             m_problem = m_status;
             m_problem->file = files.events.name();
-            m_problem->problem = std::string("cannot be written: ") + std::strerror(error);
+            m_problem->problem = kCannotWrite(std::strerror(error));
         }
     }
 }
@@ -151,7 +155,7 @@ void Recorder::write(Files &files, ByteView bytes, std::uint64_t frames)
         return;
     }
     m_status.file = files.log.name();
-    m_status.problem.clear();
+    m_status.problem = {};
     m_status.bytes += bytes.size();
     m_status.frames += frames;
 }
@@ -163,15 +167,15 @@ bool Recorder::writeTo(Files &files, ByteView bytes)
         return false;
     const bool syncs = now - files.synced >= kSyncEvery;
     if ((!files.log.isOpen() || syncs) && !hasRoom()) {
-        fail(files, "less than " + std::to_string(m_leaveFree >> 20) + " MiB are free there");
+        fail(files, kNoRoom(m_leaveFree >> 20));
         return false;
     }
     if (!files.log.isOpen() && !files.openIn(m_folder)) {
-        fail(files, std::string("cannot be created: ") + std::strerror(errno));
+        fail(files, kCannotCreate(std::strerror(errno)));
         return false;
     }
     if (!files.log.append(bytes)) {
-        fail(files, std::string("cannot be written: ") + std::strerror(errno));
+        fail(files, kCannotWrite(std::strerror(errno)));
         return false;
     }
     if (syncs) {
@@ -191,12 +195,12 @@ bool Recorder::hasRoom() const
     return error || space.available >= m_leaveFree;
 }
 
-void Recorder::fail(Files &files, const std::string &problem)
+void Recorder::fail(Files &files, const Reason &problem)
 {
     files.closeAfterError();
     files.retry = Files::Clock::now() + kRetryAfter;
     const std::lock_guard lock(m_mutex);
-    const bool isNew = m_status.problem != problem; // reported once, not every ten seconds
+    const bool isNew = !(m_status.problem == problem); // reported once, not every ten seconds
     m_status.file = files.log.name().empty() ? m_folder : files.log.name();
     m_status.problem = problem;
     if (isNew)

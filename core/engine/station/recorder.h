@@ -49,7 +49,7 @@ private:
     void write(Files &files, ByteView bytes, std::uint64_t frames);
     bool writeTo(Files &files, ByteView bytes);
     bool hasRoom() const;
-    void fail(Files &files, const std::string &problem);
+    void fail(Files &files, const Reason &problem);
 
     const std::string m_folder;
     const std::uint64_t m_leaveFree;

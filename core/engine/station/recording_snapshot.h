@@ -1,6 +1,8 @@
 // The part of a snapshot that describes the recording of telemetry.
 #pragma once
 
+#include "core/base/reason.h"
+
 #include <cstdint>
 #include <string>
 
@@ -11,7 +13,7 @@ struct RecordingSnapshot
     bool active = false;
     std::string file;
     std::uint64_t bytes = 0, frames = 0, dropped = 0;
-    std::string problem;
+    Reason problem; ///< why nothing is recorded; empty without one
 };
 
 } // namespace skyseal::engine

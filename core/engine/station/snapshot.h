@@ -45,7 +45,7 @@ struct Snapshot
     std::vector<MetricsSample> samples; ///< the newest ones; a reader uses those with new numbers
     std::vector<InspectorRow> inspector;
     RecordingSnapshot recording;
-    std::string storageProblem; ///< reason why this station's counters of handshakes are not stored; empty if they are
+    Reason storageProblem; ///< reason why this station's counters of handshakes are not stored; empty if they are
     double processCpuPercent = 0;
     std::uint64_t residentBytes = 0;
     std::uint64_t plaintextRefused = 0; ///< clear frames, including those of vehicles that await approval; see SenderPolicy

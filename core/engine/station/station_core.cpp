@@ -5,6 +5,7 @@
 #include "core/engine/station/snapshot.h"
 #include "core/crypto/mavsec_cipher.h"
 #include "core/metrics/process_usage.h"
+#include "core/vehicle/reasons.h"
 #include "core/vehicle/request_failure.h"
 
 #include <algorithm>
@@ -184,9 +185,8 @@ void StationCore::perform(vehicle::RequestId id, std::uint8_t systemId, const ve
         vehicle->perform(steadyNow(), id, request);
         finishWake();
     } else {
-        const std::string reason = "no vehicle with system ID " + std::to_string(systemId);
         std::visit([this](auto &&failure) { m_sinks.event(std::forward<decltype(failure)>(failure)); },
-                   vehicle::failureOf(id, systemId, request, reason));
+                   vehicle::failureOf(id, systemId, request, vehicle::reasons::kNoVehicle(systemId)));
     }
 }
 

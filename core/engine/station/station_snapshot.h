@@ -28,11 +28,11 @@ struct SnapshotSources
     const FrameGate &gate;
     const Fleet &fleet;
     const MetricsSampler &sampler;
-    const Recorder *recorder;             ///< null when nothing is recorded
-    Duration publishingCpu{};             ///< see Probe
-    Gateway *gateway = nullptr;           ///< null while no clients are served
-    const Feed *feed = nullptr;           ///< null while nothing is published
-    std::string_view storageProblem = {}; ///< see Snapshot
+    const Recorder *recorder;   ///< null when nothing is recorded
+    Duration publishingCpu{};   ///< see Probe
+    Gateway *gateway = nullptr; ///< null while no clients are served
+    const Feed *feed = nullptr; ///< null while nothing is published
+    Reason storageProblem = {}; ///< see Snapshot
 };
 
 MavlinkTotals mavlinkTotals(const SnapshotSources &from);

@@ -22,7 +22,7 @@ public:
     std::optional<RecordingProblem> saveSystems(TimePoint now, SecretFiles &secrets, const SealedSystems &heard);
 
     /// Reason why counters are not stored; empty if they are.
-    const std::string &countersProblem() const { return m_counters.problem(); }
+    const Reason &countersProblem() const { return m_counters.problem(); }
 
 private:
     StorageWatch m_counters;

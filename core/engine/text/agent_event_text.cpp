@@ -58,7 +58,7 @@ public:
             return {tr("Handshake counters can be stored again"), std::uint8_t(mavlink::MAV_SEVERITY_NOTICE)};
         return {tr("Handshake counters cannot be stored: %1. The links stay up. If this agent restarts now, it will "
                    "answer replayed handshakes, but they cannot establish a session")
-                    .arg(qt(e.problem)),
+                    .arg(reasonText(e.problem)),
                 std::uint8_t(mavlink::MAV_SEVERITY_ERROR)};
     }
 

@@ -104,7 +104,7 @@ public:
     {
         const QString url = qt(link.url);
         if (!link.problem.empty())
-            return {tr("Link %1: %2").arg(url, qt(link.problem)), kError};
+            return {tr("Link %1: %2").arg(url, reasonText(link.problem)), kError};
         switch (link.phase) {
         case LinkPhase::Listening: return {tr("Link %1: listening on %2").arg(url, qt(link.localAddress)), kInfo};
         case LinkPhase::Finished: return {tr("Link %1: replay finished").arg(url), kInfo};

@@ -70,7 +70,7 @@ public:
     }
     EventText operator()(const RecordingProblem &e) const
     {
-        return {tr("Not recording to %1: %2").arg(qt(e.file), qt(e.problem)), kError};
+        return {tr("Not recording to %1: %2").arg(qt(e.file), reasonText(e.problem)), kError};
     }
     EventText operator()(const EventsDropped &e) const
     {
@@ -83,7 +83,7 @@ public:
             return {tr("Handshake counters can be stored again"), kNotice};
         return {tr("Handshake counters cannot be stored: %1. The links stay up. If this station restarts now, agents "
                    "will refuse its first handshake and return the correct counter")
-                    .arg(qt(e.problem)),
+                    .arg(reasonText(e.problem)),
                 kError};
     }
     EventText operator()(const ServedLinkChanged &e) const { return linkText(e.link); }
@@ -114,12 +114,12 @@ public:
     EventText operator()(const vehicle::MissionResult &e) const
     {
         return e.ok ? EventText{missionDone(e.transfer).arg(planName(e.type)), kInfo, e.systemId}
-                    : EventText{missionFailed(e.transfer).arg(planName(e.type), qt(e.reason)), kError, e.systemId};
+                    : EventText{missionFailed(e.transfer).arg(planName(e.type), reasonText(e.reason)), kError, e.systemId};
     }
     EventText operator()(const vehicle::ParameterResult &e) const
     {
         const QString name = qt(e.parameter.name);
-        const QString value = QString::number(e.parameter.value), reason = qt(e.reason);
+        const QString value = QString::number(e.parameter.value), reason = reasonText(e.reason);
         switch (e.action) {
         case vehicle::ParameterAction::ReadList:
             return e.ok ? EventText{tr("Parameters read"), kInfo, e.systemId}
@@ -135,21 +135,21 @@ public:
     EventText operator()(const vehicle::FileResult &e) const
     {
         return e.ok ? EventText{fileDone(e.action).arg(qt(e.path)), kInfo, e.systemId}
-                    : EventText{fileFailed(e.action).arg(qt(e.path), qt(e.reason)), kError, e.systemId};
+                    : EventText{fileFailed(e.action).arg(qt(e.path), reasonText(e.reason)), kError, e.systemId};
     }
     EventText operator()(const vehicle::LogResult &e) const
     {
         switch (e.action) {
         case vehicle::LogAction::List:
             return e.ok ? EventText{tr("List of logs read"), kInfo, e.systemId}
-                        : EventText{tr("List of logs not read: %1").arg(qt(e.reason)), kError, e.systemId};
+                        : EventText{tr("List of logs not read: %1").arg(reasonText(e.reason)), kError, e.systemId};
         case vehicle::LogAction::Read:
             return e.ok ? EventText{tr("Log %1 read").arg(e.log), kInfo, e.systemId}
-                        : EventText{tr("Log %1 not read: %2").arg(e.log).arg(qt(e.reason)), kError, e.systemId};
+                        : EventText{tr("Log %1 not read: %2").arg(e.log).arg(reasonText(e.reason)), kError, e.systemId};
         case vehicle::LogAction::Erase: break;
         }
         return e.ok ? EventText{tr("Logs erased"), kNotice, e.systemId}
-                    : EventText{tr("Logs not erased: %1").arg(qt(e.reason)), kError, e.systemId};
+                    : EventText{tr("Logs not erased: %1").arg(reasonText(e.reason)), kError, e.systemId};
     }
     EventText operator()(const vehicle::CommandResult &e) const
     {
@@ -158,7 +158,7 @@ public:
 
     static QString outcomeOf(const vehicle::CommandResult &result)
     {
-        const QString reason = qt(result.reason);
+        const QString reason = reasonText(result.reason);
         switch (result.outcome) {
         case vehicle::CommandOutcome::Accepted: return tr("accepted");
         case vehicle::CommandOutcome::Refused: return reason.isEmpty() ? tr("refused") : reason; // "nothing was sent: …"

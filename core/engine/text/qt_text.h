@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/printable.h"
+#include "core/base/reason.h"
 
 #include <QtCore/QString>
 
@@ -22,6 +23,9 @@ inline QString qt(const std::string &text)
 {
     return QString::fromStdString(printable(text));
 }
+
+/// A reason in the language of the window, or in English without a translator. Removes control characters.
+QString reasonText(const Reason &reason);
 
 /// A number with its noun: `one` for 1, otherwise `many`, whose %1 is the number.
 inline QString counted(std::uint64_t number, const QString &one, const QString &many)

@@ -1,10 +1,10 @@
 // Example of a micro-protocol, for recipes_test: request and result of a PING. https://mavlink.io/en/services/ping.html
 #pragma once
 
+#include "core/base/reason.h"
 #include "core/vehicle/request_id.h"
 
 #include <cstdint>
-#include <string>
 
 namespace skyseal::vehicle {
 
@@ -17,7 +17,7 @@ struct PingResult
     std::uint8_t systemId = 0;
     bool ok = false;
     double trip = 0; ///< seconds
-    std::string reason = {};
+    Reason reason = {};
 };
 
 } // namespace skyseal::vehicle

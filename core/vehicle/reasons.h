@@ -1,0 +1,106 @@
+// The reasons for which requests to a vehicle fail, or for which nothing is sent.
+#pragma once
+
+#include "core/base/reason.h"
+
+namespace skyseal::vehicle {
+
+namespace reasons {
+
+// Of all requests.
+inline constexpr Sentence kNothingSent = sentence("Reason", "nothing was sent: %1");
+inline constexpr Sentence kNotSupported = sentence("Reason", "not supported");
+inline constexpr Sentence kNoVehicle = sentence("Reason", "no vehicle with system ID %1");
+inline constexpr Sentence kNoAnswer = sentence("Reason", "no answer to %1 attempts");
+inline constexpr Sentence kCancelled = sentence("Reason", "cancelled");
+/// Only the agent's list contains the role of this station, and an agent answers neither an observer's commands nor late ones.
+inline constexpr Sentence kMaybeDropped = sentence(
+    "Reason", "%1; the agent may know this station as an observer, or the commands reach it too late: it drops both");
+/// A reason, and what else is known: the vehicle's own texts, or an item of a list.
+inline constexpr Sentence kWithTexts = sentence("Reason", "%1: %2");
+
+// Of commands.
+inline constexpr Sentence kSuspended = sentence("Reason",
+                                                "no answer yet, and not sent again: this program was suspended for %1 s");
+inline constexpr Sentence kTooManyCommands = sentence("Reason", "too many commands are waiting for answers");
+inline constexpr Sentence kReplaced = sentence("Reason", "replaced by a newer command");
+inline constexpr Sentence kNotConfirmed = sentence("Reason", "sent %1 times; the vehicle does not confirm it");
+inline constexpr Sentence kNoHeartbeat = sentence("Reason", "acknowledged; no heartbeat since");
+inline constexpr Sentence kStillArmed = sentence("Reason", "acknowledged, but the vehicle reports armed");
+inline constexpr Sentence kStillDisarmed = sentence("Reason", "acknowledged, but the vehicle reports disarmed");
+inline constexpr Sentence kLeftForMode = sentence("Reason", "it needs the mode %1, the vehicle went to %2");
+inline constexpr Sentence kStaysInMode = sentence("Reason", "it needs the mode %1, the vehicle stays in %2");
+inline constexpr Sentence kOtherMode = sentence("Reason", "acknowledged, but the vehicle reports the mode %1");
+inline constexpr Sentence kOtherItem = sentence("Reason", "acknowledged, but the vehicle reports mission item %1");
+
+// Why a command cannot be made for this vehicle in this state.
+inline constexpr Sentence kModesUnknown = sentence("Reason", "the modes of this kind of vehicle are not known");
+inline constexpr Sentence kNoSuchMode = sentence("Reason", "the vehicle has no mode '%1'; it has %2");
+inline constexpr Sentence kTakeOffTooLow = sentence("Reason", "the altitude of a take-off must be above 0 m");
+inline constexpr Sentence kDoesNotFly = sentence("Reason", "this kind of vehicle does not fly");
+inline constexpr Sentence kTakeOffNeedsGuided = sentence("Reason", "take-off needs the mode GUIDED, the vehicle is in %1");
+inline constexpr Sentence kTakeOffNeedsArmed = sentence("Reason", "take-off needs an armed vehicle, it is disarmed");
+inline constexpr Sentence kTakeOffNeedsPosition = sentence("Reason", "take-off needs a known position");
+inline constexpr Sentence kNoModeToLand = sentence("Reason", "this kind of vehicle has no mode to land in");
+inline constexpr Sentence kNoModeToReturn = sentence("Reason", "this kind of vehicle has no mode to return in");
+inline constexpr Sentence kNoModeToLoiter = sentence("Reason", "this kind of vehicle has no mode to loiter in");
+inline constexpr Sentence kNotOnGlobe = sentence("Reason", "the location is not on the globe");
+inline constexpr Sentence kGoToNeedsGuided = sentence("Reason",
+                                                      "going to a location needs the mode GUIDED, the vehicle is in %1");
+inline constexpr Sentence kGoToNeedsHome = sentence("Reason", "going to a location needs a known home altitude");
+inline constexpr Sentence kAltitudeNoNumber = sentence("Reason", "the altitude is not a number");
+inline constexpr Sentence kAltitudeNeedsPosition = sentence("Reason", "changing the altitude needs a known position");
+inline constexpr Sentence kAltitudeNeedsHome = sentence("Reason", "changing the altitude needs a known home altitude");
+inline constexpr Sentence kPointNeedsHome = sentence("Reason", "pointing at a location needs a known home altitude");
+inline constexpr Sentence kHomeNeedsHome = sentence("Reason", "moving home needs a known home altitude");
+inline constexpr Sentence kSpeedTooLow = sentence("Reason", "the speed must be above 0 m/s");
+
+// Of missions.
+inline constexpr Sentence kMissionUnderWay = sentence("Reason", "another mission transfer is under way");
+inline constexpr Sentence kTooManyItems = sentence("Reason", "a mission has at most %1 items");
+inline constexpr Sentence kItemNotOnGlobe = sentence("Reason", "item %1 is not on the globe");
+inline constexpr Sentence kItemMissing = sentence("Reason", "the vehicle does not send item %1");
+inline constexpr Sentence kItemsNotRequested = sentence("Reason", "the vehicle stopped requesting items");
+inline constexpr Sentence kUploadEndedEarly = sentence("Reason", "the vehicle ended the upload early");
+
+// Of parameters.
+inline constexpr Sentence kNoParameter = sentence("Reason", "a name of up to 16 characters and a number are needed");
+inline constexpr Sentence kParametersMissing = sentence("Reason", "the vehicle does not send its parameters");
+inline constexpr Sentence kParametersIncomplete = sentence("Reason", "only %1 of %2 parameters came");
+inline constexpr Sentence kValueKept = sentence("Reason", "the vehicle keeps %1");
+
+// Of files.
+inline constexpr Sentence kFileUnderWay = sentence("Reason", "another file transfer is under way");
+inline constexpr Sentence kNoPath = sentence("Reason", "a path of up to %1 bytes is needed");
+inline constexpr Sentence kContentTooLarge = sentence("Reason", "a file has at most %1 bytes");
+inline constexpr Sentence kFileTooLarge = sentence("Reason", "the file is larger than %1 bytes");
+inline constexpr Sentence kFolderTooLarge = sentence("Reason", "the folder has more than %1 entries");
+inline constexpr Sentence kChecksumsDiffer = sentence("Reason", "the checksums of both ends differ");
+inline constexpr Sentence kChecksumMissing = sentence("Reason", "the vehicle does not send the checksum");
+inline constexpr Sentence kPartUnchecked = sentence("Reason", "without a checksum, the part that is kept cannot be used");
+inline constexpr Sentence kSizeMissing = sentence("Reason", "the vehicle does not report the size of the file");
+inline constexpr Sentence kFileUnlikePart = sentence("Reason", "the size of the file does not match the part that is kept");
+inline constexpr Sentence kFileChanged = sentence("Reason", "the file changed while it was read");
+inline constexpr Sentence kByteMissing = sentence("Reason", "the vehicle does not send byte %1");
+inline constexpr Sentence kByteNotAccepted = sentence("Reason", "the vehicle does not accept byte %1");
+
+// Of logs.
+inline constexpr Sentence kLogsUnderWay = sentence("Reason", "another request for logs is under way");
+inline constexpr Sentence kNoSuchLog = sentence("Reason", "the vehicle has no such log");
+inline constexpr Sentence kLogsRemain = sentence("Reason", "the vehicle still has logs, or does not answer");
+inline constexpr Sentence kLogsNotListed = sentence("Reason", "the vehicle does not list its logs");
+inline constexpr Sentence kLogsNotListedArmed = sentence("Reason", "the vehicle does not list its logs while it is armed");
+inline constexpr Sentence kBytesMissing = sentence("Reason", "the vehicle does not send byte %1 and following");
+inline constexpr Sentence kLogTooLarge = sentence("Reason", "the log is larger than %1 bytes");
+inline constexpr Sentence kLogUnlikePart = sentence("Reason", "the log does not match the part that is kept");
+inline constexpr Sentence kLogChanged = sentence("Reason", "the log changed while it was read");
+
+} // namespace reasons
+
+/// Nothing was sent, because of this.
+inline Reason nothingSent(Reason because)
+{
+    return reasons::kNothingSent(std::move(because));
+}
+
+} // namespace skyseal::vehicle

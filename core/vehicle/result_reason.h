@@ -1,0 +1,18 @@
+// The result codes of MAVLink as reasons.
+#pragma once
+
+#include "core/base/reason.h"
+#include "core/mavlink/ftp_message.h"
+
+#include <cstdint>
+
+namespace skyseal::vehicle {
+
+/// MAV_RESULT: "denied", "not supported", …
+Reason commandResultReason(std::uint8_t result);
+/// MAV_MISSION_RESULT: "no space left on the vehicle", …
+Reason missionResultReason(std::uint8_t result);
+/// A refusal of MAVLink FTP: "no such file or folder", …; of MAV_FTP_ERR_FAILERRNO with the number that the vehicle sends.
+Reason ftpErrorReason(const mavlink::FtpMessage &refusal);
+
+} // namespace skyseal::vehicle

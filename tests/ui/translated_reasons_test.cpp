@@ -1,0 +1,111 @@
+// Reasons that come from the engine are shown in the language of the window: of commands, links, recordings, parameters, and of
+// what is typed. The translation of this test puts each sentence between marks.
+#include "core/vehicle/reasons.h"
+#include "core/link/link_error.h"
+#include "scripted_snapshots.h"
+#include "tests/support/eventually.h"
+#include "tests/support/test_runner.h"
+#include "ui/flight/hold_button.h"
+#include "ui/links/link_dialog.h"
+#include "window_hands.h"
+#include "window_rig.h"
+
+#include <QtCore/QTranslator>
+#include <QtTest/QTest>
+#include <QtWidgets/QApplication>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QLineEdit>
+
+using namespace skyseal;
+using namespace skyseal::ui;
+namespace reasons = skyseal::vehicle::reasons;
+
+namespace {
+
+class Marks : public QTranslator
+{
+public:
+    QString translate(const char *context, const char *source, const char *, int) const override
+    {
+        return qstrcmp(context, "Reason") == 0 ? QStringLiteral("‹%1›").arg(QString::fromUtf8(source)) : QString();
+    }
+    bool isEmpty() const override { return false; }
+};
+
+} // namespace
+
+class TranslatedReasonsTest : public QObject, private WindowRig
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY(QCoreApplication::installTranslator(&m_marks)); }
+    void cleanupTestCase() { QCoreApplication::removeTranslator(&m_marks); }
+    void init() { setUp(); }
+    void cleanup() { tearDown(); }
+
+    void ofCommands_data()
+    {
+        QTest::addColumn<Reason>("reason");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("not sent")
+            << vehicle::nothingSent(reasons::kTakeOffNeedsGuided("LOITER"))
+            << QStringLiteral("Land: ‹nothing was sent: ‹take-off needs the mode GUIDED, the vehicle is in LOITER››");
+        QTest::newRow("silence") << reasons::kNoAnswer(5) << QStringLiteral("Land: ‹no answer to 5 attempts›");
+        QTest::newRow("words of the vehicle") << reasons::kWithTexts(reasons::kCancelled, "PreArm: 100 %1")
+                                              << QStringLiteral("Land: ‹‹cancelled›: PreArm: 100 %1›");
+    }
+    void ofCommands()
+    {
+        QFETCH(Reason, reason);
+        m_station->show(sealedSnapshot(++m_time));
+        WindowHands(*m_window).hold("landButton");
+        EVENTUALLY(!m_station->requests.empty());
+        m_station->notify(vehicle::CommandResult{
+            .id = vehicle::RequestId{1}, .systemId = 1, .outcome = vehicle::CommandOutcome::Refused, .reason = reason});
+        QTEST(find<QLabel>("commandResult")->text(), "words");
+    }
+
+    void ofLinksAndRecordings()
+    {
+        engine::Snapshot snapshot = sealedSnapshot(++m_time);
+        snapshot.links.front().phase = engine::LinkPhase::Failed;
+        snapshot.links.front().problem = link::LinkError{link::LinkErrorCode::DeviceMissing, "/dev/ttyUSB0", {}}.reason();
+        snapshot.recording.problem = sentence("Reason", "less than %1 MiB are free there")(200);
+        m_station->show(snapshot);
+        EVENTUALLY(texts().contains(QStringLiteral("‹there is no device /dev/ttyUSB0›")));
+        QVERIFY(texts().contains(QStringLiteral("‹less than 200 MiB are free there›")));
+    }
+
+    void ofWhatIsTyped()
+    {
+        QTest::keyClick(m_window.get(), Qt::Key_F12);
+        auto *dialog = m_window->findChild<LinkDialog *>();
+        EVENTUALLY(dialog && dialog->isVisible());
+        auto *port = dialog->findChild<QLineEdit *>(QStringLiteral("linkPort"));
+        QVERIFY(port);
+        port->selectAll();
+        QTest::keyClicks(port, QStringLiteral("x"));
+        EVENTUALLY(texts().contains(QStringLiteral("‹the port")));
+    }
+
+private:
+    /// All that the labels and lists of the window say.
+    QString texts() const
+    {
+        QStringList out;
+        for (const QLabel *label : m_window->findChildren<QLabel *>())
+            out << label->text() << label->toolTip();
+        for (const QAbstractItemView *view : m_window->findChildren<QAbstractItemView *>())
+            for (int row = 0; view->model() && row < view->model()->rowCount(); ++row)
+                for (int column = 0; column < view->model()->columnCount(); ++column)
+                    out << view->model()->index(row, column).data().toString();
+        return out.join(QLatin1Char('\n'));
+    }
+
+    Marks m_marks;
+    double m_time = 0;
+};
+
+SKYSEAL_TEST_WIDGETS(TranslatedReasonsTest)
+#include "translated_reasons_test.moc"
