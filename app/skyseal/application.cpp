@@ -62,7 +62,7 @@ engine::StationConfig Application::configOf(const ui::Settings &settings, engine
 
 engine::KeyPaths Application::chooseKeys()
 {
-    const keys::AskPassphrase ask = m_options.passphrase.isGiven() ? m_options.passphrase.ask() : m_question.ask();
+    const keys::AskPassphrase ask = m_options.passphrase.isGiven() ? m_options.passphrase.ask() : m_question.recalled();
     if (!m_options.identityFile.empty())
         return {m_options.identityFile, m_options.peersFile, ask};
     auto own = ownKeys(m_random);
@@ -110,36 +110,46 @@ void Application::showKeyProblem()
     const auto facts = keys::readIdentityFacts(m_keys.identity);
     const QString text = tr("No sealed links: %1").arg(m_keyProblem);
     if (facts && facts->sealed)
-        m_window->reportProblem(text, tr("Enter the passphrase"), [this] { tryKeysAgain(); });
+        m_window->reportProblem(text, tr("Enter the passphrase"), [this] { askForPassphrase(); });
     else
         m_window->reportProblem(text);
 }
 
-void Application::tryKeysAgain()
+void Application::askForPassphrase()
 {
-    std::shared_ptr<const crypto::Passphrase> last;
-    const keys::AskPassphrase ask = m_question.ask();
-    const auto opened = keys::loadIdentity(m_keys.identity, [&](const std::string &file, int attempt) {
-        auto typed = ask(file, attempt);
-        if (typed)
-            last = std::make_shared<const crypto::Passphrase>(typed->clone());
-        return typed;
-    });
-    m_keyProblem = opened ? QString() : engine::reasonText(opened.error().reason());
-    if (!opened) {
-        showKeyProblem();
-        return;
-    }
-    m_question.opened();
+    m_question.ask(
+        *m_window, m_keys.identity,
+        [this](const std::shared_ptr<const crypto::Passphrase> &passphrase) { useOpenedKeys(passphrase); },
+        [this](const InputError &why) {
+            m_keyProblem = engine::reasonText(why.reason());
+            m_window->setKeyProblem(m_keyProblem);
+            showKeyProblem();
+        });
+}
+
+void Application::useOpenedKeys(const std::shared_ptr<const crypto::Passphrase> &passphrase)
+{
+    m_keyProblem.clear();
     engine::KeyPaths keys = m_keys;
-    keys.askPassphrase = [last](const std::string &file, int attempt) -> Result<crypto::Passphrase, InputError> {
-        if (attempt == 0 && last)
-            return last->clone();
+    keys.askPassphrase = [passphrase](const std::string &file, int attempt) -> Result<crypto::Passphrase, InputError> {
+        if (attempt == 0)
+            return passphrase->clone();
         return tl::unexpected(InputError{sentence("Reason", "was changed meanwhile"), file});
     };
     m_station->exchange(configOf(m_window->settings(), keys));
     useKeys(m_keys);
     openLinks();
+}
+
+/// Asks for what opens the key, or says why it cannot be used.
+void Application::reportMissingKeys()
+{
+    if (m_keyProblem.isEmpty())
+        return;
+    if (m_question.isNeeded())
+        askForPassphrase();
+    else
+        showKeyProblem();
 }
 
 bool Application::start()
@@ -158,11 +168,9 @@ bool Application::start()
         keys = chooseKeys();
     }
     auto station = engine::Station::create(configOf(settings, keys));
-    if (station)
-        m_question.opened();
-    if (!station && !m_options.demo && (m_options.identityFile.empty() || m_question.declined())) {
-        // A damaged key or a missing passphrase must not prevent the window from opening: it opens for plain links and reports
-        // the problem.
+    if (!station && !m_options.demo && (m_options.identityFile.empty() || m_question.isNeeded())) {
+        // A damaged key or a missing passphrase must not prevent the window from opening: it opens for plain links, and asks or
+        // reports the problem.
         m_keyProblem = engine::reasonText(station.error().reason());
         station = engine::Station::create(configOf(settings, {}));
     }
@@ -181,8 +189,7 @@ bool Application::start()
         openLinks();
         offerRescue();
     }
-    if (!m_keyProblem.isEmpty())
-        showKeyProblem();
+    reportMissingKeys();
     if (!m_options.screenshot.isEmpty()) {
         m_window->resize(m_window->size().expandedTo(kLeastPicture));
         QTimer::singleShot(qRound(m_options.screenshotAfter * 1000), this, &Application::takeScreenshot);
@@ -282,6 +289,7 @@ void Application::startDemo()
             if (!link.listenOnly) // such a link needs its key as well
                 *m_linksBeforeDemo << QString::fromStdString(link.url);
     }
+    m_question.withdraw();
     m_station->exchange(configOf(m_window->settings(), m_demo->stationKeys()));
     m_keyProblem.clear();
     useKeys(m_demo->stationKeys());
@@ -299,17 +307,14 @@ void Application::endDemo()
     m_keyProblem.clear();
     const engine::KeyPaths keys = chooseKeys();
     m_station->exchange(configOf(m_window->settings(), keys));
-    if (m_station->isRunning()) {
-        m_question.opened();
-    } else { // as at the start: plain links work without the key
+    if (!m_station->isRunning()) { // as at the start: plain links work without the key
         const auto identity = keys::readIdentityFacts(keys.identity);
         m_keyProblem = identity ? tr("the key could not be opened") : engine::reasonText(identity.error().reason());
         m_station->exchange(configOf(m_window->settings(), {}));
     }
     useKeys(keys);
     openLinksAgain();
-    if (!m_keyProblem.isEmpty())
-        showKeyProblem();
+    reportMissingKeys();
 }
 
 /// Those that the user had when the demo took their place, whether the operator or the command line opened them.

@@ -38,7 +38,9 @@ private:
     engine::KeyPaths chooseKeys();
     void useKeys(const engine::KeyPaths &keys);
     void showKeyProblem();
-    void tryKeysAgain();
+    void askForPassphrase();
+    void useOpenedKeys(const std::shared_ptr<const crypto::Passphrase> &passphrase);
+    void reportMissingKeys();
     void reportLeftOutPeers(const keys::PeersInForce &peers);
     void makeWindow();
     void openLinks();

@@ -2,49 +2,100 @@
 
 #include "core/base/locked_memory.h"
 #include "core/crypto/passphrase.h"
+#include "core/crypto/x25519.h"
 #include "ui/keys/passphrase_dialog.h"
+#include "ui/modeless.h"
+
+#include <utility>
 
 namespace skyseal::app {
 
-keys::AskPassphrase PassphraseQuestion::ask()
+namespace {
+
+InputError notGiven(const std::string &file)
 {
-    return [this](const std::string &file, int attempt) { return answer(file, attempt); };
+    return {sentence("Reason", "the passphrase was not given"), file};
 }
 
-Result<crypto::Passphrase, InputError> PassphraseQuestion::answer(const std::string &file, int attempt)
+} // namespace
+
+PassphraseQuestion::~PassphraseQuestion()
 {
-    m_toRemember.reset();
+    withdraw();
+}
+
+keys::AskPassphrase PassphraseQuestion::recalled()
+{
+    m_needed = false;
+    return [this](const std::string &file, int attempt) -> Result<crypto::Passphrase, InputError> {
+        if (attempt == 0 && m_memory.problem().isEmpty() && m_memory.remembers(file)) {
+            if (auto known = m_memory.recall(file))
+                return std::move(*known);
+        }
+        m_needed = true;
+        return tl::unexpected(notGiven(file));
+    };
+}
+
+void PassphraseQuestion::ask(QWidget &parent, const std::string &file, Opened opened, NotOpened notOpened)
+{
+    m_parent = &parent;
     m_file = file;
-    m_forget = false;
-    const QString problem = m_memory.problem();
-    if (attempt == 0 && problem.isEmpty() && m_memory.remembers(file)) {
-        if (auto recalled = m_memory.recall(file))
-            return std::move(*recalled);
-    }
-    ui::PassphraseDialog dialog(QString::fromStdString(file), attempt > 0, problem);
-    dialog.setToBeRemembered(m_memory.remembers(file)); // an outdated passphrase
-    const InputError none{"the passphrase was not given", file};
-    m_declined = dialog.exec() != QDialog::Accepted;
-    if (m_declined)
-        return tl::unexpected(none);
-    auto passphrase = dialog.takePassphrase();
-    if (!passphrase)
-        return tl::unexpected(none);
-    if (dialog.isToBeRemembered())
-        m_toRemember = shareInLockedMemory(passphrase->clone());
+    m_opened = std::move(opened);
+    m_notOpened = std::move(notOpened);
+    if (m_dialog)
+        ui::showModeless(*m_dialog);
     else
-        m_forget = problem.isEmpty() && m_memory.remembers(file);
-    return std::move(*passphrase);
+        showDialog(false);
 }
 
-void PassphraseQuestion::opened()
+void PassphraseQuestion::withdraw()
 {
-    if (m_toRemember)
-        m_memory.remember(m_file, *m_toRemember);
-    else if (m_forget)
+    if (!m_dialog)
+        return;
+    m_dialog->disconnect(this);
+    m_dialog->close();
+    m_dialog.clear();
+}
+
+void PassphraseQuestion::showDialog(bool again)
+{
+    m_dialog = new ui::PassphraseDialog(QString::fromStdString(m_file), again, m_memory.problem(), m_parent);
+    m_dialog->setAttribute(Qt::WA_DeleteOnClose);
+    m_dialog->setToBeRemembered(m_memory.remembers(m_file)); // an outdated passphrase
+    connect(m_dialog, &QDialog::accepted, this, &PassphraseQuestion::take);
+    connect(m_dialog, &QDialog::rejected, this, [this] {
+        m_dialog.clear();
+        m_notOpened(notGiven(m_file));
+    });
+    ui::showModeless(*m_dialog);
+}
+
+void PassphraseQuestion::take()
+{
+    ui::PassphraseDialog &dialog = *std::exchange(m_dialog, nullptr);
+    auto typed = dialog.takePassphrase();
+    if (!typed)
+        return m_notOpened(notGiven(m_file));
+    const bool isToBeRemembered = dialog.isToBeRemembered();
+    const auto passphrase = shareInLockedMemory(std::move(*typed));
+    bool wrong = false;
+    const auto opened = keys::loadIdentity(m_file,
+                                           [&](const std::string &file, int attempt) -> Result<crypto::Passphrase, InputError> {
+                                               wrong = attempt > 0;
+                                               if (wrong)
+                                                   return tl::unexpected(notGiven(file));
+                                               return passphrase->clone();
+                                           });
+    if (wrong)
+        return showDialog(true);
+    if (!opened)
+        return m_notOpened(opened.error());
+    if (isToBeRemembered)
+        m_memory.remember(m_file, *passphrase);
+    else if (m_memory.problem().isEmpty() && m_memory.remembers(m_file))
         m_memory.forget(m_file);
-    m_forget = false;
-    m_toRemember.reset();
+    m_opened(passphrase);
 }
 
 } // namespace skyseal::app

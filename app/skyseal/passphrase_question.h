@@ -1,37 +1,61 @@
-// Provides the passphrase of a sealed key to the reader of key files: from the desktop's keyring if it is stored there,
-// otherwise from the operator.
+// Provides the passphrase of a sealed key: from the desktop's keyring if it is stored there, otherwise from the operator, who
+// is asked beside the window.
 #pragma once
 
 #include "app/skyseal/passphrase_memory.h"
 #include "core/keys/secret_file.h"
 
+#include <QtCore/QObject>
+#include <QtCore/QPointer>
+#include <QtWidgets/QWidget>
+
+#include <functional>
 #include <memory>
 #include <string>
 
+namespace skyseal::ui {
+class PassphraseDialog;
+}
+
 namespace skyseal::app {
 
-class PassphraseQuestion
+/// Lives on the GUI thread.
+class PassphraseQuestion : public QObject
 {
+    Q_OBJECT
+
 public:
+    using Opened = std::function<void(std::shared_ptr<const crypto::Passphrase> passphrase)>;
+    using NotOpened = std::function<void(const InputError &why)>;
+
     /// `memory` must outlive this.
     explicit PassphraseQuestion(PassphraseMemory &memory) : m_memory(memory) {}
+    ~PassphraseQuestion() override;
 
-    /// Returns a function that asks until the file opens or the operator cancels. It blocks on the GUI thread and must not
-    /// outlive this.
-    keys::AskPassphrase ask();
-    /// True if the operator cancelled.
-    bool declined() const { return m_declined; }
-    /// The last answer opened the file: stores the passphrase if the operator chose so.
-    void opened();
+    /// Returns a function that gives what the keyring remembers and asks nobody. It blocks while the desktop prompts to unlock
+    /// the keyring, and must not outlive this.
+    keys::AskPassphrase recalled();
+    /// True if the file that recalled() was last used for needs the operator.
+    bool isNeeded() const { return m_needed; }
+
+    /// Asks in a dialog beside `parent`, which stays usable, until the identity in `file` opens or the operator cancels, and
+    /// calls one of the functions then. A passphrase that opens it is stored in the keyring if the operator chose so. While it
+    /// is asked, the dialog comes to the front instead. Nothing is called once `parent` is deleted.
+    void ask(QWidget &parent, const std::string &file, Opened opened, NotOpened notOpened);
+    /// Closes the dialog without calling anything.
+    void withdraw();
 
 private:
-    Result<crypto::Passphrase, InputError> answer(const std::string &file, int attempt);
+    void showDialog(bool again);
+    void take();
 
     PassphraseMemory &m_memory;
+    QPointer<QWidget> m_parent;
+    QPointer<ui::PassphraseDialog> m_dialog;
     std::string m_file;
-    std::shared_ptr<const crypto::Passphrase> m_toRemember;
-    bool m_forget = false;
-    bool m_declined = false;
+    Opened m_opened;
+    NotOpened m_notOpened;
+    bool m_needed = false;
 };
 
 } // namespace skyseal::app

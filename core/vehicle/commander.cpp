@@ -262,8 +262,7 @@ void Commander::repeat(TimePoint now, Action &action)
         action.deadline = now + kRepeatInterval;
         m_context.outbox.push(action.awaitsMode ? message.mode->request : message.message);
     } else if (action.awaitsMode) {
-        nextAlternative(now, action, CommandOutcome::TimedOut,
-                        reasons::kStaysInMode(message.mode->name, state().mode));
+        nextAlternative(now, action, CommandOutcome::TimedOut, reasons::kStaysInMode(message.mode->name, state().mode));
     } else if (message.effectExpected) {
         nextAlternative(now, action, CommandOutcome::TimedOut, reasons::kNoAnswer(kRepeats));
     } else {

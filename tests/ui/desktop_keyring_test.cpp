@@ -1,6 +1,7 @@
 // The passphrase of a sealed key in the desktop's keyring: against a real gnome-keyring-daemon on a session bus of its own.
 // Skipped, and saying so, where these programs or the library are missing.
 #include "core/crypto/passphrase.h"
+#include "core/crypto/system_random.h"
 #include "app/skyseal/passphrase_memory.h"
 #include "app/skyseal/passphrase_question.h"
 #include "tests/support/eventually.h"
@@ -10,7 +11,6 @@
 #include <QtCore/QProcess>
 #include <QtCore/QStandardPaths>
 #include <QtCore/QTemporaryDir>
-#include <QtCore/QTimer>
 #include <QtDBus/QDBusConnection>
 #include <QtDBus/QDBusConnectionInterface>
 #include <QtTest/QSignalSpy>
@@ -66,6 +66,28 @@ private:
         QVERIFY2(failed.isEmpty(), failed.isEmpty() ? "" : qPrintable(failed[0][0].toString()));
     }
 
+    std::string sealedKey(const char *name, std::string_view words)
+    {
+        const std::string file = m_folder.filePath(QString::fromLatin1(name)).toStdString();
+        const crypto::Passphrase sealing = passphrase(words);
+        if (!keys::writeNewIdentity(file, m_random, {&sealing, {.passes = 1, .memoryKiB = 8192}}))
+            qFatal("no key %s", name);
+        return file;
+    }
+    static ui::PassphraseDialog *openDialog(const QWidget &window)
+    {
+        auto *dialog = window.findChild<ui::PassphraseDialog *>();
+        return dialog && dialog->isVisible() ? dialog : nullptr;
+    }
+    static void answer(const QWidget &window, const QString &words)
+    {
+        auto *dialog = openDialog(window);
+        QVERIFY(dialog);
+        QTest::keyClicks(dialog->findChild<QLineEdit *>(QStringLiteral("passphrase")), words);
+        QTest::keyClick(dialog, Qt::Key_Return);
+    }
+
+    crypto::SystemRandom m_random;
     QTemporaryDir m_folder;
     QProcess m_daemon;
     std::unique_ptr<QSettings> m_store;
@@ -131,59 +153,49 @@ void DesktopKeyringTest::rememberedAndForgotten()
 
 void DesktopKeyringTest::askedOnceThenNoMore()
 {
-    int asked = 0;
-    QTimer person;
-    connect(&person, &QTimer::timeout, this, [&] {
-        auto *dialog = qobject_cast<ui::PassphraseDialog *>(QApplication::activeModalWidget());
-        if (!dialog || !dialog->isVisible())
-            return;
-        ++asked;
+    const std::string file = sealedKey("asked.key", "swordfish");
+    QWidget window;
+    {
+        PassphraseQuestion question(*m_memory);
+        QVERIFY(!question.recalled()(file, 0) && question.isNeeded());
+        bool opened = false;
+        question.ask(
+            window, file, [&](const auto &) { opened = true; }, [](const InputError &) {});
+        auto *dialog = openDialog(window);
         auto *remember = dialog->findChild<QCheckBox *>(QStringLiteral("rememberPassphrase"));
         QVERIFY(remember->isEnabled());
         QTest::mouseClick(remember, Qt::LeftButton, {}, QPoint(8, remember->height() / 2));
-        QTest::keyClicks(dialog->findChild<QLineEdit *>(QStringLiteral("passphrase")), QStringLiteral("swordfish"));
-        QTest::keyClick(dialog, Qt::Key_Return);
-    });
-    person.start(20);
-    {
-        PassphraseQuestion question(*m_memory);
-        QVERIFY(question.ask()("/station.key", 0));
         QSignalSpy done(m_memory.get(), &PassphraseMemory::done);
-        QVERIFY(!m_memory->remembers("/station.key")); // not before it opened the file
-        question.opened();
+        QVERIFY(!m_memory->remembers(file)); // not before it opened the file
+        answer(window, QStringLiteral("swordfish"));
+        EVENTUALLY(opened);
         EVENTUALLY_EQUAL(done.size(), 1);
     }
     restart();
     PassphraseQuestion question(*m_memory);
-    const auto answer = question.ask()("/station.key", 0);
-    QVERIFY(answer && asText(answer->view()) == "swordfish");
-    QCOMPARE(asked, 1);
+    const auto answer = question.recalled()(file, 0);
+    QVERIFY(answer && asText(answer->view()) == "swordfish" && !question.isNeeded());
 }
 
 /// The passphrase was changed by skyseal-cli meanwhile.
 void DesktopKeyringTest::stalePassphraseIsRequested()
 {
-    remember("/station.key", "old");
-    bool asked = false;
-    QTimer person;
-    connect(&person, &QTimer::timeout, this, [&] {
-        auto *dialog = qobject_cast<ui::PassphraseDialog *>(QApplication::activeModalWidget());
-        if (dialog && dialog->isVisible()) {
-            asked = true;
-            QTest::keyClicks(dialog->findChild<QLineEdit *>(QStringLiteral("passphrase")), QStringLiteral("new"));
-            QTest::keyClick(dialog, Qt::Key_Return);
-        }
-    });
-    person.start(20);
+    const std::string file = sealedKey("stale.key", "new");
+    remember(file, "old");
     PassphraseQuestion question(*m_memory);
-    const auto first = question.ask()("/station.key", 0);
-    QVERIFY(first && asText(first->view()) == "old" && !asked);
-    const auto second = question.ask()("/station.key", 1);
-    QVERIFY(second && asText(second->view()) == "new" && asked);
+    const auto recalled = question.recalled();
+    const auto first = recalled(file, 0);
+    QVERIFY(first && asText(first->view()) == "old" && !question.isNeeded());
+    QVERIFY(!recalled(file, 1) && question.isNeeded());
+    QWidget window;
+    bool opened = false;
+    question.ask(
+        window, file, [&](const auto &) { opened = true; }, [](const InputError &) {});
     QSignalSpy done(m_memory.get(), &PassphraseMemory::done);
-    question.opened();
+    answer(window, QStringLiteral("new"));
+    EVENTUALLY(opened);
     EVENTUALLY_EQUAL(done.size(), 1);
-    QVERIFY(is(m_memory->recall("/station.key"), "new")); // it went on being remembered
+    QVERIFY(is(m_memory->recall(file), "new")); // it went on being remembered
 }
 
 /// Runs again on its own session bus, so that no real keyring is used.

@@ -1,0 +1,171 @@
+// The question for the passphrase of this station's key: beside the window, which stays usable.
+#include "app/skyseal/passphrase_question.h"
+#include "core/crypto/passphrase.h"
+#include "core/crypto/system_random.h"
+#include "tests/support/eventually.h"
+#include "tests/support/test_runner.h"
+#include "ui/keys/passphrase_dialog.h"
+
+#include <QtCore/QTemporaryDir>
+#include <QtTest/QTest>
+#include <QtWidgets/QApplication>
+#include <QtWidgets/QDialogButtonBox>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QPushButton>
+
+#include <map>
+
+using namespace skyseal;
+using namespace skyseal::app;
+
+namespace {
+
+class FakeMemory final : public PassphraseMemory
+{
+public:
+    QString problem() const override { return {}; }
+    bool remembers(const std::string &file) const override { return kept.contains(file); }
+    std::optional<crypto::Passphrase> recall(const std::string &file) override
+    {
+        return crypto::Passphrase::fromBytes(asBytes(kept.at(file)));
+    }
+    void remember(const std::string &file, const crypto::Passphrase &passphrase) override
+    {
+        kept[file] = std::string(asText(passphrase.view()));
+    }
+    void forget(const std::string &file) override { kept.erase(file); }
+
+    std::map<std::string, std::string> kept;
+};
+
+} // namespace
+
+class PassphraseQuestionTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        m_file = m_folder.filePath(QStringLiteral("identity.key")).toStdString();
+        const auto passphrase = crypto::Passphrase::fromBytes(asBytes(std::string_view("swordfish")));
+        QVERIFY(keys::writeNewIdentity(m_file, m_random, {&*passphrase, {.passes = 1, .memoryKiB = 8192}}));
+    }
+
+    void init()
+    {
+        m_window = std::make_unique<QWidget>();
+        m_land = new QPushButton(QStringLiteral("Land"), m_window.get());
+        m_window->resize(300, 200);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), test::kDeadlineMs));
+        m_opened = m_notOpened = 0;
+        m_memory.kept.clear();
+    }
+    void cleanup() { m_window.reset(); }
+
+    void theWindowStaysUsable()
+    {
+        PassphraseQuestion question(m_memory);
+        ask(question); // returns at once
+        QVERIFY(dialog() && !dialog()->isModal() && !QApplication::activeModalWidget());
+        int pressed = 0;
+        connect(m_land, &QPushButton::clicked, this, [&] { ++pressed; });
+        QTest::mouseClick(m_land, Qt::LeftButton);
+        QCOMPARE(pressed, 1);
+        type("swordfish");
+        EVENTUALLY_EQUAL(m_opened, 1);
+        QCOMPARE(m_words, std::string("swordfish"));
+        EVENTUALLY(!dialog());
+        QCOMPARE(m_notOpened, 0);
+    }
+
+    void wrongOneIsAskedAgain()
+    {
+        PassphraseQuestion question(m_memory);
+        ask(question);
+        QVERIFY(dialog()->findChild<QLabel *>(QStringLiteral("passphraseWrong"))->text().isEmpty());
+        type("sworfish");
+        EVENTUALLY(dialog() && !dialog()->findChild<QLabel *>(QStringLiteral("passphraseWrong"))->text().isEmpty());
+        QCOMPARE(m_opened + m_notOpened, 0);
+        type("swordfish");
+        EVENTUALLY_EQUAL(m_opened, 1);
+    }
+
+    void mayBeDeclinedAndAskedLater()
+    {
+        PassphraseQuestion question(m_memory);
+        ask(question);
+        QTest::mouseClick(dialog()->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Cancel), Qt::LeftButton);
+        EVENTUALLY_EQUAL(m_notOpened, 1);
+        QVERIFY2(m_why.find("the passphrase was not given") != std::string::npos, m_why.c_str());
+        ask(question);
+        QTest::keyClick(dialog(), Qt::Key_Escape);
+        EVENTUALLY_EQUAL(m_notOpened, 2);
+    }
+
+    void oneDialogAtATime()
+    {
+        PassphraseQuestion question(m_memory);
+        ask(question);
+        ask(question);
+        QCOMPARE(m_window->findChildren<ui::PassphraseDialog *>().size(), 1);
+        question.withdraw();
+        EVENTUALLY(!dialog());
+        QCOMPARE(m_opened + m_notOpened, 0);
+    }
+
+    void whatIsRememberedNeedsNoQuestion()
+    {
+        PassphraseQuestion question(m_memory);
+        QVERIFY(!keys::loadIdentity(m_file, question.recalled()) && question.isNeeded());
+        m_memory.kept[m_file] = "swordfish";
+        QVERIFY(keys::loadIdentity(m_file, question.recalled()) && !question.isNeeded());
+        m_memory.kept[m_file] = "outdated";
+        QVERIFY(!keys::loadIdentity(m_file, question.recalled()) && question.isNeeded());
+        QVERIFY(!dialog());
+        ask(question);
+        type("swordfish");
+        EVENTUALLY_EQUAL(m_opened, 1);
+        QCOMPARE(m_memory.kept[m_file], std::string("swordfish")); // it went on being remembered
+    }
+
+private:
+    ui::PassphraseDialog *dialog() const
+    {
+        for (ui::PassphraseDialog *found : m_window->findChildren<ui::PassphraseDialog *>())
+            if (found->isVisible())
+                return found;
+        return nullptr;
+    }
+    void ask(PassphraseQuestion &question)
+    {
+        question.ask(
+            *m_window, m_file,
+            [this](const std::shared_ptr<const crypto::Passphrase> &passphrase) {
+                ++m_opened;
+                m_words = asText(passphrase->view());
+            },
+            [this](const InputError &why) {
+                ++m_notOpened;
+                m_why = why.text();
+            });
+    }
+    void type(const char *words)
+    {
+        QTest::keyClicks(dialog()->findChild<QLineEdit *>(QStringLiteral("passphrase")), QLatin1String(words));
+        QTest::keyClick(dialog(), Qt::Key_Return);
+    }
+
+    QTemporaryDir m_folder;
+    crypto::SystemRandom m_random;
+    FakeMemory m_memory;
+    std::string m_file, m_words, m_why;
+    std::unique_ptr<QWidget> m_window;
+    QPushButton *m_land = nullptr;
+    int m_opened = 0, m_notOpened = 0;
+};
+
+SKYSEAL_TEST_WIDGETS(PassphraseQuestionTest)
+#include "passphrase_question_test.moc"
