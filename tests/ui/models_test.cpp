@@ -133,6 +133,27 @@ private Q_SLOTS:
         QCOMPARE(model.rowAt(model.rowCount() - 1)->systemId, std::uint8_t(2));
     }
 
+    void inspectorRowsLeaveWithTheirVehicle()
+    {
+        InspectorModel model;
+        QAbstractItemModelTester tester(&model, kFatal);
+        auto rows = plainSnapshot(0).inspector;
+        const auto own = rows.size();
+        for (std::size_t i = 0; i < own; ++i) {
+            rows.push_back(rows[i]);
+            rows.back().systemId = 2;
+        }
+        model.setRows(rows);
+        QCOMPARE(model.rowCount(), static_cast<int>(2 * own));
+        rows.erase(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(own));
+        model.setRows(rows);
+        QCOMPARE(model.rowCount(), static_cast<int>(own));
+        for (int row = 0; row < model.rowCount(); ++row)
+            QCOMPARE(model.rowAt(row)->systemId, std::uint8_t(2));
+        model.setRows({});
+        QCOMPARE(model.rowCount(), 0);
+    }
+
     void fieldsAreDecoded()
     {
         FieldModel model(mavlink::Dialect::builtin());

@@ -41,13 +41,18 @@ void InspectorModel::setRows(const std::vector<InspectorRow> &rows)
             endInsertRows();
         }
     }
-}
-
-void InspectorModel::clear()
-{
-    beginResetModel();
-    m_rows.clear();
-    endResetModel();
+    if (m_rows.size() == rows.size())
+        return; // all of them are there
+    const auto isGone = [&](const InspectorRow &old) {
+        return std::ranges::none_of(rows, [&](const InspectorRow &one) { return keyOf(one) == keyOf(old); });
+    };
+    for (int index = rowCount() - 1; index >= 0; --index) {
+        if (!isGone(*rowAt(index)))
+            continue;
+        beginRemoveRows({}, index, index);
+        m_rows.erase(m_rows.begin() + index);
+        endRemoveRows();
+    }
 }
 
 const InspectorRow *InspectorModel::rowAt(int row) const

@@ -1,5 +1,5 @@
-// The received message types, one row for each sender and type. Rows keep their order: new types are inserted, values change
-// in place.
+// The received message types, one row for each sender and type. Rows keep their order: new types are inserted, those of a
+// sender that is gone are removed, values change in place.
 #pragma once
 
 #include "core/engine/station/inspector_row.h"
@@ -17,9 +17,8 @@ public:
 
     using QAbstractTableModel::QAbstractTableModel;
 
-    /// Sorts the rows by sender and name. An empty list (the inspector was off) leaves the model unchanged.
+    /// Shows these rows, sorted by sender and name.
     void setRows(const std::vector<engine::InspectorRow> &rows);
-    void clear();
     const engine::InspectorRow *rowAt(int row) const;
 
     int rowCount(const QModelIndex &parent = {}) const override;

@@ -79,9 +79,10 @@ InspectorPanel::InspectorPanel(StationInterface &station, QWidget *parent)
 
 void InspectorPanel::showViewState(const ViewState &view)
 {
-    if (!isExposed() || !view.snapshot || view.snapshot->inspector.empty())
+    if (!isExposed() || !view.snapshot)
         return;
-    if (std::abs(view.snapshot->time - m_shownAt) < kRefreshSeconds)
+    m_filled = m_filled || !view.snapshot->inspector.empty();
+    if (!m_filled || std::abs(view.snapshot->time - m_shownAt) < kRefreshSeconds)
         return;
     m_shownAt = view.snapshot->time;
     m_messages.setRows(view.snapshot->inspector);
@@ -95,6 +96,7 @@ void InspectorPanel::showFields()
 
 void InspectorPanel::exposedChanged(bool seen)
 {
+    m_filled = false;
     m_station.setInspecting(seen);
 }
 

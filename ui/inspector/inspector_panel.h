@@ -33,6 +33,7 @@ private:
     QSortFilterProxyModel *m_filter;
     QTreeView *m_list, *m_detail;
     double m_shownAt = -1;
+    bool m_filled = false; ///< by the station, since the panel is visible; before that its list is empty
 };
 
 } // namespace skyseal::ui
