@@ -21,6 +21,7 @@
 #include <QtCore/QTemporaryDir>
 #include <QtGui/QImage>
 #include <QtTest/QTest>
+#include <QtWidgets/QLabel>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QTableView>
@@ -82,6 +83,20 @@ private Q_SLOTS:
     }
 
     void cleanup() { m_panel.reset(); }
+
+    void saysWhatToDoWithoutAVehicle()
+    {
+        auto *empty = m_panel->findChild<QLabel *>(QStringLiteral("chartsEmpty"));
+        QVERIFY(empty && empty->isVisible() && empty->text().startsWith(QStringLiteral("Connect to a vehicle")));
+        auto all = twoSuites();
+        auto unheard = all;
+        for (auto &sample : unheard)
+            sample.linkUp = false;
+        m_panel->onSnapshot(viewWith({unheard.begin(), unheard.begin() + 10}));
+        QVERIFY(empty->isVisible()); // this program's own memory is no link
+        m_panel->onSnapshot(viewWith(all));
+        QVERIFY(!empty->isVisible() && m_panel->chart(0)->isVisible());
+    }
 
     void plotsWhatWasMeasured()
     {

@@ -15,6 +15,7 @@
 
 #include <QtGui/QKeyEvent>
 #include <QtWidgets/QHeaderView>
+#include <QtWidgets/QLabel>
 #include <QtWidgets/QMessageBox>
 #include <QtWidgets/QStackedWidget>
 #include <QtWidgets/QTableView>
@@ -27,8 +28,9 @@ namespace skyseal::ui {
 
 DiagnosticsPanel::DiagnosticsPanel(QWidget *parent)
     : DockPanel(parent), m_quantities(allQuantities()), m_history(m_quantities), m_tools(new DiagnosticsTools(this)),
-      m_pages(new QStackedWidget(this)), m_grid(new ChartGrid(m_pages)), m_table(new QTableView(m_pages)),
-      m_sweep(new SweepPage(m_pages)), m_model(new SuiteTableModel(m_history, m_quantities, this)), m_timer(new QTimer(this))
+      m_pages(new QStackedWidget(this)), m_empty(new QLabel(m_pages)), m_grid(new ChartGrid(m_pages)),
+      m_table(new QTableView(m_pages)), m_sweep(new SweepPage(m_pages)),
+      m_model(new SuiteTableModel(m_history, m_quantities, this)), m_timer(new QTimer(this))
 {
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Charts of the diagnostics"));
@@ -40,6 +42,12 @@ DiagnosticsPanel::DiagnosticsPanel(QWidget *parent)
     m_table->verticalHeader()->setDefaultSectionSize(kRow);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_empty->setText(tr("Connect to a vehicle to see the throughput, losses, latency and cost of its link."));
+    m_empty->setObjectName(QStringLiteral("chartsEmpty"));
+    m_empty->setWordWrap(true);
+    m_empty->setAlignment(Qt::AlignCenter);
+    m_empty->setForegroundRole(QPalette::PlaceholderText);
+    m_pages->addWidget(m_empty);
     m_pages->addWidget(m_grid);
     m_pages->addWidget(m_table);
     m_pages->addWidget(m_sweep);
@@ -54,6 +62,7 @@ DiagnosticsPanel::DiagnosticsPanel(QWidget *parent)
     m_tools->showRange(m_range);
     addActions(m_tools->actions());
     addActions(m_sweep->actions());
+    showPage();
 
     m_timer->setInterval(kRefreshMs);
     connect(m_timer, &QTimer::timeout, this, [this] {
@@ -147,17 +156,23 @@ void DiagnosticsPanel::showGroup()
 void DiagnosticsPanel::showView()
 {
     const bool sweepBefore = m_pages->currentWidget() == m_sweep;
-    switch (m_tools->view()) {
-    case DiagnosticsView::Table: m_pages->setCurrentWidget(m_table); break;
-    case DiagnosticsView::Sweep: m_pages->setCurrentWidget(m_sweep); break;
-    default: m_pages->setCurrentWidget(m_grid);
-    }
+    showPage();
     for (Plot &plot : m_plots)
         plot.scale = AxisScale(plot.quantity->least);
     showCursor({});
     refresh();
     if (const bool sweep = m_pages->currentWidget() == m_sweep; sweep != sweepBefore)
         Q_EMIT sweepShown(sweep);
+}
+
+void DiagnosticsPanel::showPage()
+{
+    if (m_tools->view() == DiagnosticsView::Sweep)
+        m_pages->setCurrentWidget(m_sweep);
+    else if (!m_hasLink)
+        m_pages->setCurrentWidget(m_empty);
+    else
+        m_pages->setCurrentWidget(m_tools->view() == DiagnosticsView::Table ? static_cast<QWidget *>(m_table) : m_grid);
 }
 
 void DiagnosticsPanel::showSweep()
@@ -181,8 +196,14 @@ void DiagnosticsPanel::onSnapshot(const ViewState &view)
     std::vector<engine::MetricsSample> samples = station->samples;
     for (engine::MetricsSample &sample : samples)
         sample.sessionBytes = m_sessionMemory.of(sample.suite);
-    if (m_history.take(samples))
-        m_due = m_shown.size();
+    if (!m_history.take(samples))
+        return;
+    m_due = m_shown.size();
+    if (const bool has = m_history.hasLink(); has != m_hasLink) {
+        m_hasLink = has;
+        showPage();
+        refresh();
+    }
 }
 
 void DiagnosticsPanel::refresh()

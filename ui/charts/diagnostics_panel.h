@@ -12,6 +12,7 @@
 
 #include <functional>
 
+class QLabel;
 class QStackedWidget;
 class QTableView;
 
@@ -74,6 +75,7 @@ private:
     TimeSeriesChart *widgetOf(Plot &plot);
     void showGroup();
     void showView();
+    void showPage();
     std::size_t chartsAtOnce() const;
     void draw(std::size_t count);
     void drawPlot(Plot &plot, const std::vector<ChartMark> &marks);
@@ -90,10 +92,12 @@ private:
     std::vector<std::size_t> m_shown; ///< indices into m_plots
     DiagnosticsTools *m_tools;
     QStackedWidget *m_pages;
+    QLabel *m_empty; ///< until a vehicle is heard
     ChartGrid *m_grid;
     QTableView *m_table;
     SweepPage *m_sweep;
     SuiteTableModel *m_model;
+    bool m_hasLink = false; ///< a vehicle was heard
     QTimer *m_timer;        ///< runs only while the charts are visible
     std::size_t m_due = 0;  ///< charts that new samples have not been drawn in
     std::size_t m_next = 0; ///< index in m_shown of the chart drawn last

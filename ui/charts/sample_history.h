@@ -3,6 +3,8 @@
 
 #include "ui/charts/suite_history.h"
 
+#include <algorithm>
+
 namespace skyseal::ui {
 
 class SampleHistory
@@ -36,6 +38,8 @@ public:
     const std::deque<engine::MetricsSample> &samples() const { return m_samples; }
     const SuiteHistory &suites() const { return m_suites; }
     bool empty() const { return m_samples.empty(); }
+    /// True if a vehicle was heard in a sample.
+    bool hasLink() const { return std::ranges::any_of(m_samples, &engine::MetricsSample::linkUp); }
     /// Returns the time of the newest sample in seconds; 0 without samples.
     double newest() const { return m_samples.empty() ? 0 : m_samples.back().time; }
 
