@@ -5,7 +5,7 @@
 #include "tests/support/test_runner.h"
 #include "ui/alerts/alert_row.h"
 #include "ui/values/cell_area.h"
-#include "ui/values/sparkline.h"
+#include "ui/sparkline.h"
 #include "ui/values/value_cell.h"
 #include "ui/values/values_editor.h"
 #include "ui/values/values_grid.h"

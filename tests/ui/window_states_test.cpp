@@ -16,6 +16,7 @@
 
 #include <QtGui/QScreen>
 #include <QtTest/QSignalSpy>
+#include <QtGui/QImage>
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QAbstractItemView>
@@ -95,6 +96,34 @@ private Q_SLOTS:
         m_station->show(sealedSnapshot(1));
         QVERIFY(!lock->text().contains(QStringLiteral("answer")));
         QVERIFY(!find<QWidget>("emptyState")->isVisible());
+    }
+
+    void stripShowsTheCourseOfTheLink()
+    {
+        auto *link = find<StripItem>("stripLink");
+        const auto showLoss = [&](double time, double lossPercent, std::uint8_t system = 1) {
+            engine::Snapshot snapshot = sealedSnapshot(time);
+            snapshot.sessions.front().lossPercent = lossPercent;
+            snapshot.vehicles.front().state.systemId = system;
+            m_station->show(snapshot);
+        };
+        const QString lowest = QStringLiteral("Lowest in the last minute: ");
+        showLoss(100, 0);
+        EVENTUALLY_EQUAL(link->accessibleDescription(), lowest + QStringLiteral("100.0 %"));
+        QImage flat = link->grab().toImage();
+        for (int i = 0; i < 20; ++i)
+            showLoss(101 + i * 0.25, 40);
+        showLoss(107, 0);
+        EVENTUALLY_EQUAL(link->accessibleDescription(), lowest + QStringLiteral("60.0 %"));
+        QVERIFY(link->toolTip().contains(lowest + QStringLiteral("60.0 %")));
+        QVERIFY(link->text().contains(QStringLiteral("100.0 %"))); // at present
+        QVERIFY(link->grab().toImage() != flat);                   // the dip is seen
+        showLoss(170, 0);
+        EVENTUALLY_EQUAL(link->accessibleDescription(), lowest + QStringLiteral("100.0 %")); // it is longer ago
+        showLoss(171, 30);
+        EVENTUALLY_EQUAL(link->accessibleDescription(), lowest + QStringLiteral("70.0 %"));
+        showLoss(172, 0, 2);
+        EVENTUALLY_EQUAL(link->accessibleDescription(), lowest + QStringLiteral("100.0 %")); // another vehicle
     }
 
     void unknownAgentIsNamed()

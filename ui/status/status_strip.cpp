@@ -55,6 +55,7 @@ StatusStrip::StatusStrip(QWidget *parent)
     m_lock->setClickable(true);
     m_vehicle->setClickable(true);
     m_link->setClickable(true);
+    m_link->setLine(true);
     connect(m_lock, &QAbstractButton::clicked, this, &StatusStrip::lockClicked);
     connect(m_vehicle, &QAbstractButton::clicked, this, &StatusStrip::vehicleClicked);
     connect(m_link, &QAbstractButton::clicked, this, &StatusStrip::linkClicked);
@@ -156,6 +157,8 @@ void StatusStrip::showLink(const ViewState &view)
         m_link->setSamples({});
         m_link->setContent({tr("No link"), tr("No link"), dash()}, QStringLiteral("link"));
         m_link->setTextColor(colors.dim);
+        m_link->setToolTip({});
+        noteQuality(view, vehicle::kUnknown);
         return;
     }
     const QString widest = tr("Link OK %1").arg(QStringLiteral("100.0 %"));
@@ -166,9 +169,11 @@ void StatusStrip::showLink(const ViewState &view)
     if (state.lost || view.stale() || (!view.session && view.vehicle->session)) {
         m_link->setContent({tr("Link lost") + kDot + age, tr("Lost") + kDot + age, age}, QStringLiteral("link"));
         m_link->setTextColor(colors.alarm);
+        noteQuality(view, 0);
         return;
     }
     const double arrived = 100.0 - (view.session ? view.session->lossPercent : view.vehicle->lossPercent);
+    noteQuality(view, arrived);
     const double latency = std::isfinite(state.latency)             ? state.latency
         : view.session && view.session->stats.roundTrip.count() > 0 ? seconds(view.session->stats.roundTrip)
                                                                     : vehicle::kUnknown;
@@ -176,7 +181,8 @@ void StatusStrip::showLink(const ViewState &view)
     // In the order of the item's numbers, which have no labels there.
     const QString tip = tr("%1 of the frames arrived\n%2 latency\n%3 since the newest message\n%4 frames/s, %5 lost")
                             .arg(percent, latencyText(latency), age, number(view.vehicle->framesPerSecond, 0),
-                                 grouped(state.sequence.lost));
+                                 grouped(state.sequence.lost))
+        + QLatin1Char('\n') + tr("Lowest in the last minute: %1 %").arg(number(m_link->line().lowest(), 1));
     const auto commandAge = commandAgeOf(view);
     m_link->setToolTip(commandAge ? tip + QLatin1Char('\n') + commandAge->sentence + QLatin1Char('\n') + commandAge->limits
                                   : tip);
@@ -191,6 +197,22 @@ void StatusStrip::showLink(const ViewState &view)
                         word.arg(percent) + kDot + latencyText(latency), percent},
                        QStringLiteral("link"));
     m_link->setTextColor(poor ? colors.warning : QColor());
+}
+
+/// The line goes on through an interruption, at 0 %, and begins anew with another vehicle.
+void StatusStrip::noteQuality(const ViewState &view, double percent)
+{
+    const int system = view.vehicle ? view.vehicle->state.systemId : -1;
+    if (system != m_lineOf) {
+        m_link->clearLine();
+        m_lineOf = system;
+    }
+    if (view.vehicle && view.snapshot)
+        m_link->addSample(view.snapshot->time, percent);
+    const double lowest = m_link->line().lowest();
+    const QString spoken = std::isfinite(lowest) ? tr("Lowest in the last minute: %1 %").arg(number(lowest, 1)) : QString();
+    if (m_link->accessibleDescription() != spoken) // each one set is an event for assistive technology
+        m_link->setAccessibleDescription(spoken);
 }
 
 void StatusStrip::arrange()

@@ -20,6 +20,9 @@ public:
     /// That other stations may write through this one, in a few words and a sentence; both empty if they may not.
     void showSharing(const QString &word, const QString &sentence);
 
+    /// At which what tells more about the lock is shown.
+    QWidget *lock() const { return m_lock; }
+
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
@@ -37,9 +40,11 @@ protected:
 private:
     void showVehicle(const ViewState &view);
     void showLink(const ViewState &view);
+    void noteQuality(const ViewState &view, double percent);
     void showLock(const ViewState &view);
     void arrange();
 
+    int m_lineOf = -1; ///< system ID of the vehicle whose link the line shows
     StripItem *m_vehicle, *m_armed, *m_mode, *m_gps, *m_battery, *m_sharing, *m_lock, *m_link;
 };
 

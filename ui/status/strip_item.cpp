@@ -6,6 +6,7 @@
 #include "ui/theme/instrument_style.h"
 #include "ui/theme/palettes.h"
 
+#include <QtGui/QKeyEvent>
 #include <QtGui/QPainter>
 #include <QtGui/QPainterPath>
 
@@ -17,6 +18,8 @@ namespace skyseal::ui {
 namespace {
 constexpr int kIcon = 16;
 constexpr int kIconGap = 6;
+constexpr int kLine = 6 * kGrid;
+constexpr double kWhole = 100; ///< percent
 } // namespace
 
 StripItem::StripItem(const QString &accessibleName, QWidget *parent) : QAbstractButton(parent)
@@ -81,6 +84,38 @@ void StripItem::setClickable(bool clickable)
     setCursor(clickable ? Qt::PointingHandCursor : Qt::ArrowCursor);
 }
 
+void StripItem::setLine(bool on)
+{
+    m_hasLine = on;
+    Q_EMIT widthChanged();
+}
+
+void StripItem::addSample(double time, double percent)
+{
+    if (m_line.add(time, percent) && lineRoom(m_variant) > 0)
+        update();
+}
+
+void StripItem::clearLine()
+{
+    m_line.clear();
+    update();
+}
+
+int StripItem::lineRoom(int variant) const
+{
+    return m_hasLine && variant + 1 < variantCount() ? kLine + kIconGap : 0;
+}
+
+/// Like the space bar, which is the key of buttons.
+void StripItem::keyPressEvent(QKeyEvent *event)
+{
+    if (m_clickable && (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter))
+        click();
+    else
+        QAbstractButton::keyPressEvent(event);
+}
+
 QFont StripItem::textFont() const
 {
     QFont font = this->font();
@@ -95,7 +130,7 @@ int StripItem::widthOf(int variant) const
     const qreal text = std::max(figuresWidth(metrics, m_variants.value(variant)),
                                 figuresWidth(metrics, m_samples.value(variant)));
     const int iconRoom = m_icon.isEmpty() ? 0 : kIcon + kIconGap;
-    return static_cast<int>(std::ceil(text)) + 1 + iconRoom + 2 * kGrid;
+    return static_cast<int>(std::ceil(text)) + 1 + iconRoom + lineRoom(variant) + 2 * kGrid;
 }
 
 void StripItem::setVariant(int variant)
@@ -128,6 +163,10 @@ void StripItem::paintEvent(QPaintEvent *)
         const QColor color = m_iconColor.isValid() ? m_iconColor : text;
         painter.drawPixmap(QPointF(x, (height() - kIcon) / 2.0), iconPixmap(m_icon, kIcon, color, devicePixelRatioF()));
         x += kIcon + kIconGap;
+    }
+    if (const int room = lineRoom(m_variant); room > 0) {
+        m_line.paintWithin(painter, QRectF(x, height() / 4.0, kLine, height() / 2.0), text, 0, kWhole);
+        x += room;
     }
     painter.setFont(textFont());
     painter.setPen(text);

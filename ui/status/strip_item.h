@@ -1,5 +1,7 @@
-// One item of the status strip: an icon and a text in several lengths.
+// One item of the status strip: an icon, a line of the last minute if it has one, and a text in several lengths.
 #pragma once
+
+#include "ui/sparkline.h"
 
 #include <QtCore/QStringList>
 #include <QtGui/QColor>
@@ -25,6 +27,13 @@ public:
     /// Clickable items accept the keyboard focus.
     void setClickable(bool clickable);
 
+    /// Keeps room for a line of the last minute, except in the shortest variant.
+    void setLine(bool on);
+    /// The next value of the line, from 0 to 100; NaN where there is none. `time` in seconds of the picture.
+    void addSample(double time, double percent);
+    const Sparkline &line() const { return m_line; }
+    void clearLine();
+
     int variantCount() const { return static_cast<int>(m_variants.size()); }
     int widthOf(int variant) const;
     void setVariant(int variant);
@@ -36,16 +45,19 @@ Q_SIGNALS:
     void widthChanged();
 
 protected:
+    void keyPressEvent(QKeyEvent *event) override;
     void paintEvent(QPaintEvent *) override;
 
 private:
     QFont textFont() const;
+    int lineRoom(int variant) const;
 
     QStringList m_variants, m_samples;
     QString m_icon;
     QColor m_iconColor, m_textColor;
     int m_variant = 0;
-    bool m_strong = false, m_clickable = false;
+    bool m_strong = false, m_clickable = false, m_hasLine = false;
+    Sparkline m_line;
 };
 
 } // namespace skyseal::ui

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "ui/value_choice.h"
-#include "ui/values/sparkline.h"
+#include "ui/sparkline.h"
 #include "ui/values/value_reading.h"
 
 #include <QtWidgets/QLabel>

@@ -1,4 +1,4 @@
-#include "ui/values/sparkline.h"
+#include "ui/sparkline.h"
 
 #include <QtGui/QPainter>
 
@@ -48,6 +48,14 @@ bool Sparkline::isEmpty() const
     return std::ranges::none_of(m_values, [](float value) { return std::isfinite(value); });
 }
 
+double Sparkline::lowest() const
+{
+    double out = kGap;
+    for (const float value : m_values)
+        out = std::fmin(out, value); // which prefers a number to NaN
+    return out;
+}
+
 void Sparkline::paint(QPainter &painter, const QRectF &area, const QColor &color, double leastSpan) const
 {
     double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
@@ -61,6 +69,12 @@ void Sparkline::paint(QPainter &painter, const QRectF &area, const QColor &color
         return;
     const double span = std::max(highest - lowest, leastSpan);
     const double bottom = (lowest + highest - span) / 2;
+    paintWithin(painter, area, color, bottom, bottom + span);
+}
+
+void Sparkline::paintWithin(QPainter &painter, const QRectF &area, const QColor &color, double bottom, double top) const
+{
+    const double span = top - bottom;
     std::array<QPointF, kSlots> run;
     int points = 0;
     const auto drawRun = [&] {

@@ -24,8 +24,12 @@ public:
     bool add(double time, double value);
     void clear();
     bool isEmpty() const;
+    /// The least of the minute; NaN if there is none.
+    double lowest() const;
     /// Newest at the right. The line fills the height of `area`, unless the values differ by less than `leastSpan`.
     void paint(QPainter &painter, const QRectF &area, const QColor &color, double leastSpan) const;
+    /// The same with a fixed scale: `bottom` and `top` are the values at the edges of `area`.
+    void paintWithin(QPainter &painter, const QRectF &area, const QColor &color, double bottom, double top) const;
 
 private:
     std::array<float, kSlots> m_values; ///< a ring: the value of a slot stands at its number modulo kSlots
