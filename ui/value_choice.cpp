@@ -15,7 +15,7 @@ struct Text
 };
 
 constexpr QLatin1String kSource("source"), kCaption("caption"), kDecimals("decimals"), kLow("low"), kHigh("high"),
-    kLine("line");
+    kLine("line"), kUnit("unit");
 
 tl::expected<std::optional<double>, QString> readLimit(const QJsonObject &object, QLatin1String key)
 {
@@ -52,10 +52,22 @@ tl::expected<ValueChoice, QString> readChoice(const QJsonValue &value)
     if (!(line.isUndefined() || line.isBool()))
         return tl::unexpected(Text::tr("\"line\" is neither true nor false"));
     out.line = line.toBool();
+    const QJsonValue unit = object.value(kUnit);
+    out.unitText = unit.toString();
+    if (!(unit.isUndefined() || unit.isString()) || out.unitText.size() > kLongestUnit)
+        return tl::unexpected(Text::tr("\"unit\" is not text of at most %1 characters").arg(kLongestUnit));
     return out;
 }
 
 } // namespace
+
+ValueUnit ValueChoice::shownUnit() const
+{
+    ValueUnit out = source.unit();
+    if (source.takesUnit())
+        out.name = unitText;
+    return out;
+}
 
 LimitSide ValueChoice::sideOf(double number) const
 {
@@ -67,7 +79,7 @@ LimitSide ValueChoice::sideOf(double number) const
 bool ValueChoice::operator==(const ValueChoice &other) const
 {
     return source.id() == other.source.id() && caption == other.caption && decimals == other.decimals && low == other.low
-        && high == other.high && line == other.line;
+        && high == other.high && line == other.line && unitText == other.unitText;
 }
 
 ValueChoices defaultValues()
@@ -94,6 +106,8 @@ QString toText(const ValueChoices &choices)
             object.insert(kHigh, *choice.high);
         if (choice.line)
             object.insert(kLine, true);
+        if (!choice.unitText.isEmpty())
+            object.insert(kUnit, choice.unitText);
         out.append(object);
     }
     return QString::fromUtf8(QJsonDocument(out).toJson(QJsonDocument::Compact));

@@ -21,9 +21,12 @@ struct ValueChoice
     int decimals = -1;              ///< < 0: those of the source
     std::optional<double> low = {}; ///< below it the value is "low"
     std::optional<double> high = {};
-    bool line = false; ///< of the last minute
+    bool line = false;     ///< of the last minute
+    QString unitText = {}; ///< of a source without a unit
 
     QString shownCaption() const { return caption.isEmpty() ? source.caption() : caption; }
+    /// That of the source, or of the operator if it has none.
+    ValueUnit shownUnit() const;
     /// Within for NaN.
     LimitSide sideOf(double number) const;
     bool operator==(const ValueChoice &other) const;
@@ -33,12 +36,13 @@ using ValueChoices = std::vector<ValueChoice>;
 
 inline constexpr std::size_t kMostValues = 32;
 inline constexpr int kLongestCaption = 24; ///< characters
+inline constexpr int kLongestUnit = 8;     ///< characters
 
 /// Shown until the operator has chosen.
 ValueChoices defaultValues();
 
-/// JSON: [{"source": "alt_rel", "caption": "height", "decimals": 1, "low": 5, "high": 120, "line": true}, …]; all but the
-/// source may be missing.
+/// JSON: [{"source": "alt_rel", "caption": "height", "decimals": 1, "low": 5, "high": 120, "line": true}, …]; a
+/// source without a unit may have "unit": "l/h". All but the source may be missing.
 QString toText(const ValueChoices &choices);
 
 /// Reads the text of toText(). The error names the first entry that is not understood, and why.

@@ -89,6 +89,42 @@ private Q_SLOTS:
                  qPrintable(about));
     }
 
+    void sourceWithoutAUnitTakesOne()
+    {
+        openEditorByKeys();
+        auto *unit = editor()->findChild<QLineEdit *>(QStringLiteral("editorUnit"));
+        QVERIFY(!unit->isEnabled()); // the altitude has its own
+        QCOMPARE(unit->text(), QStringLiteral("m"));
+        QTest::keyClicks(editor()->findChild<QLineEdit *>(QStringLiteral("editorFind")), QStringLiteral("satellites gps_raw"));
+        QTest::keyClick(editor()->findChild<QLineEdit *>(QStringLiteral("editorFind")), Qt::Key_Return);
+        QVERIFY(unit->isEnabled() && unit->text().isEmpty());
+        press(Qt::Key_N);
+        QCOMPARE(editor()->focusWidget(), static_cast<QWidget *>(unit));
+        QTest::keyClicks(unit, QStringLiteral("pcs and more"));
+        QCOMPARE(unit->text(), QStringLiteral("pcs and ")); // no longer than a cell can show
+        pressButton(Qt::Key_P, "editorApply");
+        showFields({readingOf(kSatellites, 14)});
+        QCOMPARE(cell(kSatellites)->unit(), QStringLiteral("pcs and"));
+        QCOMPARE(cell(kSatellites)->text(), QStringLiteral("14 pcs and"));
+        editor()->close();
+        open(); // it is stored
+        showFields({readingOf(kSatellites, 15)});
+        QCOMPARE(cell(kSatellites)->text(), QStringLiteral("15 pcs and"));
+    }
+
+    void unitsOfTheDefinitionFollowTheSystem()
+    {
+        const auto choice = [](const char *id) { return ValueChoice{.source = *findValueSource(QString::fromLatin1(id))}; };
+        const auto shown = [&](const char *id, UnitSystem units) { return unitName(choice(id).shownUnit(), units); };
+        QCOMPARE(shown("GLOBAL_POSITION_INT.alt", UnitSystem::Metric), QStringLiteral("m")); // sent in mm
+        QCOMPARE(shown("GLOBAL_POSITION_INT.alt", UnitSystem::Imperial), QStringLiteral("ft"));
+        QCOMPARE(shown("VFR_HUD.groundspeed", UnitSystem::Aviation), QStringLiteral("kt"));
+        QCOMPARE(shown("BATTERY_STATUS.current_consumed", UnitSystem::Imperial), QStringLiteral("mAh"));
+        ValueChoice named = choice("GLOBAL_POSITION_INT.alt");
+        named.unitText = QStringLiteral("furlong"); // not the operator's to choose
+        QCOMPARE(unitName(named.shownUnit(), UnitSystem::Metric), QStringLiteral("m"));
+    }
+
     void limitIsAWord()
     {
         openEditorByKeys();
@@ -274,6 +310,10 @@ private Q_SLOTS:
                                 << "not below";
         QTest::newRow("line") << R"([{"source":"alt","line":1}])"
                               << "\"line\"";
+        QTest::newRow("unit") << R"([{"source":"hdop","unit":3}])"
+                              << "\"unit\"";
+        QTest::newRow("a long unit") << R"([{"source":"hdop","unit":"123456789"}])"
+                                     << "8 characters";
     }
     void storedTextsAreChecked()
     {

@@ -91,7 +91,7 @@ void LimitWatch::checkVehicle(const ViewState &view, double now)
 Alert LimitWatch::alertFor(const Place &place, const Course &course) const
 {
     const ValueChoice &choice = m_choices[place.second];
-    const ValueUnit unit = choice.source.unit();
+    const ValueUnit unit = choice.shownUnit();
     const auto text = [&](double number) { return valueFigure(number, unit, choice.decimals, m_units).text(); };
     const bool isLow = course.reported == LimitSide::Low;
     const QString limit = text(isLow ? *choice.low : *choice.high);

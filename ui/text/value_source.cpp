@@ -154,6 +154,12 @@ ValueUnit ValueSource::unit() const
     return unit;
 }
 
+bool ValueSource::takesUnit() const
+{
+    const ValueUnit own = unit();
+    return isNumber() && own.measure == Measure::Plain && own.name.isEmpty();
+}
+
 bool ValueSource::isNumber() const
 {
     using Kind = vehicle::StateField::Kind;

@@ -32,6 +32,8 @@ struct ValueSource
     /// As the definition names it, empty for none: "cdeg".
     QString sourceUnit() const;
     ValueUnit unit() const;
+    /// True for a number whose definition names no unit: the operator may name one.
+    bool takesUnit() const;
     /// False for words, which have neither decimals, limits nor a line.
     bool isNumber() const;
     std::size_t elements() const { return field ? field->elements() : 1; }

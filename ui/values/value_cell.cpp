@@ -20,7 +20,7 @@ constexpr int kSmallestDigits = 9; ///< pixels
 } // namespace
 
 ValueCell::ValueCell(const ValueChoice &choice, QWidget *parent)
-    : QLabel(parent), m_choice(choice), m_shown(choice.source.unit()), m_value(dash())
+    : QLabel(parent), m_choice(choice), m_shown(choice.shownUnit()), m_value(dash())
 {
     setObjectName(QStringLiteral("value_") + choice.source.id());
     setAccessibleName(choice.shownCaption());

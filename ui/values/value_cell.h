@@ -46,7 +46,7 @@ private:
     QFont captionFont() const;
 
     ValueChoice m_choice;
-    ValueUnit m_shown; ///< of the source
+    ValueUnit m_shown;
     QString m_value, m_unit, m_note;
     bool m_stale = false, m_bad = false;
     int m_digits = 0, m_lineRoom = 0;

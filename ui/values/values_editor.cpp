@@ -111,6 +111,8 @@ QWidget *ValuesEditor::makeDetails()
     m_caption = named(new QLineEdit(box), "editorCaption", tr("Caption"));
     m_caption->setMaxLength(kLongestCaption);
     m_element = named(new QSpinBox(box), "editorElement", tr("Element of the array"));
+    m_unit = named(new QLineEdit(box), "editorUnit", tr("Unit"));
+    m_unit->setMaxLength(kLongestUnit);
     m_decimals = named(new QSpinBox(box), "editorDecimals", tr("Decimals"));
     m_decimals->setRange(-1, kMostDecimals);
     m_decimals->setSpecialValueText(tr("automatic"));
@@ -123,6 +125,7 @@ QWidget *ValuesEditor::makeDetails()
     form->addRow(m_source);
     form->addRow(tr("&Caption"), m_caption);
     form->addRow(tr("&Element"), m_element);
+    form->addRow(tr("U&nit"), m_unit);
     form->addRow(tr("Deci&mals"), m_decimals);
     for (const auto &[text, edit, unit] :
          {std::tuple(tr("&Low below"), m_low, m_lowUnit), std::tuple(tr("&High above"), m_high, m_highUnit)}) {
@@ -139,6 +142,11 @@ QWidget *ValuesEditor::makeDetails()
     form->addRow(QString(), m_line);
     connect(m_caption, &QLineEdit::textEdited, this,
             [this](const QString &text) { editCurrent([&](ValueChoice &choice) { choice.caption = text.trimmed(); }); });
+    connect(m_unit, &QLineEdit::textEdited, this, [this](const QString &text) {
+        editCurrent([&](ValueChoice &choice) { choice.unitText = text.trimmed(); });
+        for (QLabel *label : {m_lowUnit, m_highUnit})
+            label->setText(text.trimmed());
+    });
     connect(m_element, &QSpinBox::valueChanged, this, [this](int element) {
         editCurrent([&](ValueChoice &choice) { choice.source.element = static_cast<std::uint8_t>(element); });
     });
@@ -254,7 +262,8 @@ void ValuesEditor::showDetails()
     m_filling = true;
     const ValueChoice *choice = current();
     const bool isNumber = choice && choice->source.isNumber();
-    const ValueUnit unit = choice ? choice->source.unit() : ValueUnit();
+    const ValueUnit unit = choice ? choice->shownUnit() : ValueUnit();
+    const bool takesUnit = choice && choice->source.takesUnit();
     QString about;
     if (choice) {
         about = choice->source.title() + QLatin1Char('\n') + choice->source.description();
@@ -267,6 +276,10 @@ void ValuesEditor::showDetails()
     m_source->setText(choice ? about : tr("Nothing is selected. Find a value below and add it."));
     m_caption->setText(choice ? choice->caption : QString());
     m_caption->setPlaceholderText(choice ? choice->source.caption() : QString());
+    m_unit->setText(isNumber ? unitName(unit, m_units) : QString());
+    m_unit->setPlaceholderText(takesUnit ? tr("none") : QString());
+    m_unit->setToolTip(isNumber && !takesUnit ? tr("The unit of the message's definition, in the chosen system of units")
+                                              : QString());
     m_element->setRange(0, choice ? static_cast<int>(choice->source.elements()) - 1 : 0);
     m_element->setValue(choice ? choice->source.element : 0);
     m_decimals->setValue(choice ? choice->decimals : -1);
@@ -281,6 +294,7 @@ void ValuesEditor::showDetails()
     m_line->setChecked(choice && choice->line);
     m_caption->setEnabled(choice);
     m_element->setEnabled(choice && choice->source.elements() > 1);
+    m_unit->setEnabled(takesUnit);
     for (QWidget *field : std::initializer_list<QWidget *>{m_decimals, m_low, m_high, m_line})
         field->setEnabled(isNumber);
     m_filling = false;

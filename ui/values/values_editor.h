@@ -56,7 +56,7 @@ private:
     SourceModel *m_sources;
     QListWidget *m_list;
     QLabel *m_source, *m_lowUnit, *m_highUnit, *m_problem;
-    QLineEdit *m_caption, *m_low, *m_high, *m_find;
+    QLineEdit *m_caption, *m_unit, *m_low, *m_high, *m_find;
     QSpinBox *m_element, *m_decimals;
     QCheckBox *m_line;
     QTreeView *m_found;
