@@ -14,6 +14,7 @@
 #include "ui/replay/replay_bar.h"
 #include "ui/replay/rescue_bar.h"
 #include "ui/security/allow_plain.h"
+#include "ui/security/link_popover.h"
 #include "ui/security/suite_actions.h"
 #include "ui/shortcuts/shortcuts.h"
 #include "ui/status/status_strip.h"
@@ -128,6 +129,7 @@ void MainWindow::makeBars()
     column->addLayout(line);
     bar->addWidget(rows);
     addToolBar(Qt::TopToolBarArea, bar);
+    m_popover = new LinkPopover(*this);
     m_traffic = new TrafficBar(this);
     setStatusBar(m_traffic);
 }
@@ -219,7 +221,13 @@ void MainWindow::connectParts()
     connect(m_selection, &ViewSelection::viewChanged, m_docks, &WindowDocks::onSnapshot);
     connect(m_selection, &ViewSelection::numbersDue, this, &MainWindow::showNumbers);
 
-    connect(m_strip, &StatusStrip::lockClicked, this, [this] { m_docks->reveal("dockSecure"); });
+    connect(m_strip, &StatusStrip::lockClicked, this, [this] {
+        if (m_workspaces->current() == Workspace::Lab)
+            m_docks->reveal("dockSecure");
+        else
+            m_popover->toggleAt(*m_strip->lock());
+    });
+    connect(m_popover, &LinkPopover::panelRequested, this, [this] { m_docks->reveal("dockSecure"); });
     connect(m_strip, &StatusStrip::vehicleClicked, this, [this] {
         const bool wasOpen = m_docks->panel<VehiclesPanel>()->isVisible(); // at the height that the operator gave it
         m_docks->reveal("dockVehicles");
@@ -294,6 +302,7 @@ void MainWindow::showNumbers(const ViewState &view)
 {
     m_suites->showViewState(view);
     m_strip->showViewState(view);
+    m_popover->showViewState(view);
     m_traffic->showViewState(view);
     m_empty->showViewState(view);
     m_docks->showViewState(view);
@@ -315,7 +324,7 @@ void MainWindow::addLink(const QString &url)
     if (const auto parsed = link::LinkUrl::parse(url.toStdString()); parsed && parsed->traits().isRecording)
         return startReplay(url);
     if (const auto added = m_station.addLink(url.toStdString()); !added)
-        reportProblem(fromStd(added.error().text()));
+        reportProblem(reasonText(added.error().reason()));
 }
 
 void MainWindow::startReplay(const QString &url)
@@ -323,7 +332,7 @@ void MainWindow::startReplay(const QString &url)
     if (m_source->source() == SourceBar::Source::Demo)
         return reportProblem(tr("End the demo before you replay a log"));
     if (const auto started = m_station.startReplay(url.toStdString()); !started)
-        return reportProblem(fromStd(started.error().text()));
+        return reportProblem(reasonText(started.error().reason()));
     const auto parsed = link::LinkUrl::parse(url.toStdString());
     m_source->showSource(SourceBar::Source::Replay, parsed ? QFileInfo(fromStd(parsed->path())).fileName() : url);
     m_source->showLive(m_selection->liveView());
@@ -368,7 +377,7 @@ void MainWindow::openLink(const LinkDialog &dialog)
     if (!mavsec)
         return addLink(dialog.url());
     if (const auto added = m_station.addMavsecLink(dialog.url().toStdString(), *mavsec); !added)
-        reportProblem(fromStd(added.error().text()));
+        reportProblem(reasonText(added.error().reason()));
 }
 
 void MainWindow::applySettings(const Settings &settings)

@@ -18,6 +18,7 @@ class ActionBar;
 class EmptyState;
 class KeyringInterface;
 class LinkDialog;
+class LinkPopover;
 class MapView;
 class PairingInterface;
 class ProblemBanner;
@@ -117,6 +118,7 @@ private:
     const bool m_demoAvailable;
     SourceBar *m_source;
     StatusStrip *m_strip;
+    LinkPopover *m_popover;
     TrafficBar *m_traffic;
     MapView *m_map;
     EmptyState *m_empty;
