@@ -173,7 +173,7 @@ public:
     Plan operator()(const Loiter &) const
     {
         if (m_kind.isArduPilot() && m_kind.isCopter())
-            return firstMode({"BRAKE"}, {});
+            return firstMode({"BRAKE"}, reasons::kNoModeToLoiter);
         if (m_kind.isArduPilot() || m_kind.isPx4())
             return firstMode({"LOITER", "POSHOLD"}, reasons::kNoModeToLoiter);
         return plan(order(mavlink::MAV_CMD_NAV_LOITER_UNLIM));

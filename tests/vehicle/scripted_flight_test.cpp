@@ -241,7 +241,7 @@ void ScriptedFlightTest::olderCopterIsSentToAPlaceOutsideGuided()
         }
         return result.has_value();
     }));
-    QVERIFY2(result->outcome == CommandOutcome::Accepted, result->reason.c_str());
+    QVERIFY2(result->outcome == CommandOutcome::Accepted, result->reason.text().c_str());
     QCOMPARE(vehicle.current().mode, std::string("GUIDED"));
     QVERIFY(world.run(60, [&] {
         const VehicleState state = vehicle.state(world.now);
