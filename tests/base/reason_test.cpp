@@ -60,7 +60,8 @@ private Q_SLOTS:
         const InputError error{kLate(3), "a.file", 12, 4};
         QCOMPARE(error.text(), std::string("a.file:12:4: no answer for 3 s"));
         QCOMPARE(error.reason().text(shout), std::string("<a.file:12:4: 3 s ohne Antwort>"));
-        QCOMPARE(InputError{kLate(3), {}}.reason().text(shout), std::string("3 s ohne Antwort"));
+        const InputError nowhere{kLate(3), {}};
+        QCOMPARE(nowhere.reason().text(shout), std::string("3 s ohne Antwort"));
     }
 };
 
