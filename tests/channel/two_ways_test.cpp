@@ -15,7 +15,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr std::size_t kWays = 2;
+constexpr std::size_t kPaths = 2;
 constexpr std::uint32_t kSecondOfStation = 9; ///< the station's link to a second way of another carrier
 
 /// The agent has a link to each modem; the station listens at one port, and knows the modems by their addresses.
@@ -129,7 +129,7 @@ private:
         config.identity = m_keys[side];
         config.peers.push_back({publicKeyOf(*m_keys[other]), "other", PeerRole::Pilot, {}, {}});
         config.policy = {defaultSuites(), false, false};
-        for (std::size_t way = 0; side == Air && way < kWays; ++way)
+        for (std::size_t way = 0; side == Air && way < kPaths; ++way)
             config.announceTo.push_back(pathOf(Ground, way));
         return config;
     }
@@ -181,8 +181,8 @@ private:
     Carrier m_second;
     std::array<std::shared_ptr<const crypto::X25519KeyPair>, 2> m_keys;
     std::array<End, 2> m_ends;
-    std::array<std::array<bool, 2>, kWays> m_cut{};
-    std::array<Duration, kWays> m_delay{5ms, 5ms};
+    std::array<std::array<bool, 2>, kPaths> m_cut{};
+    std::array<Duration, kPaths> m_delay{5ms, 5ms};
     std::size_t m_recordsTaken = SIZE_MAX;
     std::map<std::array<std::uint8_t, 2>, std::size_t> m_records; ///< of the station, by connection id
     std::multimap<TimePoint, Datagram> m_flying;
@@ -280,7 +280,7 @@ void TwoWaysTest::outagesInTurnLeaveNoLongGap()
         ways.setDelay(1, 60ms);
         ways.run(5s);
         for (int outage = 0; outage < 60; ++outage) {
-            const std::size_t good = random() % kWays, bad = 1 - good;
+            const std::size_t good = random() % kPaths, bad = 1 - good;
             ways.cut(good, Air, false);
             ways.cut(good, Ground, false);
             const std::uint64_t what = 1 + random() % 3;
