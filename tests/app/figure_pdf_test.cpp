@@ -25,6 +25,8 @@ QList<QByteArray> pageContentsOf(const QByteArray &pdf)
         if (at >= 3 && pdf.mid(at - 3, 3) == "end")
             continue;
         const QByteArray packed = pdf.mid(at + 7, pdf.indexOf("endstream", at) - at - 7);
+        if (!packed.startsWith('\x78'))
+            continue;                                                               // not by zlib
         const QByteArray plain = qUncompress(QByteArray("\0\x10\0\0", 4) + packed); // with a size to begin with, as Qt wants
         if (plain.contains(" Tf"))
             out << plain;

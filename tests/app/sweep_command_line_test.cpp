@@ -35,6 +35,14 @@ private:
     static void compare(const Plan &one, const Plan &two);
 };
 
+static QStringList given(std::initializer_list<const char *> words)
+{
+    QStringList out;
+    for (const char *word : words)
+        out << QString::fromUtf8(word);
+    return out;
+}
+
 void SweepCommandLineTest::readByShell(const QString &text, QStringList &words)
 {
     QTemporaryDir folder;
@@ -69,14 +77,14 @@ void SweepCommandLineTest::argumentsRepeatTheSweep_data()
 {
     QTest::addColumn<QStringList>("arguments");
     QTest::newRow("none") << QStringList();
-    QTest::newRow("natural load") << QStringList{"--load", "natural", "--launches", "2"};
-    QTest::newRow("all suites by name") << QStringList{"--suites=all", "--impair", "clean", "--impair", "loss=0.05,delay=20"};
-    QTest::newRow("all suites by two words") << QStringList{"--suites", "all", "--seed", "7", "--framing", "all"};
-    QTest::newRow("named suites") << QStringList{"--suites", "none,aes-256-gcm", "--pps", "100,500", "--no-noise"};
-    QTest::newRow("a flight") << QStringList{"--vehicle", "tcp:127.0.0.1:5760", "--fly",
-                                             "mode GUIDED; arm; takeoff 10 | wait alt_rel>=9 60; land; wait armed==0 90"};
-    QTest::newRow("assertions") << QStringList{
-        "--load", "natural", "--expect", "cpu(aes-256-gcm)<=1.1*cpu(chacha20)", "--out", "it's $HOME; `ls` > \"x\""};
+    QTest::newRow("natural load") << given({"--load", "natural", "--launches", "2"});
+    QTest::newRow("all suites by name") << given({"--suites=all", "--impair", "clean", "--impair", "loss=0.05,delay=20"});
+    QTest::newRow("all suites by two words") << given({"--suites", "all", "--seed", "7", "--framing", "all"});
+    QTest::newRow("named suites") << given({"--suites", "none,aes-256-gcm", "--pps", "100,500", "--no-noise"});
+    QTest::newRow("a flight") << given({"--vehicle", "tcp:127.0.0.1:5760", "--fly",
+                                        "mode GUIDED; arm; takeoff 10 | wait alt_rel>=9 60; land; wait armed==0 90"});
+    QTest::newRow("assertions") << given(
+        {"--load", "natural", "--expect", "cpu(aes-256-gcm)<=1.1*cpu(chacha20)", "--out", "it's $HOME; `ls` > \"x\""});
 }
 
 void SweepCommandLineTest::argumentsRepeatTheSweep()

@@ -1,5 +1,5 @@
 // A saturated load that cannot be one: the link loses so much that the generator, which waits for answers as TCP does, never
-// fills the line or the core of an end. Such a run is repeated, then marked, and is in no comparison.
+// uses up the core of an end. Such a run is repeated, then marked, and is in no comparison.
 #include "core/experiment/load_check.h"
 #include "tests/support/run_program.h"
 #include "tests/support/test_runner.h"
@@ -25,9 +25,9 @@ void UnsaturatedSweepTest::loadBelowSaturationIsNotValid()
 {
     QTemporaryDir folder;
     const RunResult run = runProgram("skyseal-cli",
-                                     words("sweep --launches 1 --repeats 2 --seconds 0.5 --warm-up 0.1 --suites "
+                                     words("sweep --launches 1 --repeats 1 --seconds 0.5 --warm-up 0.1 --suites "
                                            "none,chacha20-poly1305 --load saturated --impair "
-                                           "rate=4000000,loss=0.3,delay=150 --no-noise --json --out")
+                                           "loss=0.3,delay=150 --no-noise --json --out")
                                          << folder.path(),
                                      {}, 400000);
     QVERIFY2(run.status == 1, run.err.constData());
@@ -35,7 +35,7 @@ void UnsaturatedSweepTest::loadBelowSaturationIsNotValid()
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QJsonObject report = QJsonDocument::fromJson(file.readAll()).object();
     const QJsonArray samples = report[QLatin1String("samples")].toArray();
-    QCOMPARE(samples.size(), 4);
+    QCOMPARE(samples.size(), 2);
     for (const QJsonValue sample : samples) {
         const QJsonValue values = sample[QLatin1String("values")];
         const QByteArray text = QJsonDocument(sample.toObject()).toJson();
