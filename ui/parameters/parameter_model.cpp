@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace skyseal::ui {
 
@@ -67,8 +68,12 @@ void ParameterModel::setParameters(const Parameters &parameters)
         return true;
     };
     if (sameNames()) { // only values changed: keeps selection and scroll position
-        m_parameters = parameters;
-        Q_EMIT dataChanged(index(0, Value), index(rowCount() - 1, Value));
+        const Parameters before = std::exchange(m_parameters, parameters);
+        for (int row = 0; row < rowCount(); ++row) { // not all rows: the view would fill the editor of one anew
+            const auto at = static_cast<std::size_t>(row);
+            if ((*before)[at].value != (*parameters)[at].value)
+                Q_EMIT dataChanged(index(row, Value), index(row, Value));
+        }
         return;
     }
     beginResetModel();
