@@ -167,7 +167,7 @@ void SweepRunner::handleLink(const engine::LinkSnapshot &link)
 {
     m_opened = m_opened || link.phase == engine::LinkPhase::Listening || link.phase == engine::LinkPhase::Connected;
     if (!m_opened && (link.phase == engine::LinkPhase::Failed || link.hostUnknown))
-        giveUp(link.url + ": " + link.problem);
+        giveUp(link.url + ": " + link.problem.text());
 }
 
 void SweepRunner::handleSnapshot(const LinkDriver::Snapshot &snapshot)

@@ -158,7 +158,7 @@ void FlightRig::startAgentOn(const std::vector<link::LinkUrl> &grounds)
         std::move(signing));
     agent->start();
     // While no agent runs, another program may take the port of before.
-    if (const std::string problem = agent->snapshot().vehicle.problem; !problem.empty())
+    if (const std::string problem = agent->snapshot().vehicle.problem.text(); !problem.empty())
         qFatal("%s", problem.c_str());
     m_vehiclePort = std::to_string(portOf(vehicleAddress()));
 }

@@ -2,6 +2,7 @@
 #include "app/skyseal/passphrase_question.h"
 #include "core/crypto/passphrase.h"
 #include "core/crypto/system_random.h"
+#include "core/crypto/x25519.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/keys/passphrase_dialog.h"
