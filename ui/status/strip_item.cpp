@@ -165,7 +165,10 @@ void StripItem::paintEvent(QPaintEvent *)
         x += kIcon + kIconGap;
     }
     if (const int room = lineRoom(m_variant); room > 0) {
-        m_line.paintWithin(painter, QRectF(x, height() / 4.0, kLine, height() / 2.0), text, 0, kWhole);
+        const QRectF area(x, height() / 4.0, kLine, height() / 2.0);
+        painter.setPen(stateColors(palette()).dim);
+        painter.drawLine(area.bottomLeft(), area.bottomRight()); // 0 %
+        m_line.paintWithin(painter, area, text, 0, kWhole);
         x += room;
     }
     painter.setFont(textFont());
