@@ -21,6 +21,949 @@
     </message>
 </context>
 <context>
+    <name>Reason</name>
+    <message>
+        <source>was changed meanwhile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the passphrase does not open it, or the file was changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no peer named &quot;%1&quot; any more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holds no public key of Skyseal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the passphrase was not given</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the station is not running</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not a recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be created: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>less than %1 MiB are free there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not a counter file of Skyseal, or is damaged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the disk does not answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not a regular file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>belongs to another user (number %1), who can change it, refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>can be read by other users (mode %1), refused; run: chmod 600</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>can be changed by other users (mode %1), refused; run: chmod 600</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is too large to be a file of this kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is a symbolic link, refused for a secret; name the file itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exists already and is not overwritten</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be locked: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is still locked by another program after %1 ms, try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the system ID %1 is bound to &quot;%2&quot; already; each vehicle needs its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the peer &quot;%1&quot; is known with another key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>character %1 is not valid UTF-8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>character %1 is %2, a blank</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>character %1 is %2, a control or format character</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not a list of system IDs: numbers from 1 to 255 with commas between them, or &quot;any&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a peer needs a name, a role, system IDs and a public key, here are %1 fields</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not a role: pilot or observer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not a pre-shared key: psk=FILE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not a peer&apos;s name: 1 to 32 letters, digits, &quot;-&quot;, &quot;_&quot; or &quot;.&quot;; one beyond ASCII counts as 2 to 4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not a peer&apos;s name: it must not begin with &quot;-&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not a peer&apos;s name: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0 is not a system ID: numbers from 1 to 255</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be noted: the path of a pre-shared key must not have blanks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>does not exist; keys pair and keys peers add create it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a list has at most %1 peers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is a peer named &quot;%1&quot; already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the peer &quot;%1&quot; has the same key already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no peer named &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is not a public key: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it does not begin with &quot;skyseal:&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>48 characters follow &quot;skyseal:&quot;, here %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its check does not fit, so some character is wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not a sealed key file of Skyseal: it does not begin with &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is truncated: a sealed key has four lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;argon2id PASSES KIB SALT&quot; is expected here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>asks for %1 passes over %2 KiB, which is outside of what is accepted (1 to 16 passes, 8192 to 1048576 KiB)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a public key is expected here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has a truncated key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has a damaged key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has more behind the key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holds &quot;%1&quot;, not &quot;%2&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not a key file of Skyseal: it does not begin with &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has more than one key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has a damaged key: its check does not fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is truncated: it has no key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>needs %1 MiB of memory for its passphrase, more than this machine gives</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is sealed with a passphrase, and none is given</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (pre-shared key of &quot;%2&quot;)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>port %1 is in use by another program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not an address of this machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the host name &quot;%1&quot; is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 refuses the connection (nothing listens there)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be reached</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 does not answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 closed the connection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no permission to open %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no device %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the device %1 is in use by another program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot read %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>end of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not supported here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a link URL is at most 4096 characters long</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a link URL cannot hold control characters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a link URL starts with %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the baud rate is a number from 300 to 12000000</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the device is missing, as in %1:/dev/ttyUSB0:57600</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is missing, as in %1:flight.%1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the IPv6 address lacks its closing bracket</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an IPv6 address must be in brackets, as in [::1]:14550</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the port is missing, as in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an IPv6 address with a zone (%) is not supported</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not an IPv6 address</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the host is missing, as in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not an IPv4 address</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a host name or address</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the port &quot;%1&quot; is not a number from %2 to 65535</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>permission denied</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the coordinates are not in WGS84, but in &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than %1 objects are within one another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is not an object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is not an array</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a type of GeoJSON</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is not a position: [longitude, latitude]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is not an array of positions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is not an array of lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file has more than %1 values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file has no JSON object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a document type declaration is not permitted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than %1 elements are within one another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file begins with the element &quot;%1&quot;, not with &quot;kml&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a geometry is within another one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a position: longitude,latitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a geometry has more coordinates than one of its kind can have</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file has more than %1 positions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the longitude %1 is not within -180 and 180</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the latitude %1 is not within -90 and 90</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a .kmz is a zip file; unpack it, and add the .kml that is in it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name ends neither in .kml nor in .geojson or .json</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is not a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is larger than %1 MB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected the text of the item before the condition</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>longer than %1 bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a control character: this is not a text file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an item longer than %1 bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than %1 items</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no items</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not a mission file: the first line must be &quot;QGC WPL 110&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an item has 12 columns, this line has %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a column is not a number or is out of range, or the numbering has a gap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a mission has at most %1 items</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mission has no items</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NAME,VALUE or QGroundControl&apos;s five columns are expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 occurs twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than %1 parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>contains no parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing was sent: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not supported</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no vehicle with system ID %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no answer to %1 attempts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; the agent may know this station as an observer, or the commands reach it too late: it drops both</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no answer yet, and not sent again: this program was suspended for %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too many commands are waiting for answers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>replaced by a newer command</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sent %1 times; the vehicle does not confirm it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>acknowledged; no heartbeat since</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>acknowledged, but the vehicle reports armed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>acknowledged, but the vehicle reports disarmed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it needs the mode %1, the vehicle went to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it needs the mode %1, the vehicle stays in %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>acknowledged, but the vehicle reports the mode %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>acknowledged, but the vehicle reports mission item %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the modes of this kind of vehicle are not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle has no mode &apos;%1&apos;; it has %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the altitude of a take-off must be above 0 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this kind of vehicle does not fly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>take-off needs the mode GUIDED, the vehicle is in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>take-off needs an armed vehicle, it is disarmed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>take-off needs a known position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this kind of vehicle has no mode to land in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this kind of vehicle has no mode to return in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this kind of vehicle has no mode to loiter in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the location is not on the globe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>going to a location needs the mode GUIDED, the vehicle is in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>going to a location needs a known home altitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the altitude is not a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>changing the altitude needs a known position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>changing the altitude needs a known home altitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pointing at a location needs a known home altitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>moving home needs a known home altitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the speed must be above 0 m/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another mission transfer is under way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>item %1 is not on the globe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle does not send item %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle stopped requesting items</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle ended the upload early</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a name of up to 16 characters and a number are needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle does not send its parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only %1 of %2 parameters came</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle keeps %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another file transfer is under way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a path of up to %1 bytes is needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a file has at most %1 bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is larger than %1 bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the folder has more than %1 entries</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the checksums of both ends differ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle does not send the checksum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>without a checksum, the part that is kept cannot be used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle does not report the size of the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the size of the file does not match the part that is kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file changed while it was read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle does not send byte %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle does not accept byte %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another request for logs is under way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle has no such log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle still has logs, or does not answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle does not list its logs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle does not list its logs while it is armed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle does not send byte %1 and following</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the log is larger than %1 bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the log does not match the part that is kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the log changed while it was read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>result %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>temporarily rejected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>denied</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in progress</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>accepted as COMMAND_LONG only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>accepted as COMMAND_INT only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coordinate frame not supported</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this station is not in control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle reports an error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>command not supported</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no space left on the vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an item is invalid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>parameter 1 is invalid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>parameter 2 is invalid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>parameter 3 is invalid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>parameter 4 is invalid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x (latitude) is invalid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y (longitude) is invalid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>z (altitude) is invalid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an item arrived out of sequence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not accepting missions from this station</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle reports a failure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle refuses the size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle has closed the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too many files are open on the vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>end of file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not supported by the vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file exists</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is protected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no such file or folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle reports error %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle reports error code %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Sweep</name>
     <message>
         <source>nothing is connected</source>
@@ -995,10 +1938,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Mission</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Pause</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1058,6 +1997,18 @@
         <source>Stops and holds the present position; a plane circles it.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starts or continues the mission.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checklist and pre-arm checks…</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::ActionPermits</name>
@@ -1075,6 +2026,10 @@
     </message>
     <message>
         <source>the vehicle is armed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle is already flying</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1892,6 +2847,10 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
         <source>Charts of the diagnostics</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Connect to a vehicle to see the throughput, losses, latency and cost of its link.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::DiagnosticsTools</name>
@@ -1963,6 +2922,26 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
         <source>Freezes the charts, not the measurement (Space). Drag over a chart or turn the wheel to zoom; a double click, Home or Esc returns to live.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The view &quot;Sweep&quot; is shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shorter time range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Longer time range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the quantities</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::EmergencyStop</name>
@@ -1988,6 +2967,10 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
     </message>
     <message>
         <source>Locked: unlock it first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to the lock of the emergency stop</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2027,10 +3010,6 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
     </message>
     <message>
         <source>The agent %1 does not answer</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Start an agent, skyseal-air, beside an autopilot:</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2096,6 +3075,10 @@ No link is sealed until this is resolved. Plain MAVLink is shown, but not sealed
         <source>The link to the agent is sealed; nothing has been received from its vehicle yet.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Start an agent, skyseal-air, beside an autopilot. If it has no key yet, the first line creates one; then pair the two in Security → Keys and peers:</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::FencePainter</name>
@@ -2136,6 +3119,17 @@ No link is sealed until this is resolved. Plain MAVLink is shown, but not sealed
     </message>
     <message>
         <source>Type</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::FlightTarget</name>
+    <message>
+        <source>Target of vehicle %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2235,6 +3229,50 @@ No link is sealed until this is resolved. Plain MAVLink is shown, but not sealed
     </message>
     <message>
         <source>What stations may write at the addresses beside, while &quot;Read and write&quot; is chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>arm, fly and stop the vehicles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change missions, fences and rally points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change files and logs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other stations can do as this window: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What other stations can do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the address for other stations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the rights of other stations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;Read and write&quot; is not chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Others may command</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Others may write</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2353,6 +3391,10 @@ No link is sealed until this is resolved. Plain MAVLink is shown, but not sealed
     </message>
     <message>
         <source>Each type of message is listed here once it arrives.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find a message type</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2759,6 +3801,17 @@ INSECURE: anyone can read, change and forge this stream. Nothing is sent.</sourc
     </message>
 </context>
 <context>
+    <name>skyseal::ui::LinkPopover</name>
+    <message>
+        <source>Secure link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open secure link</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>skyseal::ui::LinksPanel</name>
     <message>
         <source>Add…</source>
@@ -2798,6 +3851,10 @@ INSECURE: anyone can read, change and forge this stream. Nothing is sent.</sourc
     </message>
     <message>
         <source>No links: add one to hear a vehicle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a link first</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3000,6 +4057,34 @@ Fingerprint %3</source>
         <source>While Skyseal is closed, no vehicle can be commanded from here, and failsafes may trigger.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Menus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flight actions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place on the map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alerts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replay and demo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last run</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::MapAlerts</name>
@@ -3016,14 +4101,6 @@ Fingerprint %3</source>
     <name>skyseal::ui::MapMenu</name>
     <message>
         <source>Change &amp;altitude…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Loiter at the present position…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stop and loiter at the present position?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3100,6 +4177,18 @@ Fingerprint %3</source>
     </message>
     <message>
         <source>RTL will fly there. The altitude of home stays the same; the ground elevation there is not known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pa&amp;use…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop and hold the present position?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3312,6 +4401,13 @@ Fingerprint %3</source>
     </message>
 </context>
 <context>
+    <name>skyseal::ui::MenuBarFocus</name>
+    <message>
+        <source>Open the first menu</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>skyseal::ui::MessageModel</name>
     <message>
         <source>station</source>
@@ -3402,6 +4498,10 @@ Fingerprint %3</source>
     </message>
     <message>
         <source>Messages of vehicles and of the station are listed here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find a message</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3512,6 +4612,10 @@ Fingerprint %3</source>
     </message>
     <message>
         <source>The mission, and the fence and rally points if the vehicle has them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are no items to save</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3765,11 +4869,13 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This station has no key: it can use only plain MAVLink.</source>
+        <source>%1, not sealed: anyone who copies the file has the key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1, not sealed: anyone who copies the file has the key</source>
+        <source>This station has no key: it can use only plain MAVLink. Create one with
+skyseal-cli keys new --out FILE
+and start with --identity FILE.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4015,6 +5121,10 @@ Then there is no code to compare. It is valid for this pairing only.</source>
     </message>
     <message>
         <source>Parameters are listed here once they are fetched.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find a parameter</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4971,6 +6081,30 @@ with a pre-shared key</source>
         <source>Beside the recording: %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Back 10 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forward 10 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Previous event</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next event</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::ReplayTimeline</name>
@@ -5594,15 +6728,15 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Menu</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Shortcut</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Default</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Menu or panel</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5656,10 +6790,6 @@ with a pre-shared key</source>
 <context>
     <name>skyseal::ui::SourceBar</name>
     <message>
-        <source>DEMO: simulated vehicle, simulated data</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>REPLAY: %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5697,6 +6827,14 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>Live: no vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DEMO: a simulated copter takes off and flies by itself until you command it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All data are simulated. Your first command ends the flight of the demo. End the demo, here or in the menu Tools, returns to your links.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5822,10 +6960,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Loiter</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Set home here</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5859,6 +6993,10 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>Speed %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pause</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5953,6 +7091,23 @@ with a pre-shared key</source>
 %2 latency
 %3 since the newest message
 %4 frames/s, %5 lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other stations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shared</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1
+A click opens the links.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lowest in the last minute: %1 %</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6533,6 +7688,10 @@ with a pre-shared key</source>
         <source>&quot;caption&quot; is not text of at most %1 characters</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>&quot;unit&quot; is not text of at most %1 characters</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::ValueReading</name>
@@ -6550,6 +7709,14 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>no</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>since first heard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The vehicle was already flying when this station first heard it. The time counts from then: the flight itself is longer.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6998,6 +8165,22 @@ with a pre-shared key</source>
         <source>Restores the default values; takes effect with Apply or OK</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>U&amp;nit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The unit of the message&apos;s definition, in the chosen system of units</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::ValuesGrid</name>
@@ -7271,6 +8454,10 @@ with a pre-shared key</source>
         <source>Filter vehicles</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Find a vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::WindowDialogs</name>
@@ -7330,6 +8517,22 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
     </message>
     <message>
         <source>Vehicles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close the panel that has the focus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Float or dock the panel that has the focus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No panel has the focus</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7524,14 +8727,6 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>L&amp;oiter…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stop and loiter at the present position?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Change altitude…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7601,6 +8796,14 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
     </message>
     <message>
         <source>&amp;Track colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Pause…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop and hold the present position?</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

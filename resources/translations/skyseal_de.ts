@@ -21,6 +21,949 @@
     </message>
 </context>
 <context>
+    <name>Reason</name>
+    <message>
+        <source>was changed meanwhile</source>
+        <translation>wurde inzwischen geändert</translation>
+    </message>
+    <message>
+        <source>the passphrase does not open it, or the file was changed</source>
+        <translation>die Passphrase öffnet sie nicht, oder die Datei wurde geändert</translation>
+    </message>
+    <message>
+        <source>there is no peer named &quot;%1&quot; any more</source>
+        <translation>es gibt keine Gegenstelle „%1“ mehr</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>holds no public key of Skyseal</source>
+        <translation>enthält keinen öffentlichen Schlüssel von Skyseal</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>der Ordner kann nicht angelegt werden</translation>
+    </message>
+    <message>
+        <source>the passphrase was not given</source>
+        <translation>die Passphrase wurde nicht eingegeben</translation>
+    </message>
+    <message>
+        <source>the station is not running</source>
+        <translation>die Station läuft nicht</translation>
+    </message>
+    <message>
+        <source>is not a recording</source>
+        <translation>ist keine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation>kann nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>cannot be created: %1</source>
+        <translation>kann nicht angelegt werden: %1</translation>
+    </message>
+    <message>
+        <source>less than %1 MiB are free there</source>
+        <translation>dort sind weniger als %1 MiB frei</translation>
+    </message>
+    <message>
+        <source>is not a counter file of Skyseal, or is damaged</source>
+        <translation>ist keine Zählerdatei von Skyseal oder beschädigt</translation>
+    </message>
+    <message>
+        <source>the disk does not answer</source>
+        <translation>der Datenträger antwortet nicht</translation>
+    </message>
+    <message>
+        <source>is not a regular file</source>
+        <translation>ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>belongs to another user (number %1), who can change it, refused</source>
+        <translation>gehört einem anderen Benutzer (Nummer %1), der sie ändern kann, abgelehnt</translation>
+    </message>
+    <message>
+        <source>can be read by other users (mode %1), refused; run: chmod 600</source>
+        <translation>kann von anderen Benutzern gelesen werden (Rechte %1), abgelehnt; Abhilfe: chmod 600</translation>
+    </message>
+    <message>
+        <source>can be changed by other users (mode %1), refused; run: chmod 600</source>
+        <translation>kann von anderen Benutzern geändert werden (Rechte %1), abgelehnt; Abhilfe: chmod 600</translation>
+    </message>
+    <message>
+        <source>is too large to be a file of this kind</source>
+        <translation>ist zu groß für eine Datei dieser Art</translation>
+    </message>
+    <message>
+        <source>is a symbolic link, refused for a secret; name the file itself</source>
+        <translation>ist ein symbolischer Link, für ein Geheimnis abgelehnt; nennen Sie die Datei selbst</translation>
+    </message>
+    <message>
+        <source>exists already and is not overwritten</source>
+        <translation>existiert schon und wird nicht überschrieben</translation>
+    </message>
+    <message>
+        <source>cannot be locked: %1</source>
+        <translation>kann nicht gesperrt werden: %1</translation>
+    </message>
+    <message>
+        <source>is still locked by another program after %1 ms, try again</source>
+        <translation>ist nach %1 ms noch von einem anderen Programm gesperrt, versuchen Sie es erneut</translation>
+    </message>
+    <message>
+        <source>the system ID %1 is bound to &quot;%2&quot; already; each vehicle needs its own</source>
+        <translation>die System-ID %1 gehört schon zu „%2“; jedes Fahrzeug braucht eine eigene</translation>
+    </message>
+    <message>
+        <source>the peer &quot;%1&quot; is known with another key</source>
+        <translation>die Gegenstelle „%1“ ist mit einem anderen Schlüssel bekannt</translation>
+    </message>
+    <message>
+        <source>character %1 is not valid UTF-8</source>
+        <translation>das Zeichen %1 ist kein gültiges UTF-8</translation>
+    </message>
+    <message>
+        <source>character %1 is %2, a blank</source>
+        <translation>das Zeichen %1 ist %2, ein Leerzeichen</translation>
+    </message>
+    <message>
+        <source>character %1 is %2, a control or format character</source>
+        <translation>das Zeichen %1 ist %2, ein Steuer- oder Formatzeichen</translation>
+    </message>
+    <message>
+        <source>%1 is not a list of system IDs: numbers from 1 to 255 with commas between them, or &quot;any&quot;</source>
+        <translation>%1 ist keine Liste von System-IDs: Zahlen von 1 bis 255 mit Kommas dazwischen, oder „any“</translation>
+    </message>
+    <message>
+        <source>a peer needs a name, a role, system IDs and a public key, here are %1 fields</source>
+        <translation>eine Gegenstelle braucht Namen, Rolle, System-IDs und öffentlichen Schlüssel, hier sind %1 Felder</translation>
+    </message>
+    <message>
+        <source>%1 is not a role: pilot or observer</source>
+        <translation>%1 ist keine Rolle: pilot oder observer</translation>
+    </message>
+    <message>
+        <source>%1 is not a pre-shared key: psk=FILE</source>
+        <translation>%1 ist kein vorab geteilter Schlüssel: psk=DATEI</translation>
+    </message>
+    <message>
+        <source>%1 is not a peer&apos;s name: 1 to 32 letters, digits, &quot;-&quot;, &quot;_&quot; or &quot;.&quot;; one beyond ASCII counts as 2 to 4</source>
+        <translation>%1 ist kein Name einer Gegenstelle: 1 bis 32 Buchstaben, Ziffern, „-“, „_“ oder „.“; Zeichen außerhalb von ASCII zählen als 2 bis 4</translation>
+    </message>
+    <message>
+        <source>%1 is not a peer&apos;s name: it must not begin with &quot;-&quot;</source>
+        <translation>%1 ist kein Name einer Gegenstelle: er darf nicht mit „-“ beginnen</translation>
+    </message>
+    <message>
+        <source>%1 is not a peer&apos;s name: %2</source>
+        <translation>%1 ist kein Name einer Gegenstelle: %2</translation>
+    </message>
+    <message>
+        <source>0 is not a system ID: numbers from 1 to 255</source>
+        <translation>0 ist keine System-ID: Zahlen von 1 bis 255</translation>
+    </message>
+    <message>
+        <source>%1 cannot be noted: the path of a pre-shared key must not have blanks</source>
+        <translation>%1 kann nicht eingetragen werden: der Pfad eines vorab geteilten Schlüssels darf keine Leerzeichen enthalten</translation>
+    </message>
+    <message>
+        <source>does not exist; keys pair and keys peers add create it</source>
+        <translation>existiert nicht; keys pair und keys peers add legen sie an</translation>
+    </message>
+    <message>
+        <source>a list has at most %1 peers</source>
+        <translation>eine Liste hat höchstens %1 Gegenstellen</translation>
+    </message>
+    <message>
+        <source>there is a peer named &quot;%1&quot; already</source>
+        <translation>es gibt schon eine Gegenstelle „%1“</translation>
+    </message>
+    <message>
+        <source>the peer &quot;%1&quot; has the same key already</source>
+        <translation>die Gegenstelle „%1“ hat schon denselben Schlüssel</translation>
+    </message>
+    <message>
+        <source>there is no peer named &quot;%1&quot;</source>
+        <translation>es gibt keine Gegenstelle „%1“</translation>
+    </message>
+    <message>
+        <source>this is not a public key: %1</source>
+        <translation>das ist kein öffentlicher Schlüssel: %1</translation>
+    </message>
+    <message>
+        <source>it does not begin with &quot;skyseal:&quot;</source>
+        <translation>er beginnt nicht mit „skyseal:“</translation>
+    </message>
+    <message>
+        <source>48 characters follow &quot;skyseal:&quot;, here %1</source>
+        <translation>auf „skyseal:“ folgen 48 Zeichen, hier %1</translation>
+    </message>
+    <message>
+        <source>its check does not fit, so some character is wrong</source>
+        <translation>seine Prüfsumme passt nicht, ein Zeichen ist also falsch</translation>
+    </message>
+    <message>
+        <source>is not a sealed key file of Skyseal: it does not begin with &quot;%1&quot;</source>
+        <translation>ist keine versiegelte Schlüsseldatei von Skyseal: sie beginnt nicht mit „%1“</translation>
+    </message>
+    <message>
+        <source>is truncated: a sealed key has four lines</source>
+        <translation>ist abgeschnitten: ein versiegelter Schlüssel hat vier Zeilen</translation>
+    </message>
+    <message>
+        <source>&quot;argon2id PASSES KIB SALT&quot; is expected here</source>
+        <translation>hier wird „argon2id PASSES KIB SALT“ erwartet</translation>
+    </message>
+    <message>
+        <source>asks for %1 passes over %2 KiB, which is outside of what is accepted (1 to 16 passes, 8192 to 1048576 KiB)</source>
+        <translation>verlangt %1 Durchgänge über %2 KiB, außerhalb des Zulässigen (1 bis 16 Durchgänge, 8192 bis 1048576 KiB)</translation>
+    </message>
+    <message>
+        <source>a public key is expected here</source>
+        <translation>hier wird ein öffentlicher Schlüssel erwartet</translation>
+    </message>
+    <message>
+        <source>has a truncated key</source>
+        <translation>hat einen abgeschnittenen Schlüssel</translation>
+    </message>
+    <message>
+        <source>has a damaged key</source>
+        <translation>hat einen beschädigten Schlüssel</translation>
+    </message>
+    <message>
+        <source>has more behind the key</source>
+        <translation>enthält hinter dem Schlüssel noch etwas</translation>
+    </message>
+    <message>
+        <source>holds &quot;%1&quot;, not &quot;%2&quot;</source>
+        <translation>enthält „%1“, nicht „%2“</translation>
+    </message>
+    <message>
+        <source>is not a key file of Skyseal: it does not begin with &quot;%1&quot;</source>
+        <translation>ist keine Schlüsseldatei von Skyseal: sie beginnt nicht mit „%1“</translation>
+    </message>
+    <message>
+        <source>has more than one key</source>
+        <translation>enthält mehr als einen Schlüssel</translation>
+    </message>
+    <message>
+        <source>has a damaged key: its check does not fit</source>
+        <translation>hat einen beschädigten Schlüssel: seine Prüfsumme passt nicht</translation>
+    </message>
+    <message>
+        <source>is truncated: it has no key</source>
+        <translation>ist abgeschnitten: sie enthält keinen Schlüssel</translation>
+    </message>
+    <message>
+        <source>needs %1 MiB of memory for its passphrase, more than this machine gives</source>
+        <translation>braucht für die Passphrase %1 MiB Speicher, mehr als dieser Rechner hergibt</translation>
+    </message>
+    <message>
+        <source>is sealed with a passphrase, and none is given</source>
+        <translation>ist mit einer Passphrase versiegelt, und keine ist angegeben</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>%1 (pre-shared key of &quot;%2&quot;)</source>
+        <translation>%1 (vorab geteilter Schlüssel von „%2“)</translation>
+    </message>
+    <message>
+        <source>no error</source>
+        <translation>kein Fehler</translation>
+    </message>
+    <message>
+        <source>port %1 is in use by another program</source>
+        <translation>der Port %1 wird von einem anderen Programm benutzt</translation>
+    </message>
+    <message>
+        <source>%1 is not an address of this machine</source>
+        <translation>%1 ist keine Adresse dieses Rechners</translation>
+    </message>
+    <message>
+        <source>the host name &quot;%1&quot; is not known</source>
+        <translation>der Rechnername „%1“ ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>%1 refuses the connection (nothing listens there)</source>
+        <translation>%1 lehnt die Verbindung ab (dort lauscht nichts)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be reached</source>
+        <translation>%1 ist nicht erreichbar</translation>
+    </message>
+    <message>
+        <source>%1 does not answer</source>
+        <translation>%1 antwortet nicht</translation>
+    </message>
+    <message>
+        <source>%1 closed the connection</source>
+        <translation>%1 hat die Verbindung geschlossen</translation>
+    </message>
+    <message>
+        <source>no permission to open %1</source>
+        <translation>keine Berechtigung, %1 zu öffnen</translation>
+    </message>
+    <message>
+        <source>there is no device %1</source>
+        <translation>es gibt kein Gerät %1</translation>
+    </message>
+    <message>
+        <source>the device %1 is in use by another program</source>
+        <translation>das Gerät %1 wird von einem anderen Programm benutzt</translation>
+    </message>
+    <message>
+        <source>cannot read %1</source>
+        <translation>%1 kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>end of %1</source>
+        <translation>Ende von %1</translation>
+    </message>
+    <message>
+        <source>%1 is not supported here</source>
+        <translation>%1 wird hier nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>%1 failed</source>
+        <translation>%1 ist fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>a link URL is at most 4096 characters long</source>
+        <translation>eine Verbindungs-URL hat höchstens 4096 Zeichen</translation>
+    </message>
+    <message>
+        <source>a link URL cannot hold control characters</source>
+        <translation>eine Verbindungs-URL darf keine Steuerzeichen enthalten</translation>
+    </message>
+    <message>
+        <source>a link URL starts with %1</source>
+        <translation>eine Verbindungs-URL beginnt mit %1</translation>
+    </message>
+    <message>
+        <source>the baud rate is a number from 300 to 12000000</source>
+        <translation>die Baudrate ist eine Zahl von 300 bis 12000000</translation>
+    </message>
+    <message>
+        <source>the device is missing, as in %1:/dev/ttyUSB0:57600</source>
+        <translation>das Gerät fehlt, wie in %1:/dev/ttyUSB0:57600</translation>
+    </message>
+    <message>
+        <source>the file is missing, as in %1:flight.%1</source>
+        <translation>die Datei fehlt, wie in %1:flight.%1</translation>
+    </message>
+    <message>
+        <source>the IPv6 address lacks its closing bracket</source>
+        <translation>der IPv6-Adresse fehlt die schließende Klammer</translation>
+    </message>
+    <message>
+        <source>an IPv6 address must be in brackets, as in [::1]:14550</source>
+        <translation>eine IPv6-Adresse muss in Klammern stehen, wie in [::1]:14550</translation>
+    </message>
+    <message>
+        <source>the port is missing, as in %1</source>
+        <translation>der Port fehlt, wie in %1</translation>
+    </message>
+    <message>
+        <source>an IPv6 address with a zone (%) is not supported</source>
+        <translation>eine IPv6-Adresse mit Zone (%) wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not an IPv6 address</source>
+        <translation>„%1“ ist keine IPv6-Adresse</translation>
+    </message>
+    <message>
+        <source>the host is missing, as in %1</source>
+        <translation>der Rechner fehlt, wie in %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not an IPv4 address</source>
+        <translation>„%1“ ist keine IPv4-Adresse</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a host name or address</source>
+        <translation>„%1“ ist weder Rechnername noch Adresse</translation>
+    </message>
+    <message>
+        <source>the port &quot;%1&quot; is not a number from %2 to 65535</source>
+        <translation>der Port „%1“ ist keine Zahl von %2 bis 65535</translation>
+    </message>
+    <message>
+        <source>it is not a file</source>
+        <translation>es ist keine Datei</translation>
+    </message>
+    <message>
+        <source>permission denied</source>
+        <translation>keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>the coordinates are not in WGS84, but in &quot;%1&quot;</source>
+        <translation>die Koordinaten sind nicht in WGS84, sondern in „%1“</translation>
+    </message>
+    <message>
+        <source>more than %1 objects are within one another</source>
+        <translation>mehr als %1 Objekte sind ineinander verschachtelt</translation>
+    </message>
+    <message>
+        <source>this is not an object</source>
+        <translation>das ist kein Objekt</translation>
+    </message>
+    <message>
+        <source>this is not an array</source>
+        <translation>das ist kein Array</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a type of GeoJSON</source>
+        <translation>„%1“ ist kein Typ von GeoJSON</translation>
+    </message>
+    <message>
+        <source>this is not a position: [longitude, latitude]</source>
+        <translation>das ist keine Position: [Länge, Breite]</translation>
+    </message>
+    <message>
+        <source>this is not an array of positions</source>
+        <translation>das ist kein Array von Positionen</translation>
+    </message>
+    <message>
+        <source>this is not an array of lines</source>
+        <translation>das ist kein Array von Linien</translation>
+    </message>
+    <message>
+        <source>the file has more than %1 values</source>
+        <translation>die Datei hat mehr als %1 Werte</translation>
+    </message>
+    <message>
+        <source>the file has no JSON object</source>
+        <translation>die Datei enthält kein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>a document type declaration is not permitted</source>
+        <translation>eine Dokumenttyp-Deklaration ist nicht zulässig</translation>
+    </message>
+    <message>
+        <source>more than %1 elements are within one another</source>
+        <translation>mehr als %1 Elemente sind ineinander verschachtelt</translation>
+    </message>
+    <message>
+        <source>the file begins with the element &quot;%1&quot;, not with &quot;kml&quot;</source>
+        <translation>die Datei beginnt mit dem Element „%1“, nicht mit „kml“</translation>
+    </message>
+    <message>
+        <source>a geometry is within another one</source>
+        <translation>eine Geometrie steht in einer anderen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a position: longitude,latitude</source>
+        <translation>„%1“ ist keine Position: Länge,Breite</translation>
+    </message>
+    <message>
+        <source>a geometry has more coordinates than one of its kind can have</source>
+        <translation>eine Geometrie hat mehr Koordinaten, als ihre Art haben kann</translation>
+    </message>
+    <message>
+        <source>the file has more than %1 positions</source>
+        <translation>die Datei hat mehr als %1 Positionen</translation>
+    </message>
+    <message>
+        <source>the longitude %1 is not within -180 and 180</source>
+        <translation>die Länge %1 liegt nicht zwischen -180 und 180</translation>
+    </message>
+    <message>
+        <source>the latitude %1 is not within -90 and 90</source>
+        <translation>die Breite %1 liegt nicht zwischen -90 und 90</translation>
+    </message>
+    <message>
+        <source>a .kmz is a zip file; unpack it, and add the .kml that is in it</source>
+        <translation>eine .kmz ist eine ZIP-Datei; entpacken Sie sie und fügen Sie die .kml darin hinzu</translation>
+    </message>
+    <message>
+        <source>the name ends neither in .kml nor in .geojson or .json</source>
+        <translation>der Name endet weder auf .kml noch auf .geojson oder .json</translation>
+    </message>
+    <message>
+        <source>this is not a file</source>
+        <translation>das ist keine Datei</translation>
+    </message>
+    <message>
+        <source>the file is larger than %1 MB</source>
+        <translation>die Datei ist größer als %1 MB</translation>
+    </message>
+    <message>
+        <source>expected the text of the item before the condition</source>
+        <translation>vor der Bedingung wird der Text des Punkts erwartet</translation>
+    </message>
+    <message>
+        <source>longer than %1 bytes</source>
+        <translation>länger als %1 Bytes</translation>
+    </message>
+    <message>
+        <source>a control character: this is not a text file</source>
+        <translation>ein Steuerzeichen: das ist keine Textdatei</translation>
+    </message>
+    <message>
+        <source>an item longer than %1 bytes</source>
+        <translation>ein Punkt ist länger als %1 Bytes</translation>
+    </message>
+    <message>
+        <source>more than %1 items</source>
+        <translation>mehr als %1 Punkte</translation>
+    </message>
+    <message>
+        <source>no items</source>
+        <translation>keine Punkte</translation>
+    </message>
+    <message>
+        <source>not a mission file: the first line must be &quot;QGC WPL 110&quot;</source>
+        <translation>keine Missionsdatei: die erste Zeile muss „QGC WPL 110“ sein</translation>
+    </message>
+    <message>
+        <source>an item has 12 columns, this line has %1</source>
+        <translation>ein Wegpunkt hat 12 Spalten, diese Zeile hat %1</translation>
+    </message>
+    <message>
+        <source>a column is not a number or is out of range, or the numbering has a gap</source>
+        <translation>eine Spalte ist keine Zahl oder außerhalb des Bereichs, oder die Nummerierung hat eine Lücke</translation>
+    </message>
+    <message>
+        <source>a mission has at most %1 items</source>
+        <translation>eine Mission hat höchstens %1 Wegpunkte</translation>
+    </message>
+    <message>
+        <source>the mission has no items</source>
+        <translation>die Mission hat keine Wegpunkte</translation>
+    </message>
+    <message>
+        <source>NAME,VALUE or QGroundControl&apos;s five columns are expected</source>
+        <translation>erwartet wird NAME,WERT oder die fünf Spalten von QGroundControl</translation>
+    </message>
+    <message>
+        <source>%1 occurs twice</source>
+        <translation>%1 kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>more than %1 parameters</source>
+        <translation>mehr als %1 Parameter</translation>
+    </message>
+    <message>
+        <source>contains no parameters</source>
+        <translation>enthält keine Parameter</translation>
+    </message>
+    <message>
+        <source>nothing was sent: %1</source>
+        <translation>nichts wurde gesendet: %1</translation>
+    </message>
+    <message>
+        <source>not supported</source>
+        <translation>nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>no vehicle with system ID %1</source>
+        <translation>kein Fahrzeug mit der System-ID %1</translation>
+    </message>
+    <message>
+        <source>no answer to %1 attempts</source>
+        <translation>keine Antwort auf %1 Versuche</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>abgebrochen</translation>
+    </message>
+    <message>
+        <source>%1; the agent may know this station as an observer, or the commands reach it too late: it drops both</source>
+        <translation>%1; vielleicht kennt der Agent diese Station als Beobachter, oder die Befehle erreichen ihn zu spät: beides verwirft er</translation>
+    </message>
+    <message>
+        <source>no answer yet, and not sent again: this program was suspended for %1 s</source>
+        <translation>noch keine Antwort und nicht erneut gesendet: dieses Programm war %1 s lang angehalten</translation>
+    </message>
+    <message>
+        <source>too many commands are waiting for answers</source>
+        <translation>zu viele Befehle warten auf Antworten</translation>
+    </message>
+    <message>
+        <source>replaced by a newer command</source>
+        <translation>durch einen neueren Befehl ersetzt</translation>
+    </message>
+    <message>
+        <source>sent %1 times; the vehicle does not confirm it</source>
+        <translation>%1-mal gesendet; das Fahrzeug bestätigt es nicht</translation>
+    </message>
+    <message>
+        <source>acknowledged; no heartbeat since</source>
+        <translation>bestätigt; seither kein Heartbeat</translation>
+    </message>
+    <message>
+        <source>acknowledged, but the vehicle reports armed</source>
+        <translation>bestätigt, aber das Fahrzeug meldet sich als scharf</translation>
+    </message>
+    <message>
+        <source>acknowledged, but the vehicle reports disarmed</source>
+        <translation>bestätigt, aber das Fahrzeug meldet sich als unscharf</translation>
+    </message>
+    <message>
+        <source>it needs the mode %1, the vehicle went to %2</source>
+        <translation>es braucht den Modus %1, das Fahrzeug ging in %2</translation>
+    </message>
+    <message>
+        <source>it needs the mode %1, the vehicle stays in %2</source>
+        <translation>es braucht den Modus %1, das Fahrzeug bleibt in %2</translation>
+    </message>
+    <message>
+        <source>acknowledged, but the vehicle reports the mode %1</source>
+        <translation>bestätigt, aber das Fahrzeug meldet den Modus %1</translation>
+    </message>
+    <message>
+        <source>acknowledged, but the vehicle reports mission item %1</source>
+        <translation>bestätigt, aber das Fahrzeug meldet den Wegpunkt %1</translation>
+    </message>
+    <message>
+        <source>the modes of this kind of vehicle are not known</source>
+        <translation>die Modi dieser Art von Fahrzeug sind nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the vehicle has no mode &apos;%1&apos;; it has %2</source>
+        <translation>das Fahrzeug hat keinen Modus „%1“; es hat %2</translation>
+    </message>
+    <message>
+        <source>the altitude of a take-off must be above 0 m</source>
+        <translation>die Starthöhe muss über 0 m liegen</translation>
+    </message>
+    <message>
+        <source>this kind of vehicle does not fly</source>
+        <translation>diese Art von Fahrzeug fliegt nicht</translation>
+    </message>
+    <message>
+        <source>take-off needs the mode GUIDED, the vehicle is in %1</source>
+        <translation>der Start braucht den Modus GUIDED, das Fahrzeug ist in %1</translation>
+    </message>
+    <message>
+        <source>take-off needs an armed vehicle, it is disarmed</source>
+        <translation>der Start braucht ein scharfes Fahrzeug, es ist unscharf</translation>
+    </message>
+    <message>
+        <source>take-off needs a known position</source>
+        <translation>der Start braucht eine bekannte Position</translation>
+    </message>
+    <message>
+        <source>this kind of vehicle has no mode to land in</source>
+        <translation>diese Art von Fahrzeug hat keinen Modus zum Landen</translation>
+    </message>
+    <message>
+        <source>this kind of vehicle has no mode to return in</source>
+        <translation>diese Art von Fahrzeug hat keinen Modus zur Rückkehr</translation>
+    </message>
+    <message>
+        <source>this kind of vehicle has no mode to loiter in</source>
+        <translation>diese Art von Fahrzeug hat keinen Modus zum Kreisen</translation>
+    </message>
+    <message>
+        <source>the location is not on the globe</source>
+        <translation>der Ort liegt nicht auf der Erde</translation>
+    </message>
+    <message>
+        <source>going to a location needs the mode GUIDED, the vehicle is in %1</source>
+        <translation>der Flug zu einem Ort braucht den Modus GUIDED, das Fahrzeug ist in %1</translation>
+    </message>
+    <message>
+        <source>going to a location needs a known home altitude</source>
+        <translation>der Flug zu einem Ort braucht eine bekannte Höhe des Startpunkts</translation>
+    </message>
+    <message>
+        <source>the altitude is not a number</source>
+        <translation>die Höhe ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>changing the altitude needs a known position</source>
+        <translation>die Höhenänderung braucht eine bekannte Position</translation>
+    </message>
+    <message>
+        <source>changing the altitude needs a known home altitude</source>
+        <translation>die Höhenänderung braucht eine bekannte Höhe des Startpunkts</translation>
+    </message>
+    <message>
+        <source>pointing at a location needs a known home altitude</source>
+        <translation>das Zielen auf einen Ort braucht eine bekannte Höhe des Startpunkts</translation>
+    </message>
+    <message>
+        <source>moving home needs a known home altitude</source>
+        <translation>das Verschieben des Startpunkts braucht eine bekannte Höhe des Startpunkts</translation>
+    </message>
+    <message>
+        <source>the speed must be above 0 m/s</source>
+        <translation>die Geschwindigkeit muss über 0 m/s liegen</translation>
+    </message>
+    <message>
+        <source>another mission transfer is under way</source>
+        <translation>eine andere Missionsübertragung läuft</translation>
+    </message>
+    <message>
+        <source>item %1 is not on the globe</source>
+        <translation>der Wegpunkt %1 liegt nicht auf der Erde</translation>
+    </message>
+    <message>
+        <source>the vehicle does not send item %1</source>
+        <translation>das Fahrzeug sendet den Wegpunkt %1 nicht</translation>
+    </message>
+    <message>
+        <source>the vehicle stopped requesting items</source>
+        <translation>das Fahrzeug fordert keine Wegpunkte mehr an</translation>
+    </message>
+    <message>
+        <source>the vehicle ended the upload early</source>
+        <translation>das Fahrzeug hat die Übertragung vorzeitig beendet</translation>
+    </message>
+    <message>
+        <source>a name of up to 16 characters and a number are needed</source>
+        <translation>ein Name mit bis zu 16 Zeichen und eine Zahl sind nötig</translation>
+    </message>
+    <message>
+        <source>the vehicle does not send its parameters</source>
+        <translation>das Fahrzeug sendet seine Parameter nicht</translation>
+    </message>
+    <message>
+        <source>only %1 of %2 parameters came</source>
+        <translation>nur %1 von %2 Parametern kamen an</translation>
+    </message>
+    <message>
+        <source>the vehicle keeps %1</source>
+        <translation>das Fahrzeug behält %1</translation>
+    </message>
+    <message>
+        <source>another file transfer is under way</source>
+        <translation>eine andere Dateiübertragung läuft</translation>
+    </message>
+    <message>
+        <source>a path of up to %1 bytes is needed</source>
+        <translation>ein Pfad mit bis zu %1 Bytes ist nötig</translation>
+    </message>
+    <message>
+        <source>a file has at most %1 bytes</source>
+        <translation>eine Datei hat höchstens %1 Bytes</translation>
+    </message>
+    <message>
+        <source>the file is larger than %1 bytes</source>
+        <translation>die Datei ist größer als %1 Bytes</translation>
+    </message>
+    <message>
+        <source>the folder has more than %1 entries</source>
+        <translation>der Ordner hat mehr als %1 Einträge</translation>
+    </message>
+    <message>
+        <source>the checksums of both ends differ</source>
+        <translation>die Prüfsummen beider Seiten sind verschieden</translation>
+    </message>
+    <message>
+        <source>the vehicle does not send the checksum</source>
+        <translation>das Fahrzeug sendet die Prüfsumme nicht</translation>
+    </message>
+    <message>
+        <source>without a checksum, the part that is kept cannot be used</source>
+        <translation>ohne Prüfsumme kann der aufbewahrte Teil nicht verwendet werden</translation>
+    </message>
+    <message>
+        <source>the vehicle does not report the size of the file</source>
+        <translation>das Fahrzeug meldet die Größe der Datei nicht</translation>
+    </message>
+    <message>
+        <source>the size of the file does not match the part that is kept</source>
+        <translation>die Größe der Datei passt nicht zum aufbewahrten Teil</translation>
+    </message>
+    <message>
+        <source>the file changed while it was read</source>
+        <translation>die Datei hat sich während des Lesens geändert</translation>
+    </message>
+    <message>
+        <source>the vehicle does not send byte %1</source>
+        <translation>das Fahrzeug sendet Byte %1 nicht</translation>
+    </message>
+    <message>
+        <source>the vehicle does not accept byte %1</source>
+        <translation>das Fahrzeug nimmt Byte %1 nicht an</translation>
+    </message>
+    <message>
+        <source>another request for logs is under way</source>
+        <translation>eine andere Anforderung von Logs läuft</translation>
+    </message>
+    <message>
+        <source>the vehicle has no such log</source>
+        <translation>das Fahrzeug hat kein solches Log</translation>
+    </message>
+    <message>
+        <source>the vehicle still has logs, or does not answer</source>
+        <translation>das Fahrzeug hat noch Logs oder antwortet nicht</translation>
+    </message>
+    <message>
+        <source>the vehicle does not list its logs</source>
+        <translation>das Fahrzeug listet seine Logs nicht auf</translation>
+    </message>
+    <message>
+        <source>the vehicle does not list its logs while it is armed</source>
+        <translation>das Fahrzeug listet seine Logs nicht auf, solange es scharf ist</translation>
+    </message>
+    <message>
+        <source>the vehicle does not send byte %1 and following</source>
+        <translation>das Fahrzeug sendet Byte %1 und die folgenden nicht</translation>
+    </message>
+    <message>
+        <source>the log is larger than %1 bytes</source>
+        <translation>das Log ist größer als %1 Bytes</translation>
+    </message>
+    <message>
+        <source>the log does not match the part that is kept</source>
+        <translation>das Log passt nicht zum aufbewahrten Teil</translation>
+    </message>
+    <message>
+        <source>the log changed while it was read</source>
+        <translation>das Log hat sich während des Lesens geändert</translation>
+    </message>
+    <message>
+        <source>result %1</source>
+        <translation>Ergebnis %1</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>angenommen</translation>
+    </message>
+    <message>
+        <source>temporarily rejected</source>
+        <translation>vorübergehend abgelehnt</translation>
+    </message>
+    <message>
+        <source>denied</source>
+        <translation>abgelehnt</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>in progress</source>
+        <translation>in Arbeit</translation>
+    </message>
+    <message>
+        <source>accepted as COMMAND_LONG only</source>
+        <translation>nur als COMMAND_LONG angenommen</translation>
+    </message>
+    <message>
+        <source>accepted as COMMAND_INT only</source>
+        <translation>nur als COMMAND_INT angenommen</translation>
+    </message>
+    <message>
+        <source>coordinate frame not supported</source>
+        <translation>Koordinatenrahmen nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>this station is not in control</source>
+        <translation>diese Station hat nicht die Kontrolle</translation>
+    </message>
+    <message>
+        <source>the vehicle reports an error</source>
+        <translation>das Fahrzeug meldet einen Fehler</translation>
+    </message>
+    <message>
+        <source>command not supported</source>
+        <translation>Befehl nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>no space left on the vehicle</source>
+        <translation>kein Platz mehr auf dem Fahrzeug</translation>
+    </message>
+    <message>
+        <source>an item is invalid</source>
+        <translation>ein Wegpunkt ist ungültig</translation>
+    </message>
+    <message>
+        <source>parameter 1 is invalid</source>
+        <translation>Parameter 1 ist ungültig</translation>
+    </message>
+    <message>
+        <source>parameter 2 is invalid</source>
+        <translation>Parameter 2 ist ungültig</translation>
+    </message>
+    <message>
+        <source>parameter 3 is invalid</source>
+        <translation>Parameter 3 ist ungültig</translation>
+    </message>
+    <message>
+        <source>parameter 4 is invalid</source>
+        <translation>Parameter 4 ist ungültig</translation>
+    </message>
+    <message>
+        <source>x (latitude) is invalid</source>
+        <translation>x (Breite) ist ungültig</translation>
+    </message>
+    <message>
+        <source>y (longitude) is invalid</source>
+        <translation>y (Länge) ist ungültig</translation>
+    </message>
+    <message>
+        <source>z (altitude) is invalid</source>
+        <translation>z (Höhe) ist ungültig</translation>
+    </message>
+    <message>
+        <source>an item arrived out of sequence</source>
+        <translation>ein Wegpunkt kam außer der Reihe</translation>
+    </message>
+    <message>
+        <source>not accepting missions from this station</source>
+        <translation>nimmt von dieser Station keine Missionen an</translation>
+    </message>
+    <message>
+        <source>the vehicle reports a failure</source>
+        <translation>das Fahrzeug meldet einen Fehlschlag</translation>
+    </message>
+    <message>
+        <source>the vehicle refuses the size</source>
+        <translation>das Fahrzeug lehnt die Größe ab</translation>
+    </message>
+    <message>
+        <source>the vehicle has closed the file</source>
+        <translation>das Fahrzeug hat die Datei geschlossen</translation>
+    </message>
+    <message>
+        <source>too many files are open on the vehicle</source>
+        <translation>auf dem Fahrzeug sind zu viele Dateien offen</translation>
+    </message>
+    <message>
+        <source>end of file</source>
+        <translation>Ende der Datei</translation>
+    </message>
+    <message>
+        <source>not supported by the vehicle</source>
+        <translation>vom Fahrzeug nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>the file exists</source>
+        <translation>die Datei existiert</translation>
+    </message>
+    <message>
+        <source>the file is protected</source>
+        <translation>die Datei ist geschützt</translation>
+    </message>
+    <message>
+        <source>no such file or folder</source>
+        <translation>keine solche Datei und kein solcher Ordner</translation>
+    </message>
+    <message>
+        <source>the vehicle reports error %1</source>
+        <translation>das Fahrzeug meldet den Fehler %1</translation>
+    </message>
+    <message>
+        <source>the vehicle reports error code %1</source>
+        <translation>das Fahrzeug meldet den Fehlercode %1</translation>
+    </message>
+</context>
+<context>
     <name>Sweep</name>
     <message>
         <source>nothing is connected</source>
@@ -995,10 +1938,6 @@
         <translation>Mission starten</translation>
     </message>
     <message>
-        <source>Mission</source>
-        <translation>Mission</translation>
-    </message>
-    <message>
         <source>Pause</source>
         <translation>Pause</translation>
     </message>
@@ -1058,6 +1997,18 @@
         <source>Stops and holds the present position; a plane circles it.</source>
         <translation>Hält an und bleibt an der aktuellen Position; ein Flächenflugzeug kreist dort.</translation>
     </message>
+    <message>
+        <source>Start</source>
+        <translation>Starten</translation>
+    </message>
+    <message>
+        <source>Starts or continues the mission.</source>
+        <translation>Startet die Mission oder setzt sie fort.</translation>
+    </message>
+    <message>
+        <source>Checklist and pre-arm checks…</source>
+        <translation>Checkliste und Vorprüfungen…</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::ActionPermits</name>
@@ -1076,6 +2027,10 @@
     <message>
         <source>the vehicle is armed</source>
         <translation>das Fahrzeug ist scharf</translation>
+    </message>
+    <message>
+        <source>the vehicle is already flying</source>
+        <translation>das Fahrzeug fliegt schon</translation>
     </message>
 </context>
 <context>
@@ -1779,7 +2734,7 @@ Sollte dies das Fahrzeug von %3 sein, Abbrechen wählen: Dessen versiegelte Verb
     </message>
     <message>
         <source>replayed</source>
-        <translation>wiedereingespielt</translation>
+        <translation>wiederholt</translation>
     </message>
     <message>
         <source>forged</source>
@@ -1896,6 +2851,10 @@ Sollte dies das Fahrzeug von %3 sein, Abbrechen wählen: Dessen versiegelte Verb
         <source>Charts of the diagnostics</source>
         <translation>Diagramme der Diagnose</translation>
     </message>
+    <message>
+        <source>Connect to a vehicle to see the throughput, losses, latency and cost of its link.</source>
+        <translation>Verbinden Sie ein Fahrzeug, um Durchsatz, Verluste, Latenz und Kosten seiner Verbindung zu sehen.</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::DiagnosticsTools</name>
@@ -1967,6 +2926,26 @@ Sollte dies das Fahrzeug von %3 sein, Abbrechen wählen: Dessen versiegelte Verb
         <source>Freezes the charts, not the measurement (Space). Drag over a chart or turn the wheel to zoom; a double click, Home or Esc returns to live.</source>
         <translation>Friert die Diagramme ein, nicht die Messung (Leertaste). Zum Zoomen über ein Diagramm ziehen oder das Mausrad drehen; Doppelklick, Pos1 oder Esc kehrt zu Live zurück.</translation>
     </message>
+    <message>
+        <source>The view &quot;Sweep&quot; is shown</source>
+        <translation>Die Ansicht „Messreihe“ wird gezeigt</translation>
+    </message>
+    <message>
+        <source>Shorter time range</source>
+        <translation>Kürzerer Zeitbereich</translation>
+    </message>
+    <message>
+        <source>Longer time range</source>
+        <translation>Längerer Zeitbereich</translation>
+    </message>
+    <message>
+        <source>Choose the view</source>
+        <translation>Ansicht wählen</translation>
+    </message>
+    <message>
+        <source>Choose the quantities</source>
+        <translation>Größen wählen</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::EmergencyStop</name>
@@ -1993,6 +2972,10 @@ Sollte dies das Fahrzeug von %3 sein, Abbrechen wählen: Dessen versiegelte Verb
     <message>
         <source>Locked: unlock it first</source>
         <translation>Gesperrt: zuerst entsperren</translation>
+    </message>
+    <message>
+        <source>Go to the lock of the emergency stop</source>
+        <translation>Zur Sperre des Not-Aus</translation>
     </message>
 </context>
 <context>
@@ -2032,10 +3015,6 @@ Sollte dies das Fahrzeug von %3 sein, Abbrechen wählen: Dessen versiegelte Verb
     <message>
         <source>The agent %1 does not answer</source>
         <translation>Der Agent %1 antwortet nicht</translation>
-    </message>
-    <message>
-        <source>Start an agent, skyseal-air, beside an autopilot:</source>
-        <translation>Einen Agenten, skyseal-air, neben einem Autopiloten starten:</translation>
     </message>
     <message>
         <source>Allow plain MAVLink</source>
@@ -2111,6 +3090,10 @@ Bis das behoben ist, wird keine Verbindung versiegelt. Ungeschütztes MAVLink wi
         <source>The link to the agent is sealed; nothing has been received from its vehicle yet.</source>
         <translation>Die Verbindung zum Agenten ist versiegelt; von seinem Fahrzeug wurde noch nichts empfangen.</translation>
     </message>
+    <message>
+        <source>Start an agent, skyseal-air, beside an autopilot. If it has no key yet, the first line creates one; then pair the two in Security → Keys and peers:</source>
+        <translation>Einen Agenten, skyseal-air, neben einem Autopiloten starten. Hat er noch keinen Schlüssel, erzeugt ihn die erste Zeile; danach die beiden in Sicherheit → Schlüssel und Gegenstellen koppeln:</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::FencePainter</name>
@@ -2152,6 +3135,17 @@ Bis das behoben ist, wird keine Verbindung versiegelt. Ungeschütztes MAVLink wi
     <message>
         <source>Type</source>
         <translation>Typ</translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::FlightTarget</name>
+    <message>
+        <source>Target of vehicle %1</source>
+        <translation>Ziel von Fahrzeug %1</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
     </message>
 </context>
 <context>
@@ -2251,6 +3245,50 @@ Bis das behoben ist, wird keine Verbindung versiegelt. Ungeschütztes MAVLink wi
     <message>
         <source>What stations may write at the addresses beside, while &quot;Read and write&quot; is chosen</source>
         <translation>Was Stationen an den Adressen daneben schreiben dürfen, solange „Lesen und schreiben“ gewählt ist</translation>
+    </message>
+    <message>
+        <source>arm, fly and stop the vehicles</source>
+        <translation>die Fahrzeuge scharfschalten, fliegen und anhalten</translation>
+    </message>
+    <message>
+        <source>change missions, fences and rally points</source>
+        <translation>Missionen, Geofences und Rally-Punkte ändern</translation>
+    </message>
+    <message>
+        <source>change parameters</source>
+        <translation>Parameter ändern</translation>
+    </message>
+    <message>
+        <source>change files and logs</source>
+        <translation>Dateien und Logs ändern</translation>
+    </message>
+    <message>
+        <source>Other stations can do as this window: %1.</source>
+        <translation>Andere Stationen können wie dieses Fenster: %1.</translation>
+    </message>
+    <message>
+        <source>What other stations can do</source>
+        <translation>Was andere Stationen tun können</translation>
+    </message>
+    <message>
+        <source>Change the address for other stations</source>
+        <translation>Adresse für andere Stationen ändern</translation>
+    </message>
+    <message>
+        <source>Change the rights of other stations</source>
+        <translation>Rechte anderer Stationen ändern</translation>
+    </message>
+    <message>
+        <source>&quot;Read and write&quot; is not chosen</source>
+        <translation>„Lesen und schreiben“ ist nicht gewählt</translation>
+    </message>
+    <message>
+        <source>Others may command</source>
+        <translation>Andere dürfen befehlen</translation>
+    </message>
+    <message>
+        <source>Others may write</source>
+        <translation>Andere dürfen schreiben</translation>
     </message>
 </context>
 <context>
@@ -2369,6 +3407,10 @@ Bis das behoben ist, wird keine Verbindung versiegelt. Ungeschütztes MAVLink wi
     <message>
         <source>Each type of message is listed here once it arrives.</source>
         <translation>Jeder Nachrichtentyp steht hier, sobald eine Nachricht davon eintrifft.</translation>
+    </message>
+    <message>
+        <source>Find a message type</source>
+        <translation>Einen Nachrichtentyp suchen</translation>
     </message>
 </context>
 <context>
@@ -2779,6 +3821,17 @@ UNSICHER: Jeder kann diesen Datenstrom mitlesen, verändern und fälschen. Nicht
     </message>
 </context>
 <context>
+    <name>skyseal::ui::LinkPopover</name>
+    <message>
+        <source>Secure link</source>
+        <translation>Sichere Verbindung</translation>
+    </message>
+    <message>
+        <source>Open secure link</source>
+        <translation>Sichere Verbindung öffnen</translation>
+    </message>
+</context>
+<context>
     <name>skyseal::ui::LinksPanel</name>
     <message>
         <source>Add…</source>
@@ -2819,6 +3872,10 @@ UNSICHER: Jeder kann diesen Datenstrom mitlesen, verändern und fälschen. Nicht
     <message>
         <source>No links: add one to hear a vehicle.</source>
         <translation>Keine Verbindung: eine hinzufügen, um ein Fahrzeug zu hören.</translation>
+    </message>
+    <message>
+        <source>Select a link first</source>
+        <translation>Wählen Sie zuerst eine Verbindung aus</translation>
     </message>
 </context>
 <context>
@@ -3023,6 +4080,34 @@ Fingerabdruck %3</translation>
         <source>While Skyseal is closed, no vehicle can be commanded from here, and failsafes may trigger.</source>
         <translation>Solange Skyseal geschlossen ist, lässt sich kein Fahrzeug von hier steuern, und Failsafes können auslösen.</translation>
     </message>
+    <message>
+        <source>Menus</source>
+        <translation>Menüs</translation>
+    </message>
+    <message>
+        <source>Flight actions</source>
+        <translation>Flugaktionen</translation>
+    </message>
+    <message>
+        <source>Place on the map</source>
+        <translation>Ort auf der Karte</translation>
+    </message>
+    <message>
+        <source>Alerts</source>
+        <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>Replay and demo</source>
+        <translation>Wiedergabe und Demo</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>Problem</translation>
+    </message>
+    <message>
+        <source>Last run</source>
+        <translation>Letzter Lauf</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::MapAlerts</name>
@@ -3040,14 +4125,6 @@ Fingerabdruck %3</translation>
     <message>
         <source>Change &amp;altitude…</source>
         <translation>&amp;Höhe ändern…</translation>
-    </message>
-    <message>
-        <source>&amp;Loiter at the present position…</source>
-        <translation>&amp;Loiter an der aktuellen Position…</translation>
-    </message>
-    <message>
-        <source>Stop and loiter at the present position?</source>
-        <translation>Anhalten und an der aktuellen Position bleiben?</translation>
     </message>
     <message>
         <source>&amp;Measure from here</source>
@@ -3128,6 +4205,18 @@ Fingerabdruck %3</translation>
     <message>
         <source>RTL will fly there. The altitude of home stays the same; the ground elevation there is not known.</source>
         <translation>RTL fliegt dann dorthin. Die Höhe von Home bleibt gleich; die Geländehöhe dort ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Pa&amp;use…</source>
+        <translation>Pa&amp;use…</translation>
+    </message>
+    <message>
+        <source>Stop and hold the present position?</source>
+        <translation>Anhalten und an der aktuellen Position bleiben?</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
     </message>
 </context>
 <context>
@@ -3339,6 +4428,13 @@ Fingerabdruck %3</translation>
     </message>
 </context>
 <context>
+    <name>skyseal::ui::MenuBarFocus</name>
+    <message>
+        <source>Open the first menu</source>
+        <translation>Das erste Menü öffnen</translation>
+    </message>
+</context>
+<context>
     <name>skyseal::ui::MessageModel</name>
     <message>
         <source>station</source>
@@ -3430,6 +4526,10 @@ Fingerabdruck %3</translation>
     <message>
         <source>Messages of vehicles and of the station are listed here.</source>
         <translation>Hier stehen die Nachrichten der Fahrzeuge und der Station.</translation>
+    </message>
+    <message>
+        <source>Find a message</source>
+        <translation>Eine Nachricht suchen</translation>
     </message>
 </context>
 <context>
@@ -3540,6 +4640,10 @@ Fingerabdruck %3</translation>
     <message>
         <source>The mission, and the fence and rally points if the vehicle has them</source>
         <translation>Die Mission sowie Geofence und Rally-Punkte, falls das Fahrzeug sie hat</translation>
+    </message>
+    <message>
+        <source>There are no items to save</source>
+        <translation>Es gibt keine Punkte zum Speichern</translation>
     </message>
 </context>
 <context>
@@ -3792,12 +4896,16 @@ Fingerabdruck %3</translation>
         <translation>nicht mehr versiegelt</translation>
     </message>
     <message>
-        <source>This station has no key: it can use only plain MAVLink.</source>
-        <translation>Diese Station hat keinen Schlüssel: Sie kann nur ungeschütztes MAVLink verwenden.</translation>
-    </message>
-    <message>
         <source>%1, not sealed: anyone who copies the file has the key</source>
         <translation>%1, nicht versiegelt: Wer die Datei kopiert, hat den Schlüssel</translation>
+    </message>
+    <message>
+        <source>This station has no key: it can use only plain MAVLink. Create one with
+skyseal-cli keys new --out FILE
+and start with --identity FILE.</source>
+        <translation>Diese Station hat keinen Schlüssel: Sie kann nur ungeschütztes MAVLink verwenden. Einen erzeugt
+skyseal-cli keys new --out DATEI
+und verwendet der Start mit --identity DATEI.</translation>
     </message>
 </context>
 <context>
@@ -4048,6 +5156,10 @@ Dann ist kein Code zu vergleichen. Sie gilt nur für diese Kopplung.</translatio
     <message>
         <source>Parameters are listed here once they are fetched.</source>
         <translation>Die Parameter stehen hier, sobald sie gelesen sind.</translation>
+    </message>
+    <message>
+        <source>Find a parameter</source>
+        <translation>Einen Parameter suchen</translation>
     </message>
 </context>
 <context>
@@ -5004,6 +6116,30 @@ mit PSK</translation>
         <source>Beside the recording: %1</source>
         <translation>Neben der Aufzeichnung: %1</translation>
     </message>
+    <message>
+        <source>Back 10 s</source>
+        <translation>10 s zurück</translation>
+    </message>
+    <message>
+        <source>Forward 10 s</source>
+        <translation>10 s vor</translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation>Langsamer</translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation>Schneller</translation>
+    </message>
+    <message>
+        <source>Previous event</source>
+        <translation>Vorige Marke</translation>
+    </message>
+    <message>
+        <source>Next event</source>
+        <translation>Nächste Marke</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::ReplayTimeline</name>
@@ -5628,16 +6764,16 @@ mit PSK</translation>
         <translation>Aktion</translation>
     </message>
     <message>
-        <source>Menu</source>
-        <translation>Menü</translation>
-    </message>
-    <message>
         <source>Shortcut</source>
         <translation>Tastenkürzel</translation>
     </message>
     <message>
         <source>Default</source>
         <translation>Standard</translation>
+    </message>
+    <message>
+        <source>Menu or panel</source>
+        <translation>Menü oder Bereich</translation>
     </message>
 </context>
 <context>
@@ -5690,10 +6826,6 @@ mit PSK</translation>
 <context>
     <name>skyseal::ui::SourceBar</name>
     <message>
-        <source>DEMO: simulated vehicle, simulated data</source>
-        <translation>DEMO: simuliertes Fahrzeug, simulierte Daten</translation>
-    </message>
-    <message>
         <source>REPLAY: %1</source>
         <translation>WIEDERGABE: %1</translation>
     </message>
@@ -5732,6 +6864,14 @@ mit PSK</translation>
     <message>
         <source>Live: no vehicle</source>
         <translation>Live: kein Fahrzeug</translation>
+    </message>
+    <message>
+        <source>DEMO: a simulated copter takes off and flies by itself until you command it</source>
+        <translation>DEMO: Ein simulierter Copter hebt ab und fliegt von selbst, bis Sie ihm etwas befehlen</translation>
+    </message>
+    <message>
+        <source>All data are simulated. Your first command ends the flight of the demo. End the demo, here or in the menu Tools, returns to your links.</source>
+        <translation>Alle Daten sind simuliert. Ihr erster Befehl beendet den Flug der Demo. „Demo beenden“, hier oder im Menü Extras, kehrt zu Ihren Verbindungen zurück.</translation>
     </message>
 </context>
 <context>
@@ -5856,10 +6996,6 @@ mit PSK</translation>
         <translation>Ort ansteuern</translation>
     </message>
     <message>
-        <source>Loiter</source>
-        <translation>Loiter</translation>
-    </message>
-    <message>
         <source>Set home here</source>
         <translation>Home hierher setzen</translation>
     </message>
@@ -5894,6 +7030,10 @@ mit PSK</translation>
     <message>
         <source>Speed %1</source>
         <translation>Geschwindigkeit %1</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
     </message>
 </context>
 <context>
@@ -5991,6 +7131,24 @@ mit PSK</translation>
 %2 Latenz
 %3 seit der neuesten Nachricht
 %4 Frames/s, %5 verloren</translation>
+    </message>
+    <message>
+        <source>Other stations</source>
+        <translation>Andere Stationen</translation>
+    </message>
+    <message>
+        <source>Shared</source>
+        <translation>Geteilt</translation>
+    </message>
+    <message>
+        <source>%1
+A click opens the links.</source>
+        <translation>%1
+Ein Klick öffnet die Verbindungen.</translation>
+    </message>
+    <message>
+        <source>Lowest in the last minute: %1 %</source>
+        <translation>Tiefster Wert der letzten Minute: %1 %</translation>
     </message>
 </context>
 <context>
@@ -6571,6 +7729,10 @@ mit PSK</translation>
         <source>&quot;caption&quot; is not text of at most %1 characters</source>
         <translation>„caption“ ist kein Text mit höchstens %1 Zeichen</translation>
     </message>
+    <message>
+        <source>&quot;unit&quot; is not text of at most %1 characters</source>
+        <translation>„unit“ ist kein Text mit höchstens %1 Zeichen</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::ValueReading</name>
@@ -6589,6 +7751,14 @@ mit PSK</translation>
     <message>
         <source>no</source>
         <translation>nein</translation>
+    </message>
+    <message>
+        <source>since first heard</source>
+        <translation>seit erstem Empfang</translation>
+    </message>
+    <message>
+        <source>The vehicle was already flying when this station first heard it. The time counts from then: the flight itself is longer.</source>
+        <translation>Das Fahrzeug flog schon, als diese Station es zum ersten Mal empfing. Die Zeit zählt ab dann: Der Flug selbst ist länger.</translation>
     </message>
 </context>
 <context>
@@ -7036,6 +8206,22 @@ mit PSK</translation>
         <source>Restores the default values; takes effect with Apply or OK</source>
         <translation>Stellt die Standardwerte wieder her; wirksam mit Übernehmen oder OK</translation>
     </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>U&amp;nit</source>
+        <translation>Ei&amp;nheit</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>The unit of the message&apos;s definition, in the chosen system of units</source>
+        <translation>Die Einheit aus der Definition der Nachricht, im gewählten Einheitensystem</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::ValuesGrid</name>
@@ -7309,6 +8495,10 @@ mit PSK</translation>
         <source>Filter vehicles</source>
         <translation>Fahrzeuge filtern</translation>
     </message>
+    <message>
+        <source>Find a vehicle</source>
+        <translation>Ein Fahrzeug suchen</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::WindowDialogs</name>
@@ -7372,6 +8562,22 @@ GPL-3.0-or-later; erstellt mit Qt %2, Qt Charts, libsodium und OpenSSL.</transla
     <message>
         <source>Vehicles</source>
         <translation>Fahrzeuge</translation>
+    </message>
+    <message>
+        <source>Close the panel that has the focus</source>
+        <translation>Den Bereich schließen, der den Fokus hat</translation>
+    </message>
+    <message>
+        <source>Float or dock the panel that has the focus</source>
+        <translation>Den Bereich lösen oder andocken, der den Fokus hat</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Bereiche</translation>
+    </message>
+    <message>
+        <source>No panel has the focus</source>
+        <translation>Kein Bereich hat den Fokus</translation>
     </message>
 </context>
 <context>
@@ -7565,14 +8771,6 @@ GPL-3.0-or-later; erstellt mit Qt %2, Qt Charts, libsodium und OpenSSL.</transla
         <translation>Die &amp;Karte</translation>
     </message>
     <message>
-        <source>L&amp;oiter…</source>
-        <translation>L&amp;oiter…</translation>
-    </message>
-    <message>
-        <source>Stop and loiter at the present position?</source>
-        <translation>Anhalten und im Loiter an der aktuellen Position bleiben?</translation>
-    </message>
-    <message>
         <source>&amp;Change altitude…</source>
         <translation>&amp;Höhe ändern…</translation>
     </message>
@@ -7643,6 +8841,14 @@ GPL-3.0-or-later; erstellt mit Qt %2, Qt Charts, libsodium und OpenSSL.</transla
     <message>
         <source>&amp;Track colours</source>
         <translation>Farben der S&amp;pur</translation>
+    </message>
+    <message>
+        <source>&amp;Pause…</source>
+        <translation>&amp;Pause…</translation>
+    </message>
+    <message>
+        <source>Stop and hold the present position?</source>
+        <translation>Anhalten und an der aktuellen Position bleiben?</translation>
     </message>
 </context>
 <context>
