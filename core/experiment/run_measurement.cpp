@@ -106,7 +106,7 @@ void RunMeasurement::end(const MeasuredLink &link, const Plan &plan, Sample &sam
     sample.invalid = loadProblem(load, values);
     sample.seconds = snapshot->time - m_begin.station->time;
     sample.begin = countedBy(m_begin);
-    sample.end = countedBy(end);
+    sample.end = countedBy(m_end);
 }
 
 } // namespace skyseal::experiment

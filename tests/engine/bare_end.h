@@ -2,6 +2,7 @@
 // cost, so that the engine on the other side can be measured alone.
 #pragma once
 
+#include "core/base/clock.h"
 #include "core/channel/counter_store.h"
 #include "core/channel/policy.h"
 #include "core/channel/role.h"

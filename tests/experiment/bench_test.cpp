@@ -1,4 +1,5 @@
 // The benchmark of the suites: every record opens, the figures are in a believable order, the memory is that of a context.
+#include "core/channel/sealed.h"
 #include "core/crypto/init_crypto.h"
 #include "core/experiment/cipher_bench.h"
 #include "core/experiment/record_pair.h"

@@ -1,5 +1,6 @@
 // What a frame costs the agent and mavlink-router, each as a whole process (event loop, wake-ups, system calls and cold caches
-// included), on the same frames in turn, and the least program that seals frames. SKYSEAL_MAVLINK_ROUTERD names the router.
+// included), on the same frames in turn, and the least program that seals frames. SKYSEAL_MAVLINK_ROUTERD names the router,
+// SKYSEAL_SUITE a suite other than ChaCha20-Poly1305.
 #include "tests/engine/bare_end.h"
 #include "tests/engine/traffic.h"
 #include "tests/support/flight.h"
@@ -78,10 +79,9 @@ private:
 class LeastSealer
 {
 public:
-    explicit LeastSealer(std::uint16_t to)
+    LeastSealer(crypto::SuiteId suite, std::uint16_t to)
     {
-        const experiment::BareCall seal = experiment::bareRecord(crypto::SuiteId::ChaCha20Poly1305,
-                                                                 experiment::RecordOperation::Seal);
+        const experiment::BareCall seal = experiment::bareRecord(suite, experiment::RecordOperation::Seal);
         const int in = socketOfLoopback();
         sockaddr_in address{};
         socklen_t length = sizeof address;
@@ -183,7 +183,10 @@ void RouterCostTest::initTestCase()
     if (m_router.isEmpty())
         QSKIP("SKYSEAL_MAVLINK_ROUTERD names no mavlink-routerd");
     QVERIFY(crypto::initCrypto());
-    m_least = std::make_unique<LeastSealer>(m_behindLeast.port());
+    const QString suite = qEnvironmentVariable("SKYSEAL_SUITE", QStringLiteral("chacha20-poly1305"));
+    const auto suiteId = crypto::suiteFromName(suite.toStdString());
+    QVERIFY(suiteId);
+    m_least = std::make_unique<LeastSealer>(*suiteId, m_behindLeast.port());
     m_byLeast = std::make_unique<Forwarder>(
         m_least->process(), m_least->port(), [this](Duration most) { m_behindLeast.waitReadable(most); },
         [this] { return datagramsOf(m_behindLeast); });
@@ -197,6 +200,7 @@ void RouterCostTest::initTestCase()
     QStringList arguments = m_flight->airArguments(m_ground->port());
     arguments.removeAll(QStringLiteral("--json"));
     arguments.removeAll(QStringLiteral("--allow-research"));
+    arguments << QStringLiteral("--suites") << suite;
     m_agent = std::make_unique<Program>(QStringLiteral("skyseal-air"), arguments);
     QVERIFY(eventually([this] {
         m_ground->pump();

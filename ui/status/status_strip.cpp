@@ -1,6 +1,7 @@
 #include "ui/status/status_strip.h"
 
 #include "core/engine/station/session_snapshot.h"
+#include "core/engine/station/snapshot.h"
 #include "core/engine/station/vehicle_snapshot.h"
 #include "core/engine/text/state_text.h"
 #include "core/mavlink/enums.h"
