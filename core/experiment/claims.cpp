@@ -488,12 +488,11 @@ std::vector<Ordering> orderings(const Results &results)
             out.push_back({std::move(quantity), std::move(paper), std::move(here)});
     };
     add("Packets, the most first", "plain, chacha20; then aes-256-ctr; then aes-256-cbc and rc4", Metric::Packets, true);
-    add("CPU time at the station, the least first", "chacha20 like plain; then the others, rc4 last", Metric::CpuPerFrame,
-        false);
-    add("CPU time at the drone, the least first", "chacha20 like plain; then the others, rc4 last", Metric::AgentCpuPerFrame,
-        false);
+    const std::string least = "chacha20 like plain; then the others, rc4 last";
+    add("CPU time at the station, the least first", least, Metric::CpuPerFrame, false);
+    add("CPU time at the drone, the least first", least, Metric::AgentCpuPerFrame, false);
     if (std::string here = memoryOrderHere(results); !out.empty() && !here.empty())
-        out.push_back({"Memory of the process, the least first", "chacha20 like plain; then the others, rc4 last", here});
+        out.push_back({"Memory of the process, the least first", least, here});
     return out;
 }
 

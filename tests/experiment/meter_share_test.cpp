@@ -21,6 +21,7 @@ constexpr double kMost = 0.02;
 constexpr double kRunSeconds = 5, kProbeSeconds = 0.3;   ///< a probe's samples lie closer together than two probes
 constexpr int kMeteredRuns = 16, kLeastMeteredRuns = 12; ///< perf may miss a probe, and with it the run
 constexpr int kLeastMeterSamples = 5000;
+constexpr int kSweepMs = 300'000;
 
 /// Samples in the functions of the meter, and in those of probes among them.
 struct Share
@@ -97,7 +98,7 @@ void MeterShareTest::meterIsNoPartOfTheMeasurement()
                words("record -q -e cpu-clock -F 9999 --call-graph dwarf,4096 -o")
                    << data << QStringLiteral("-t") << QString::number(ioThreadOf(sweep.processId())));
     QVERIFY(perf.waitForStarted());
-    QVERIFY(sweep.waitForFinished(300000));
+    QVERIFY(sweep.waitForFinished(kSweepMs));
     const QByteArray out = sweep.readAllStandardOutput();
     QVERIFY2(sweep.exitCode() == 0, sweep.readAllStandardError().constData());
     if (!perf.waitForFinished(kDeadlineMs)) {
@@ -105,7 +106,7 @@ void MeterShareTest::meterIsNoPartOfTheMeasurement()
         QVERIFY(perf.waitForFinished(kDeadlineMs));
     }
     const RunResult script = runToItsEnd(QStringLiteral("perf"), words("script --no-inline -F tid,time,ip,sym -i") << data, {},
-                                         300000);
+                                         kSweepMs);
     QVERIFY2(script.status == 0, script.err.constData());
     const std::vector<PerfStack> stacks = perfStacks(script.out);
     QVERIFY(!stacks.empty());

@@ -78,17 +78,18 @@ def check_library(path):
 
 
 def check_commands(path):
-    """The sources of core, app and ui; the generator of the MAVLink tables runs during the build only."""
+    """The sources of core, app and ui, alone or several as one; the generator of the MAVLink tables runs during the build only."""
     seen, without = 0, []
     for entry in json.loads(path.read_text()):
         source = pathlib.Path(entry["file"])
-        if not source.is_relative_to(SOURCES) or source.relative_to(SOURCES).parts[0] not in ("core", "app", "ui"):
+        top = path.resolve().parent if "Unity" in source.parts else SOURCES
+        if not source.is_relative_to(top) or source.relative_to(top).parts[0] not in ("core", "app", "ui"):
             continue
         if "generator" in source.parts:
             continue
         seen += 1
         if "-fstack-clash-protection" not in entry["command"]:
-            without.append(f"{source.relative_to(SOURCES)}: compiled without stack clash protection")
+            without.append(f"{source.relative_to(top)}: compiled without stack clash protection")
     return without if seen > 100 else [f"{path}: only {seen} sources were found"]
 
 

@@ -29,7 +29,7 @@ private:
     bool isMarked() const
     {
         return m_it->find<SourceBar>("sourceBar")->isVisible()
-            && m_it->find<QLabel>("sourceTitle")->text() == QStringLiteral("DEMO: simulated vehicle, simulated data")
+            && m_it->find<QLabel>("sourceTitle")->text().startsWith(QStringLiteral("DEMO: "))
             && m_it->window->windowTitle() == QStringLiteral("Skyseal: demo");
     }
     bool demoFlies() const

@@ -44,7 +44,7 @@ const QHash<QString, QString> &sameInMenus()
         {id("armButton"), id("actionArm")},
         {id("takeOffButton"), id("actionTakeOff")},
         {id("startMissionButton"), id("actionStartMission")},
-        {id("pauseButton"), id("actionLoiter")},
+        {id("pauseButton"), id("actionPause")},
         {id("landButton"), id("actionLand")},
         {id("returnButton"), id("actionReturn")},
         {id("setModeButton"), id("menuMode")},

@@ -82,11 +82,11 @@ private Q_SLOTS:
         QTest::keyClick(m_window.get(), Qt::Key_F12);
         auto *dialog = m_window->findChild<LinkDialog *>();
         EVENTUALLY(dialog && dialog->isVisible());
-        auto *port = dialog->findChild<QLineEdit *>(QStringLiteral("linkPort"));
-        QVERIFY(port);
-        port->selectAll();
-        QTest::keyClicks(port, QStringLiteral("x"));
-        EVENTUALLY(texts().contains(QStringLiteral("‹the port")));
+        auto *host = dialog->findChild<QLineEdit *>(QStringLiteral("linkHost"));
+        QVERIFY(host);
+        host->selectAll();
+        QTest::keyClicks(host, QStringLiteral("999.1.1.1"));
+        EVENTUALLY(texts().contains(QStringLiteral("‹\"999.1.1.1\" is not")));
     }
 
 private:

@@ -202,7 +202,8 @@ void DiagnosticsPanel::onSnapshot(const ViewState &view)
     if (const bool has = m_history.hasLink(); has != m_hasLink) {
         m_hasLink = has;
         showPage();
-        refresh();
+        if (isVisible())
+            refresh();
     }
 }
 

@@ -49,6 +49,7 @@ LinkPopover::LinkPopover(QWidget &window) : QFrame(&window), m_window(window)
     setAccessibleName(tr("Secure link"));
     setFrameShape(QFrame::StyledPanel);
     setAutoFillBackground(true);
+    setAttribute(Qt::WA_NoMousePropagation); // a click inside is none on the window below
     m_icon = new QLabel(this);
     m_icon->setFixedSize(kIconSize, kIconSize);
     m_title = new QLabel(this);
@@ -64,6 +65,7 @@ LinkPopover::LinkPopover(QWidget &window) : QFrame(&window), m_window(window)
     m_facts->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_open = new QPushButton(tr("Open secure link"), this);
     m_open->setObjectName(QStringLiteral("popoverOpen"));
+    m_open->setAccessibleName(m_open->text());
     m_open->setAutoDefault(true); // Return opens it as well
     auto *head = new QHBoxLayout;
     head->setSpacing(kGrid);
