@@ -1,6 +1,7 @@
-// Alerts and the grid of values over a real sealed link, by clicks and keys: simulator and agent are processes, and what raises
-// an alert happens to them. A limit is exceeded in flight, the cipher switches, and another station changes the mode. Pictures
-// are kept in the folder that SKYSEAL_PICTURES names.
+// Alerts, the grid of values and aircraft over a real sealed link, by clicks and keys: simulator and agent are processes, and
+// what raises an alert happens to them. A limit is exceeded in flight, the cipher switches, another station changes the mode,
+// aircraft come near, the agent stands still, and the battery runs low. Pictures are kept in the folder that SKYSEAL_PICTURES
+// names.
 #include "sealed_window.h"
 #include "tests/support/run_program.h"
 #include "tests/support/test_runner.h"
@@ -12,6 +13,8 @@
 
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
+
+#include <csignal>
 
 using namespace skyseal;
 using namespace skyseal::ui;
@@ -31,6 +34,9 @@ private Q_SLOTS:
     void limitIsReportedInFlight();
     void switchIsReported();
     void modeByAnotherStationIsReported();
+    void aircraftNearAreReported();
+    void silentAgentIsReportedUntilItIsBack();
+    void lowBatteryEndsTheFlight();
 
 private:
     /// The lines over the map, from above.
@@ -150,6 +156,76 @@ void LiveAlertsTest::modeByAnotherStationIsReported()
     m_it->setMode(QStringLiteral("GUIDED"));
     waitForSnapshots(30);
     QVERIFY2(!hasAlert("Mode LOITER"), shown().constData());
+}
+
+void LiveAlertsTest::aircraftNearAreReported()
+{
+    m_it->fetchParameters();
+    m_it->setParameter(QStringLiteral("SIM_ADSB_ALT"), QStringLiteral("60"));
+    m_it->setParameter(QStringLiteral("SIM_ADSB_RADIUS"), QStringLiteral("300"));
+    m_it->setParameter(QStringLiteral("SR0_ADSB"), QStringLiteral("4"));
+    m_it->setParameter(QStringLiteral("SIM_ADSB_COUNT"), QStringLiteral("2"));
+    m_it->show("workspace_fly");
+    EVENTUALLY_EQUAL(m_it->vehicle().traffic.size(), std::size_t(2));
+    EVENTUALLY2(hasAlert("Aircraft near: SIM"), shown().constData());
+    const auto *map = m_it->find<MapView>("map");
+    EVENTUALLY_EQUAL(map->traffic().marks().size(), std::size_t(2));
+    const auto first = map->traffic().marks()[0].at;
+    EVENTUALLY(map->traffic().marks()[0].at != first); // it moves
+    m_it->hands->picture(QStringLiteral("live-aircraft"));
+    m_it->show("workspace_vehicle");
+    m_it->setParameter(QStringLiteral("SIM_ADSB_ALT"), QStringLiteral("2000"));
+    m_it->show("workspace_fly");
+    EVENTUALLY2(!hasAlert("Aircraft near"), shown().constData());
+    QCOMPARE(m_it->vehicle().traffic.size(), std::size_t(2));
+}
+
+/// The agent stands still for a while, as if the radio were in a shadow. A switch that was requested then fails; the vehicle
+/// returns by itself; and all of that is reported.
+void LiveAlertsTest::silentAgentIsReportedUntilItIsBack()
+{
+    ::kill(static_cast<pid_t>(m_it->air->pid()), SIGSTOP);
+    m_it->hands->choose("menuSecurity", m_it->window->suites().action(SuiteId::Aes256Ctr));
+    EVENTUALLY2(hasAlert("Link lost "), shown().constData());
+    QCOMPARE(row(0)->alert()->severity, AlertSeverity::Severe); // above all others
+    EVENTUALLY2(hasAlert("Not switched to AES-256-CTR"), shown().constData());
+    QVERIFY2(hasAlert("Link lost "), shown().constData());
+    m_it->hands->picture(QStringLiteral("live-lost"));
+    ::kill(static_cast<pid_t>(m_it->air->pid()), SIGCONT);
+    EVENTUALLY2(!hasAlert("Link lost "), shown().constData());
+    EVENTUALLY(m_it->isSealed());
+    EVENTUALLY2(m_it->strip("stripMode") == QStringLiteral("RTL"), qPrintable(m_it->strip("stripMode")));
+    EVENTUALLY2(hasAlert("Mode GUIDED → RTL, not by this station"), shown().constData());
+    QCOMPARE(m_it->view().session->info.suite, SuiteId::Aes256Gcm);
+    QCOMPARE(m_it->view().session->stats.rx.forged, std::uint64_t(0));
+    m_it->setMode(QStringLiteral("GUIDED"));
+}
+
+void LiveAlertsTest::lowBatteryEndsTheFlight()
+{
+    m_it->show("workspace_vehicle");
+    m_it->setParameter(QStringLiteral("BATT_FS_LOW_ACT"), QStringLiteral("2")); // RTL
+    m_it->setParameter(QStringLiteral("BATT_LOW_TIMER"), QStringLiteral("1"));
+    m_it->setParameter(QStringLiteral("SIM_BATT_VOLTAGE"), QStringLiteral("11.15"));
+    m_it->show("workspace_fly");
+    EVENTUALLY2(hasAlert("Battery low: "), shown().constData());
+    QVERIFY2(!hasAlert("Failsafe"), shown().constData());
+    m_it->show("workspace_vehicle");
+    m_it->setParameter(QStringLiteral("SIM_BATT_VOLTAGE"), QStringLiteral("10.7"));
+    m_it->show("workspace_fly");
+    EVENTUALLY2(hasAlert("Battery very low: "), shown().constData());
+    EVENTUALLY2(hasAlert("Failsafe: Battery Failsafe - RTL"), shown().constData());
+    EVENTUALLY2(hasAlert("Mode GUIDED → RTL, not by this station"), shown().constData());
+    QCOMPARE(m_it->strip("stripMode"), QStringLiteral("RTL"));
+    m_it->hands->picture(QStringLiteral("live-battery"));
+    QVERIFY(m_it->flies([this] { return m_it->strip("stripArmed") == QStringLiteral("DISARMED"); }));
+    EVENTUALLY2(!hasAlert("Failsafe"), shown().constData());
+    QVERIFY2(hasAlert("Battery very low: "), shown().constData());
+    m_it->show("workspace_vehicle");
+    m_it->setParameter(QStringLiteral("SIM_BATT_VOLTAGE"), QStringLiteral("12.6")); // another battery
+    m_it->show("workspace_fly");
+    EVENTUALLY2(!hasAlert("Battery"), shown().constData());
+    QCOMPARE(m_it->view().session->stats.rx.forged, std::uint64_t(0));
 }
 
 SKYSEAL_TEST_WIDGETS(LiveAlertsTest)
