@@ -36,10 +36,14 @@ std::string claimsCsv(const Results &results, const std::vector<Claim> &claims)
     for (const Claim &claim : claims) {
         std::string head = std::string(claim.key) + "," + std::string(findingText(claim.finding));
         for (const double margin : {results.plan.margin, claim.decidable, claim.decidableBelow})
-            head += "," + csvNumber(margin);
-        for (const ClaimRatio &one : claim.ratios)
-            out += head + "," + one.first + "," + one.second + "," + csvNumber(one.ratio) + "," + csvNumber(one.low) + ","
-                + csvNumber(one.high) + origin;
+            head.append(",").append(csvNumber(margin));
+        for (const ClaimRatio &one : claim.ratios) {
+            out += head;
+            for (const std::string &cell :
+                 {one.first, one.second, csvNumber(one.ratio), csvNumber(one.low), csvNumber(one.high)})
+                out.append(",").append(cell);
+            out += origin;
+        }
         if (claim.ratios.empty())
             out += head + ",,,,," + origin;
     }

@@ -1,5 +1,6 @@
 #include "core/experiment/relay_comparison.h"
 
+#include "core/experiment/bar_chart.h"
 #include "core/experiment/html_parts.h"
 
 #include <algorithm>

@@ -14,7 +14,7 @@ QJsonObject newestDrop(const QByteArray &lines, const char *direction)
     const QByteArray wanted = QByteArray(R"("direction":")") + direction + '"';
     for (qsizetype at = lines.lastIndexOf(wanted); at >= 0; at = at > 0 ? lines.lastIndexOf(wanted, at - 1) : -1) {
         const qsizetype begin = lines.lastIndexOf('\n', at) + 1, end = lines.indexOf('\n', at);
-        const QJsonObject line = QJsonDocument::fromJson(lines.mid(begin, end - begin)).object();
+        QJsonObject line = QJsonDocument::fromJson(lines.mid(begin, end - begin)).object();
         if (line[QLatin1String("event")] == QLatin1String("drop"))
             return line;
     }

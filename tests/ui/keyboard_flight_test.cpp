@@ -11,6 +11,7 @@
 #include "ui/replay/recording_model.h"
 #include "ui/security/suite_actions.h"
 
+#include <QtCore/QFileInfo>
 #include <QtGui/QContextMenuEvent>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
@@ -306,6 +307,12 @@ void KeyboardFlightTest::returnsAndLands()
 
 void KeyboardFlightTest::replaysTheRecording()
 {
+    // Two writes later the landing is in the file.
+    const QString file = QString::fromStdString(m_it->view().snapshot->recording.file);
+    for (int write = 0; write < 2; ++write) {
+        const qint64 before = QFileInfo(file).size();
+        EVENTUALLY(QFileInfo(file).size() > before);
+    }
     press(m_it->find<QAction>("actionReplay"));
     const QDialog *dialog = waitForDialog("recordingsDialog");
     const auto *list = dialog->findChild<QAbstractItemView *>(QStringLiteral("recordingView"));
@@ -320,7 +327,9 @@ void KeyboardFlightTest::replaysTheRecording()
     tabTo("replayLine");
     press(Qt::Key_End);
     EVENTUALLY(!m_it->view().snapshot->replay->seeking && m_it->view().snapshot->replay->position > length / 2);
-    EVENTUALLY(m_it->view().vehicle && m_it->strip("stripArmed") == QStringLiteral("DISARMED"));
+    EVENTUALLY2(
+        m_it->view().vehicle && m_it->strip("stripArmed") == QStringLiteral("DISARMED"),
+        qPrintable(QStringLiteral("%1, vehicle %2").arg(m_it->strip("stripArmed")).arg(m_it->view().vehicle != nullptr)));
     QVERIFY(!m_it->find<HoldButton>("landButton")->isEnabled()); // nothing of a recording can be commanded
     picture("keys-replay");
     tabTo("sourceEnd");
