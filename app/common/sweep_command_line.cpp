@@ -1,5 +1,6 @@
 #include "app/common/sweep_command_line.h"
 
+#include <QtCore/QLocale>
 #include <QtCore/QRegularExpression>
 
 namespace skyseal::app {
