@@ -1999,7 +1999,7 @@
     </message>
     <message>
         <source>Start</source>
-        <translation>Starten</translation>
+        <translation>Mission starten</translation>
     </message>
     <message>
         <source>Starts or continues the mission.</source>
