@@ -45,7 +45,7 @@ std::string claimsCsv(const Results &results, const std::vector<Claim> &claims)
             out += origin;
         }
         if (claim.ratios.empty())
-            out += head + ",,,,," + origin;
+            out.append(head).append(",,,,,").append(origin);
     }
     return out;
 }
