@@ -11,7 +11,16 @@
 
 namespace skyseal::test {
 
-inline constexpr int kSeconds = 30; // the script takes ten, more on a busy machine
+inline constexpr int kSeconds = 20; // of streams after the take-off
+
+/// What the flight script did, a line per step that ended, for the message of a failed test.
+inline QByteArray stepsOf(Program &monitor)
+{
+    QByteArray out;
+    for (const QJsonObject &step : monitor.events(QStringLiteral("command")))
+        out += QJsonDocument(step).toJson(QJsonDocument::Compact) + '\n';
+    return out;
+}
 
 inline QStringList with(QStringList arguments, const char *option, const QString &value)
 {
@@ -60,16 +69,16 @@ inline void fly(Flight &flight, const Way &way, const char *carrier)
     Program agent(QStringLiteral("skyseal-air"), air);
     Program monitor(QStringLiteral("skyseal-cli"),
                     with(flight.monitorArguments(), "--link", way.station)
-                        + words({"--do", "wait ekf_ok==1 60; mode GUIDED; arm; takeoff 3; wait alt_rel>=2.5 60",
+                        + words({"--do", "wait ekf_ok==1 60; mode GUIDED; arm; takeoff 3; wait alt_rel>=2.5 60; sleep 20",
                                  "--switch-every", "1.5", "--switch-to"})
-                        + QStringList{allSuites(), QStringLiteral("--stream-rate"), QString::number(way.rate),
-                                      QStringLiteral("--duration"), QString::number(kSeconds)});
+                        + QStringList{allSuites(), QStringLiteral("--stream-rate"), QString::number(way.rate)});
     const QJsonObject session = monitor.waitFor(QStringLiteral("session"));
     QVERIFY2(session[QLatin1String("state")] == QLatin1String("up"), monitor.errors() + agent.errors());
     QCOMPARE(session[QLatin1String("carrier")].toString(), QLatin1String(carrier));
     const QJsonObject vehicle = monitor.waitFor(QStringLiteral("vehicle"));
     QCOMPARE(number(vehicle, "sysid"), 1);
-    QCOMPARE(monitor.waitForExit(kSeconds * 1000 + 2 * kDeadlineMs), 0);
+    const int status = monitor.waitForExit(4 * kDeadlineMs);
+    QVERIFY2(status == 0, monitor.errors() + stepsOf(monitor));
 
     const QJsonObject summary = monitor.last(QStringLiteral("summary"));
     const QJsonObject mavlink = summary[QLatin1String("mavlink")].toObject();
@@ -82,8 +91,8 @@ inline void fly(Flight &flight, const Way &way, const char *carrier)
         QVERIFY2(number(received, counter) == 0, counter);
     const QJsonObject unmatched = channel[QLatin1String("unmatched")].toObject();
     QCOMPARE(number(unmatched, "forged"), 0);
-    // On a busy machine an answer may come after its attempt was given up; more would be something else.
-    QVERIFY2(number(unmatched, "malformed") <= 3, qPrintable(QString::number(number(unmatched, "malformed"))));
+    // On a busy machine answers may come after their attempts were given up; an error of the carrier would make hundreds.
+    QVERIFY2(number(unmatched, "malformed") <= 20, qPrintable(QString::number(number(unmatched, "malformed"))));
     QCOMPARE(number(received, "plaintext_dropped") > 0, way.spoofed);
     const auto sessions = monitor.events(QStringLiteral("session"));
     QCOMPARE(std::count_if(sessions.begin(), sessions.end(),

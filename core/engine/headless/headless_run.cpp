@@ -127,7 +127,7 @@ void HeadlessRun::watchServed(const LinkSnapshot &link)
 void HeadlessRun::tick()
 {
     const TimePoint now = steadyNow();
-    if (!m_plan.duration || elapsed() < seconds(*m_plan.duration)) {
+    if (!isDue()) {
         for (const SwitchPlan::Order &order : m_switching.poll(now))
             m_station.switchSuite(order.session, order.suite);
     }
@@ -170,15 +170,24 @@ void HeadlessRun::drainTask()
         stop();
 }
 
-void HeadlessRun::endIfDue()
+bool HeadlessRun::isDue() const
 {
-    // A pending switch may complete: otherwise it would be reported as rolled back although nothing failed.
-    const double grace = m_switching.isPending() ? seconds(channel::Timing().switchConfirm) + 1 : 0;
-    const bool timeUp = m_plan.duration && elapsed() >= seconds(*m_plan.duration) + grace;
+    const bool timeUp = m_plan.duration && elapsed() >= seconds(*m_plan.duration);
     const bool flown = !m_plan.script.empty() && m_script.finished() && (!m_plan.duration || m_script.failed());
     const bool played = !m_played.empty() && m_played.size() == m_links.size() && !m_plan.duration
         && std::all_of(m_played.begin(), m_played.end(), [](const auto &log) { return log.second; });
-    if (timeUp || flown || (played && !m_plan.task))
+    return timeUp || flown || (played && !m_plan.task);
+}
+
+void HeadlessRun::endIfDue()
+{
+    if (!isDue())
+        return;
+    if (!m_due)
+        m_due = elapsed();
+    // A pending switch may complete: otherwise it would be reported as rolled back although nothing failed.
+    const double grace = m_switching.isPending() ? seconds(channel::Timing().switchConfirm) + 1 : 0;
+    if (elapsed() >= *m_due + grace)
         stop();
 }
 

@@ -81,6 +81,7 @@ private:
     void fly(TimePoint now);
     void drainScript();
     void drainTask();
+    bool isDue() const;
     void endIfDue();
     double elapsed() const { return static_cast<double>(m_clock.elapsed()) / 1000; }
     void settle(const Snapshot &last);
@@ -97,6 +98,7 @@ private:
     QElapsedTimer m_clock;
     QTimer m_tick;
     int m_seconds = 0;
+    std::optional<double> m_due; ///< since when nothing is left to do, in seconds of the run
     bool m_sessionSeen = false;
     bool m_inlineSeen = false;
     bool m_stopping = false;
