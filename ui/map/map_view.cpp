@@ -1,5 +1,6 @@
 #include "ui/map/map_view.h"
 
+#include "core/engine/station/vehicle_snapshot.h"
 #include "ui/map/map_painter.h"
 #include "ui/map/measure_painter.h"
 #include "ui/map/traffic_painter.h"

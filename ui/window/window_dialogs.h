@@ -18,6 +18,7 @@ class PairingInterface;
 class Shortcuts;
 class StationInterface;
 class VehicleCommands;
+struct LatLong;
 struct ViewState;
 
 class WindowDialogs : public QObject
