@@ -8,6 +8,8 @@ target_compile_options(skyseal_options INTERFACE
 # alternatives of a std::variant or std::optional hold when one is moved (GCC bug 80635); differently at each -O.
 target_compile_options(skyseal_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-maybe-uninitialized>
   "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<CONFIG:Release>>:-Wno-stringop-overflow;-Wno-array-bounds>")
+# Optimised at link time, GCC compiles there.
+target_link_options(skyseal_options INTERFACE "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<CONFIG:Release>>:-Wno-stringop-overflow>")
 target_include_directories(skyseal_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_definitions(skyseal_options INTERFACE
   QT_NO_CAST_FROM_ASCII QT_NO_FOREACH QT_NO_KEYWORDS $<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS>
