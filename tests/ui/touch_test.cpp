@@ -75,7 +75,11 @@ private Q_SLOTS:
             ++seen;
             // Layouts follow one after the other, and may round.
             const bool large = test::eventually([&] { return button->height() >= kTouchTarget - 1; });
-            QVERIFY2(large, qPrintable(QStringLiteral("%1 %2 %3x%4").arg(button->objectName(), button->text()).arg(button->width()).arg(button->height())));
+            QVERIFY2(large,
+                     qPrintable(QStringLiteral("%1 %2 %3x%4")
+                                    .arg(button->objectName(), button->text())
+                                    .arg(button->width())
+                                    .arg(button->height())));
         }
         QVERIFY(seen > 20);
         for (const auto *bar : m_window->findChildren<QTabBar *>())
