@@ -88,6 +88,7 @@ private Q_SLOTS:
     void idleMachineIsMeasured();
     void thresholdsWarn_data();
     void thresholdsWarn();
+    void coresGivenToWokenReceiversAreNone();
     void warningsAreOnTheFirstPageAndAtTheRun();
     void cpuTimesOfTheKernelAreRead();
     void frequencyIsTheMean();
@@ -205,6 +206,19 @@ void DisturbancesTest::thresholdsWarn()
     QVERIFY(!text.contains(QLatin1Char(','))); // a column of the CSV file
     sample.problem = "the link fell silent";
     QVERIFY(disturbances(sample).empty());
+}
+
+void DisturbancesTest::coresGivenToWokenReceiversAreNone()
+{
+    Sample sample = quiet();
+    sample.values[Metric::AgentWakeUps] = 400;
+    sample.values[Metric::AgentPreemptions] = 250;
+    QVERIFY(disturbances(sample).empty());
+    sample.values[Metric::AgentPreemptions] = 251;
+    QCOMPARE(disturbances(sample), std::vector<std::string>{"the agent had to give up its core 251 times a second"});
+    sample.values[Metric::AgentWakeUps] = 1; // a program that never waits: other programs want its core
+    sample.values[Metric::AgentPreemptions] = 100;
+    QCOMPARE(disturbances(sample), std::vector<std::string>{"the agent had to give up its core 100 times a second"});
 }
 
 void DisturbancesTest::warningsAreOnTheFirstPageAndAtTheRun()
