@@ -2032,6 +2032,10 @@
         <source>the vehicle is already flying</source>
         <translation>das Fahrzeug fliegt schon</translation>
     </message>
+    <message>
+        <source>the vehicle was flying when it was last heard</source>
+        <translation>das Fahrzeug flog, als es zuletzt gehört wurde</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::AddWaypointDialog</name>

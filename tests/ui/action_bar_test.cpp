@@ -70,7 +70,7 @@ private Q_SLOTS:
         row("in LOITER", "takeOffButton", "Not now: take-off needs the mode GUIDED, the vehicle is in LOITER");
         row("flying", "takeOffButton", "Not now: the vehicle is already flying");
         row("flying", "landButton", "");
-        row("flying a while ago", "takeOffButton", ""); // it may have landed since
+        row("flying a while ago", "takeOffButton", "Not now: the vehicle was flying when it was last heard");
         row("without a mission", "startMissionButton", "Not now: the mission last read is empty: read it again");
         row("without a position", "pauseButton", "Not now: its position is not known");
         row("disarmed a while ago", "landButton", ""); // it may have been armed since

@@ -34,7 +34,9 @@ public:
 
     QString operator()(const vehicle::TakeOff &) const
     {
-        return heard() && m_vehicle.state.inAir ? Text::tr("the vehicle is already flying") : QString();
+        if (!m_vehicle.state.inAir)
+            return {};
+        return heard() ? Text::tr("the vehicle is already flying") : Text::tr("the vehicle was flying when it was last heard");
     }
     QString operator()(const vehicle::Loiter &) const { return movesDisabledReason(m_view); }
     QString operator()(const vehicle::ChangeAltitude &) const { return climbsDisabledReason(m_view); }
