@@ -177,7 +177,7 @@ bool RunDriver::isReported(double inStage, double least)
     }
     const engine::Snapshot &snapshot = *m_link.snapshot();
     if (m_measurement.hasReport())
-        return RunMeasurement::isUnasked(m_link.measured(), snapshot);
+        return RunMeasurement::costsHaveStopped(m_link.measured(), snapshot);
     if (inStage >= least - seconds(kReportEvery) && m_measurement.takeReport(m_link.measured(), snapshot))
         m_link.station().requestCosts(false);
     return false;

@@ -40,7 +40,7 @@ bool RunMeasurement::takeReport(const MeasuredLink &link, const engine::Snapshot
     return true;
 }
 
-bool RunMeasurement::isUnasked(const MeasuredLink &link, const engine::Snapshot &snapshot)
+bool RunMeasurement::costsHaveStopped(const MeasuredLink &link, const engine::Snapshot &snapshot)
 {
     return !reportIn(link, snapshot);
 }

@@ -27,7 +27,7 @@ public:
     bool takeReport(const MeasuredLink &link, const engine::Snapshot &snapshot);
     bool hasReport() const { return m_report.has_value(); }
     /// True if the newest report of the agent has no costs: it knows that they are not requested any more.
-    static bool isUnasked(const MeasuredLink &link, const engine::Snapshot &snapshot);
+    static bool costsHaveStopped(const MeasuredLink &link, const engine::Snapshot &snapshot);
     void begin(const MeasuredLink &link, const Snapshot &snapshot);
     /// To be called some ten times a second during the run, for sensors of power.
     void tick();
