@@ -1,5 +1,6 @@
 // A sweep beside an autopilot that runs already, by the real programs: the flights that it repeats, and that the vehicle is on
 // the ground and disarmed after every end. A second link of the simulator shows a monitor what the vehicle does.
+#include "tests/experiment/flown_vehicle.h"
 #include "tests/support/program.h"
 #include "tests/support/run_program.h"
 #include "tests/support/test_runner.h"
@@ -16,49 +17,6 @@
 using namespace skyseal::test;
 
 namespace {
-
-constexpr const char *kToFiveMetres = "wait ekf_ok==1 90; mode GUIDED; arm; takeoff 5; wait alt_rel>=4.5 60";
-
-/// The autopilot, and a witness of its flight.
-struct FlownVehicle
-{
-    quint16 port = freeTcpPort(), witnessPort = freeUdpPort();
-    Program sim{QStringLiteral("skyseal-sim"),
-                QStringLiteral("--link tcpin:127.0.0.1:%1 --link udpout:127.0.0.1:%2 --rate 4 --json")
-                    .arg(port)
-                    .arg(witnessPort)
-                    .split(QLatin1Char(' '))};
-    Program witness{QStringLiteral("skyseal-cli"),
-                    QStringLiteral("monitor --secure off --no-record --json --link udpin:127.0.0.1:%1")
-                        .arg(witnessPort)
-                        .split(QLatin1Char(' '))};
-
-    QJsonValue now() { return witness.last(QStringLiteral("stats"))[QLatin1String("vehicles")][0]; }
-    bool isFlying() { return now()[QLatin1String("armed")].toBool() && now()[QLatin1String("alt_rel")].toDouble() > 3.5; }
-    bool isDown() { return !now()[QLatin1String("armed")].toBool(true) && now()[QLatin1String("alt_rel")].toDouble(100) < 1; }
-    /// Of the events so far.
-    int landings()
-    {
-        int out = 0;
-        bool armed = false;
-        for (const QJsonObject &event : witness.events(QStringLiteral("stats"))) {
-            const bool isArmed = event[QLatin1String("vehicles")][0][QLatin1String("armed")].toBool(armed);
-            out += armed && !isArmed;
-            armed = isArmed;
-        }
-        return out;
-    }
-    QStringList sweep(const QString &script, const char *more) const
-    {
-        return QStringList{QStringLiteral("sweep"),
-                           QStringLiteral("--vehicle"),
-                           QStringLiteral("tcp:127.0.0.1:%1").arg(port),
-                           QStringLiteral("--fly"),
-                           script,
-                           QStringLiteral("--json")}
-        + words(more);
-    }
-};
 
 QByteArray fileIn(const QTemporaryDir &folder, const char *name)
 {
