@@ -113,8 +113,8 @@ Result<void, InputError> writeBareKey(const std::string &path, RandomSource &ran
 
 } // namespace
 
-Lab::Lab(LabPrograms programs, std::optional<link::LinkUrl> vehicle)
-    : m_programs(std::move(programs)), m_vehicle(std::move(vehicle)), m_placement(placementHere())
+Lab::Lab(LabPrograms programs, std::optional<link::LinkUrl> vehicle, const Placement &placement)
+    : m_programs(std::move(programs)), m_vehicle(std::move(vehicle)), m_placement(placement)
 {
     if (m_vehicle)
         m_placement.simulator.reset(); // the autopilot is not ours to place
@@ -150,7 +150,7 @@ Lab::Lab(LabPrograms programs, std::optional<link::LinkUrl> vehicle)
 }
 
 Result<std::unique_ptr<Lab>, InputError> Lab::create(LabPrograms programs, RandomSource &random,
-                                                     std::optional<link::LinkUrl> vehicle)
+                                                     std::optional<link::LinkUrl> vehicle, const Placement &placement)
 {
     for (const auto &[path, name] : {std::pair(programs.simulator, "skyseal-sim"), std::pair(programs.agent, "skyseal-air"),
                                      std::pair(programs.relay, "skyseal-cli")}) {
@@ -158,7 +158,7 @@ Result<std::unique_ptr<Lab>, InputError> Lab::create(LabPrograms programs, Rando
         if (isNeeded && !QFileInfo(path).isExecutable())
             return tl::unexpected(InputError{"was not found beside this program or in PATH", name});
     }
-    std::unique_ptr<Lab> lab(new Lab(std::move(programs), std::move(vehicle)));
+    std::unique_ptr<Lab> lab(new Lab(std::move(programs), std::move(vehicle), placement));
     if (!lab->m_folder.isValid())
         return tl::unexpected(InputError{lab->m_folder.errorString().toStdString(), lab->m_folder.path().toStdString()});
     if (auto written = keys::writePairedEnds(lab->m_folder.path().toStdString(), "air", random); !written)

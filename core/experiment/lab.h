@@ -37,7 +37,8 @@ class Lab : public QObject
 public:
     /// `vehicle`: the agent's link to an autopilot that runs already; nullopt: the lab starts the simulator.
     static Result<std::unique_ptr<Lab>, InputError> create(LabPrograms programs, RandomSource &random,
-                                                           std::optional<link::LinkUrl> vehicle = std::nullopt);
+                                                           std::optional<link::LinkUrl> vehicle = std::nullopt,
+                                                           const Placement &placement = placementHere());
     ~Lab() override;
 
     engine::KeyPaths stationKeys() const;
@@ -66,7 +67,7 @@ Q_SIGNALS:
     void ended(const QString &problem);
 
 private:
-    Lab(LabPrograms programs, std::optional<link::LinkUrl> vehicle);
+    Lab(LabPrograms programs, std::optional<link::LinkUrl> vehicle, const Placement &placement);
 
     void launch(QProcess &process, const QString &program, const QStringList &arguments);
     void findAutopilot();
