@@ -70,8 +70,10 @@ LaunchedSweep::LaunchedSweep(experiment::Plan plan, QString program, QStringList
             end(m_program.toStdString() + ": " + m_process.errorString().toStdString());
     });
 #ifdef Q_OS_LINUX
-    m_process.setChildProcessModifier([] {
+    m_process.setChildProcessModifier([parent = ::getpid()] {
         ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+        if (::getppid() != parent)
+            ::_exit(1);  // it was killed before the line above
         ::setpgid(0, 0); // Ctrl+C is for this process, which ends the launch in good order
     });
 #endif

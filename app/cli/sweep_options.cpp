@@ -33,7 +33,8 @@ void declare(Options &options)
     options.addValue("fly", "SCRIPT",
                      "With --vehicle: a flight script, as of monitor --do, that each repeat flies. All suites are measured "
                      "before its landing (land, rtl, disarm), or in each phase that a '|' between two steps marks. However "
-                     "the sweep ends, the vehicle lands and is disarmed first.");
+                     "the sweep ends, the vehicle lands and is disarmed first; only a sweep of one launch that is killed "
+                     "(SIGKILL) cannot do that, and leaves the vehicle to its failsafe for a lost ground station.");
     options.addValue("identity", "FILE", "With --link: private key of this station.");
     options.addValue("peers", "FILE", "With --link: file of known peers, the agents of the vehicles.");
     options.addResearchFlag("allow-research", "With --link: also measure insecure research suites.");

@@ -133,8 +133,10 @@ Lab::Lab(LabPrograms programs, std::optional<link::LinkUrl> vehicle, const Place
         const std::optional<int> core = process == &m_simulator ? m_placement.simulator
             : process == &m_agent                               ? m_placement.agent
                                                                 : m_placement.relay;
-        process->setChildProcessModifier([core] {
+        process->setChildProcessModifier([core, parent = ::getpid()] {
             ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+            if (::getppid() != parent)
+                ::_exit(1);  // it was killed before the line above
             ::setpgid(0, 0); // Ctrl+C is for this process, which needs its agent to end in good order
             if (core)
                 runOnCore(*core);
