@@ -26,6 +26,7 @@ static std::string trendWarning(const Results &results)
 std::vector<std::string> reportWarnings(const Results &results)
 {
     std::vector<std::string> out = warningsOf(results.setting);
+    out.insert(out.end(), results.unknown.begin(), results.unknown.end());
     const std::string ended = endedEarly(results);
     for (const std::string &text : {ended.empty() ? ended : "This sweep is incomplete: it " + ended, failedRuns(results),
                                     invalidRuns(results), trendWarning(results), disturbedRuns(results)}) {

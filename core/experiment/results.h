@@ -54,9 +54,11 @@ struct Sample
     double seconds = 0; ///< duration of the measurement
     Values values;
     Counted begin, end;    ///< at the run's edges
+    bool isCounted = true; ///< false: of an older file, which has no `begin` and `end`
     std::string problem;   ///< reason why nothing was measured; empty on success
     std::string invalid;   ///< reason why the values are not those of the run's load; empty if they are
     unsigned attempts = 1; ///< a run that is not valid is repeated; the values are those of the last attempt
+    bool isJudged = true;  ///< false: of an older program, which did not check whether a run is valid
 
     /// Its values count. The others are shown with the run itself only.
     bool isValid() const { return problem.empty() && invalid.empty(); }
@@ -72,6 +74,7 @@ struct Results
     std::string placement; ///< which core each program ran on; empty if the sweep started none
     std::string source;    ///< what the vehicle is: the sweep's own simulator, or which one on which link; empty if not known
     std::vector<Sample> samples;
+    std::vector<std::string> unknown; ///< what an older file, from which these were read, does not hold; sentences
     std::map<crypto::SuiteId, double> contextBytes; ///< heap of one keyed cipher, for each suite where it was measured
     bool complete = false;                          ///< false: cancelled or given up
     double seconds = 0;                             ///< duration of the sweep

@@ -53,8 +53,9 @@ constexpr Column kRatios[] = {{"condition", "", "link condition: clean, or the i
                               {"commit", "", "the programs' version in the repository"},
                               {"machine", "", "processor, number of cores, architecture and system"}};
 constexpr Column kAfter[] = {
-    {"valid", "", "1: the values count; 0: they are left out of every mean and comparison"},
-    {"attempts", "", "how often the run was measured; the values are those of the last attempt"},
+    {"valid", "",
+     "1: the values count; 0: they are left out of every mean and comparison; empty: not checked (an older sweep)"},
+    {"attempts", "", "how often the run was measured; the values are those of the last attempt; empty: not recorded"},
     {"invalid", "", "why the values are not those of the load; empty if they are"},
     {"disturbances", "", "what may have disturbed the run"},
     {"problem", "", "why nothing was measured; empty on success"},
@@ -161,7 +162,7 @@ std::string sweepCsv(const Results &results)
             + "," + csvNumber(sample.seconds);
         for (const MetricInfo &metric : metrics())
             out += "," + csvNumber(sample.values[metric.metric]);
-        out += std::string(sample.isValid() ? ",1," : ",0,") + std::to_string(sample.attempts);
+        out += sample.isJudged ? std::string(sample.isValid() ? ",1," : ",0,") + std::to_string(sample.attempts) : ",,";
         std::string disturbed;
         for (const std::string &text : disturbances(sample))
             disturbed += (disturbed.empty() ? "" : "; ") + text;

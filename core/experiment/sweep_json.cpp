@@ -128,18 +128,23 @@ void writeSample(JsonWriter &json, const Plan &plan, const Sample &sample)
     json.field("start", sample.start).field("seconds", sample.seconds);
     if (!sample.problem.empty())
         json.field("problem", sample.problem);
-    json.field("valid", sample.isValid()).field("attempts", std::uint64_t(sample.attempts));
+    if (sample.isJudged)
+        json.field("valid", sample.isValid()).field("attempts", std::uint64_t(sample.attempts));
     if (!sample.invalid.empty())
         json.field("invalid", sample.invalid);
-    json.key("disturbances").beginArray();
-    for (const std::string &text : disturbances(sample))
-        json.value(text);
-    json.endArray();
+    if (sample.isJudged) {
+        json.key("disturbances").beginArray();
+        for (const std::string &text : disturbances(sample))
+            json.value(text);
+        json.endArray();
+    }
     values(json, sample.values);
-    json.key("counted").beginObject();
-    writeCounted(json, "begin", sample.begin);
-    writeCounted(json, "end", sample.end);
-    json.endObject();
+    if (sample.isCounted) {
+        json.key("counted").beginObject();
+        writeCounted(json, "begin", sample.begin);
+        writeCounted(json, "end", sample.end);
+        json.endObject();
+    }
     if (const auto compared = comparedWithRelay(plan, sample)) {
         json.key("relay").beginObject().field("unit", compared->unit).field("received", compared->received);
         json.field("lost", compared->lost).field("dropped", compared->dropped);
@@ -253,6 +258,12 @@ std::string sweepJson(const Results &results, const std::vector<Verdict> &verdic
         json.field("placement", results.placement);
     if (!results.source.empty())
         json.field("source", results.source);
+    if (!results.unknown.empty()) {
+        json.key("unknown").beginArray();
+        for (const std::string &text : results.unknown)
+            json.value(text);
+        json.endArray();
+    }
     writePlan(json, plan);
     json.key("context_bytes").beginObject();
     for (const auto &[suite, bytes] : results.contextBytes)

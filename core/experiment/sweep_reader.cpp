@@ -44,6 +44,7 @@ Duration durationOf(const QJsonValue &value)
     return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(std::clamp(value.toDouble(), 0.0, kMost)));
 }
 
+/// Version 1 knew one framing, which stands in the plan and in no arm.
 std::optional<SweepArm> armOf(const QJsonObject &object)
 {
     const auto suite = crypto::suiteFromName(textOf(object[q("suite")]));
@@ -51,7 +52,7 @@ std::optional<SweepArm> armOf(const QJsonObject &object)
         return std::nullopt;
     const std::string framing = textOf(object[q("framing")]);
     const SweepArm out{*suite, object[q("again")].toBool(), framingFromName(framing).value_or(ArmFraming::Sealed)};
-    if (framing != framingName(out))
+    if (object.contains(q("framing")) && framing != framingName(out))
         return std::nullopt;
     return out;
 }
@@ -66,9 +67,10 @@ Result<Plan, InputError> planOf(const QJsonObject &object)
     Plan out;
     out.loads.clear();
     out.conditions.clear();
+    const bool hasOneFraming = textOf(object[q("framing")]) == "sealed"; // version 1
     for (const QJsonValue one : object[q("arms")].toArray()) {
         const auto arm = armOf(one.toObject());
-        if (!arm)
+        if (!arm || (!hasOneFraming && !one.toObject().contains(q("framing"))))
             return tl::unexpected(wrong("an arm of the plan is unknown"));
         out.arms.push_back(*arm);
     }
@@ -185,6 +187,8 @@ std::optional<Sample> readSample(const QJsonObject &object, const Plan &plan)
     out.problem = textOf(object[q("problem")]);
     out.invalid = textOf(object[q("invalid")]);
     out.attempts = static_cast<unsigned>(std::clamp<qint64>(object[q("attempts")].toInteger(1), 1, 1000));
+    out.isJudged = object.contains(q("valid"));
+    out.isCounted = object[q("counted")].isObject();
     const QJsonObject values = object[q("values")].toObject();
     for (const MetricInfo &metric : metrics())
         out.values[metric.metric] = numberOf(values[QLatin1String(metric.key.data(), qsizetype(metric.key.size()))]);
@@ -192,6 +196,49 @@ std::optional<Sample> readSample(const QJsonObject &object, const Plan &plan)
     out.end = countedOf(object[q("counted")][q("end")].toObject());
     return out;
 }
+
+namespace {
+
+/// For a report: what a file does not hold, since its version did not or the programs that wrote it measured less.
+std::vector<std::string> unknownIn(const QJsonObject &report, unsigned version, const std::vector<Sample> &samples)
+{
+    std::vector<std::string> out;
+    for (const QJsonValue text : report[q("unknown")].toArray())
+        out.push_back(textOf(text));
+    if (version == kSweepSchemaVersion)
+        return out;
+    const std::string older = "This sweep was recorded in version " + std::to_string(version) + " of the file. ";
+    if (!std::ranges::any_of(samples, &Sample::isJudged))
+        out.push_back(older
+                      + "It does not state whether a run carried its load and what disturbed it: each run without a problem "
+                        "counts, and a saturated load may have been less.");
+    if (!std::ranges::any_of(samples, &Sample::isCounted))
+        out.push_back(
+            older
+            + "Its counters of records are unknown: where no record was lost, the share that may have been lost has the "
+              "upper bound of 100 %.");
+    std::string missing;
+    const QJsonArray runs = report[q("samples")].toArray();
+    for (const MetricInfo &metric : metrics()) {
+        const QLatin1String key(metric.key.data(), qsizetype(metric.key.size()));
+        const auto has = [key](const QJsonValue &run) { return run[q("values")].toObject().contains(key); };
+        if (std::none_of(runs.begin(), runs.end(), has))
+            missing.append(missing.empty() ? "" : ", ").append(metric.key);
+    }
+    for (const char *key : {"context_bytes", "placement", "source"})
+        missing += report.contains(q(key)) ? "" : (missing.empty() ? "" : ", ") + std::string(key);
+    if (!missing.empty())
+        out.push_back(older + "Not recorded, and therefore empty: " + missing + ".");
+    constexpr unsigned kFirstWithoutProbes = 3;
+    if (version < kFirstWithoutProbes)
+        out.push_back(older
+                      + "The CPU load of its station includes the snapshots of the measurement itself, and that of its agent "
+                        "has two sources, the kernel for plain MAVLink and the agent's reports for the others: its ratios to "
+                        "plain MAVLink are not those of later sweeps.");
+    return out;
+}
+
+} // namespace
 
 Result<ReadSweep, InputError> readSweep(const QByteArray &json)
 {
@@ -226,10 +273,11 @@ Result<ReadSweep, InputError> readSweep(const QByteArray &json)
         return tl::unexpected(wrong("it has too many runs"));
     for (const QJsonValue one : samples) {
         auto sample = readSample(one.toObject(), results.plan);
-        if (!sample)
+        if (!sample || (out.schemaVersion > 1 && !one.toObject().contains(q("framing"))))
             return tl::unexpected(wrong("a run is not one of its plan"));
         results.samples.push_back(std::move(*sample));
     }
+    results.unknown = unknownIn(report, out.schemaVersion, results.samples);
     for (const QJsonValue one : report[q("expectations")].toArray()) {
         const std::string text = textOf(one[q("expectation")]);
         const auto parsed = Expectation::parse(text);

@@ -21,8 +21,8 @@ struct ReadSweep
     std::vector<std::string> expectations; ///< texts, each once, in their order
 };
 
-/// The oldest version that has what a report needs.
-inline constexpr unsigned kOldestReadableSweep = 2;
+/// Every version that was ever written can be read; Results::unknown says what an older one does not hold.
+inline constexpr unsigned kOldestReadableSweep = 1;
 
 Result<ReadSweep, InputError> readSweep(const QByteArray &json);
 
