@@ -7,6 +7,7 @@
 #include "core/experiment/disturbances.h"
 #include "core/experiment/html_parts.h"
 #include "core/experiment/memory_table.h"
+#include "core/experiment/message_mix.h"
 #include "core/experiment/relay_comparison.h"
 #include "core/experiment/report_warnings.h"
 #include "core/experiment/sweep_text.h"
@@ -307,6 +308,10 @@ std::string settingTable(const Results &results)
         out += "<tr><td>" + escaped(key) + "</td><td class=\"text\">" + escaped(value) + "</td></tr>\n";
     };
     line("seed", std::to_string(plan.seed));
+    for (std::size_t load = 0; load < plan.loads.size(); ++load) {
+        if (const std::string mix = messageMixText(messageMixOf(results, load)); !mix.empty())
+            line("messages received, " + std::string(name(plan.loads[load])) + " load", mix);
+    }
     line("runs",
          std::to_string(results.samples.size()) + " of " + readable(seconds(plan.measure)) + " s, after "
              + readable(seconds(plan.warmUp)) + " s of warm-up each; the sweep took " + readable(results.seconds) + " s");

@@ -247,6 +247,15 @@ Values valuesBetween(const Reading &begin, const Reading &end, bool sealed, bool
     return out;
 }
 
+std::map<std::uint32_t, std::uint64_t> messagesBetween(const Reading &begin, const Reading &end)
+{
+    std::map<std::uint32_t, std::uint64_t> out = end.station->probe->messages;
+    for (const auto &[id, frames] : begin.station->probe->messages)
+        out[id] -= std::min(frames, out[id]);
+    std::erase_if(out, [](const auto &entry) { return entry.second == 0; });
+    return out;
+}
+
 Counted countedBy(const Reading &reading)
 {
     const engine::Snapshot &snapshot = *reading.station;

@@ -61,6 +61,9 @@ double lineLoad(const Reading &begin, const Reading &end, const impair::Impairme
 /// Bytes per second that a line carries in one direction; nullopt without a limit.
 std::optional<double> lineRate(const impair::ImpairmentSettings &line);
 
+/// Accepted frames between two readings, by message id.
+std::map<std::uint32_t, std::uint64_t> messagesBetween(const Reading &begin, const Reading &end);
+
 /// The counters of valuesBetween() as they stand in a reading.
 Counted countedBy(const Reading &reading);
 

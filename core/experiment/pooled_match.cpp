@@ -1,4 +1,5 @@
 // Which sweeps may be joined in one analysis, and which of them are of the same machine.
+#include "core/experiment/message_mix.h"
 #include "core/experiment/plan.h"
 #include "core/experiment/pooled_report.h"
 #include "core/experiment/sweep_text.h"
@@ -110,6 +111,8 @@ std::string mismatchOf(const std::vector<Machine> &machines)
                 return "the sweeps cannot be joined: " + std::string(fact.what) + " of " + first.label + " is "
                     + (one.empty() ? "not recorded" : one) + ", of " + other.label + " " + (two.empty() ? "not recorded" : two);
         }
+        if (const std::string mix = mixDifference(first.results, first.label, other.results, other.label); !mix.empty())
+            return "the sweeps cannot be joined: their vehicles sent other messages: " + mix;
         if (std::string problem = programsMismatch(first, other); !problem.empty())
             return problem;
         for (std::size_t before = 0; before < i; ++before) {

@@ -107,6 +107,7 @@ void RunMeasurement::end(const MeasuredLink &link, const Plan &plan, Sample &sam
     sample.seconds = snapshot->time - m_begin.station->time;
     sample.begin = countedBy(m_begin);
     sample.end = countedBy(m_end);
+    sample.messages = messagesBetween(m_begin, m_end);
 }
 
 } // namespace skyseal::experiment

@@ -6,6 +6,7 @@
 #include "core/experiment/contrast.h"
 #include "core/experiment/cost_model.h"
 #include "core/experiment/disturbances.h"
+#include "core/experiment/message_mix.h"
 #include "core/experiment/relay_comparison.h"
 
 #include <algorithm>
@@ -145,6 +146,12 @@ void writeSample(JsonWriter &json, const Plan &plan, const Sample &sample)
         writeCounted(json, "end", sample.end);
         json.endObject();
     }
+    if (!sample.messages.empty()) {
+        json.key("messages").beginObject();
+        for (const auto &[id, frames] : sample.messages)
+            json.field(std::to_string(id), frames);
+        json.endObject();
+    }
     if (const auto compared = comparedWithRelay(plan, sample)) {
         json.key("relay").beginObject().field("unit", compared->unit).field("received", compared->received);
         json.field("lost", compared->lost).field("dropped", compared->dropped);
@@ -226,6 +233,24 @@ void writeContrast(JsonWriter &json, const Plan &plan, const Contrast &contrast)
     json.endObject();
 }
 
+/// Of each load that has one. Not written for sweeps of versions that did not count the messages.
+void writeMessageMix(JsonWriter &json, const Results &results)
+{
+    if (std::ranges::all_of(results.samples, [](const Sample &sample) { return sample.messages.empty(); }))
+        return;
+    json.key("message_mix").beginArray();
+    for (std::size_t load = 0; load < results.plan.loads.size(); ++load) {
+        const MessageMix mix = messageMixOf(results, load);
+        if (mix.empty())
+            continue;
+        json.beginObject().field("load", name(results.plan.loads[load])).key("share").beginObject();
+        for (const auto &[id, share] : mix)
+            json.field(std::to_string(id), share);
+        json.endObject().endObject();
+    }
+    json.endArray();
+}
+
 void writeVerdict(JsonWriter &json, const Plan &plan, const Verdict &verdict)
 {
     json.field("expectation", verdict.expectation).field("condition", plan.conditions[verdict.condition].name);
@@ -269,6 +294,7 @@ std::string sweepJson(const Results &results, const std::vector<Verdict> &verdic
     for (const auto &[suite, bytes] : results.contextBytes)
         json.field(crypto::suiteInfo(suite).name, bytes);
     json.endObject();
+    writeMessageMix(json, results);
     json.key("metrics").beginArray();
     for (const MetricInfo &metric : metrics()) {
         json.beginObject().field("key", metric.key).field("title", metric.title).field("unit", metric.unit);

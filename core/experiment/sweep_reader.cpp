@@ -139,6 +139,21 @@ Counted countedOf(const QJsonObject &object)
     return out;
 }
 
+/// Message ids have 24 bits. A sweep of a version that did not count them has none.
+std::map<std::uint32_t, std::uint64_t> messagesOf(const QJsonObject &object)
+{
+    constexpr qsizetype kMostMessages = 4096;
+    constexpr std::uint32_t kMostId = 0xffffff;
+    std::map<std::uint32_t, std::uint64_t> out;
+    for (auto at = object.begin(); at != object.end() && qsizetype(out.size()) < kMostMessages; ++at) {
+        bool isNumber = false;
+        const std::uint32_t id = at.key().toUInt(&isNumber);
+        if (isNumber && id <= kMostId)
+            out[id] = countOf(at.value());
+    }
+    return out;
+}
+
 /// An object loses the order of its keys, which the report shows; so the keys are listed as well.
 Setting settingOf(const QJsonObject &report)
 {
@@ -194,6 +209,7 @@ std::optional<Sample> readSample(const QJsonObject &object, const Plan &plan)
         out.values[metric.metric] = numberOf(values[QLatin1String(metric.key.data(), qsizetype(metric.key.size()))]);
     out.begin = countedOf(object[q("counted")][q("begin")].toObject());
     out.end = countedOf(object[q("counted")][q("end")].toObject());
+    out.messages = messagesOf(object[q("messages")].toObject());
     return out;
 }
 

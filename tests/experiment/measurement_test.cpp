@@ -46,6 +46,7 @@ private Q_SLOTS:
     void sequenceNumbersCountLossWithLittleJitter();
     void agentsCpuHasOneSourceForAllArms();
     void reportsCountWhereTheAgentIsElsewhere();
+    void messagesAreThoseOfTheRun();
     void lineLoadIsThatOfTheLine();
 };
 
@@ -131,6 +132,23 @@ void MeasurementTest::reportsCountWhereTheAgentIsElsewhere()
     QCOMPARE(sealed[Metric::AgentMemory], 7e6);
     QVERIFY(std::isnan(plain[Metric::AgentCpu]) && std::isnan(plain[Metric::AgentMemory])
             && std::isnan(plain[Metric::AgentCpuPerFrame]));
+}
+
+/// What the run received, and not what came before it.
+void MeasurementTest::messagesAreThoseOfTheRun()
+{
+    Reading begin = reading(0, 0, 0), end = reading(5, 1000, 0);
+    const auto withMessages = [](Reading &of, std::map<std::uint32_t, std::uint64_t> messages) {
+        auto snapshot = std::make_shared<engine::Snapshot>(*of.station);
+        auto probe = std::make_shared<engine::Probe>(*snapshot->probe);
+        probe->messages = std::move(messages);
+        snapshot->probe = std::move(probe);
+        of.station = std::move(snapshot);
+    };
+    withMessages(begin, {{0, 4}, {30, 100}, {242, 1}});
+    withMessages(end, {{0, 9}, {30, 700}, {33, 12}, {242, 1}});
+    const std::map<std::uint32_t, std::uint64_t> expected{{0, 5}, {30, 600}, {33, 12}};
+    QVERIFY(messagesBetween(begin, end) == expected);
 }
 
 void MeasurementTest::lineLoadIsThatOfTheLine()

@@ -3,6 +3,7 @@
 #include "core/experiment/sweep_reader.h"
 #include "core/experiment/analysis.h"
 #include "core/experiment/html_report.h"
+#include "core/experiment/message_mix.h"
 #include "core/experiment/pooled_report.h"
 #include "core/experiment/random_effects.h"
 #include "core/experiment/sweep_csv.h"
@@ -55,6 +56,7 @@ Results sweepOf(double rc4, unsigned seed)
         sample.values[Metric::Loss] = 0;
         sample.end.mavlink.taken = 1'000'000'000'000'000 + sample.order;
         sample.end.rx.good = 55;
+        sample.messages = {{0, 20}, {30, 600 + sample.order}, {33, 400}, {11'000'000, 3}}; // heartbeats, attitudes, positions
         out.samples.push_back(sample);
     }
     out.samples[1].problem = "no vehicle was heard";
@@ -103,6 +105,8 @@ private Q_SLOTS:
     void daysOfAMachineAreNested();
     void pooledTableIsComplete();
     void otherSettingsAreRefused();
+    void messageMixIsThatOfTheReference();
+    void otherMessagesAreRefused();
     void longNamesFitTheFigure();
     void sweepsOfOtherProgramsAreRefused();
 };
@@ -448,6 +452,93 @@ void SweepReaderTest::otherSettingsAreRefused()
     QVERIFY(refused("warm-up", [](Machine &machine) { machine.results.plan.warmUp *= 2; }));
     QVERIFY(refused("commit", [](Machine &machine) { machine.results.setting[1].second = "def"; }));
     QVERIFY(refused("message mix", [](Machine &machine) { machine.results.setting.pop_back(); }));
+}
+
+void SweepReaderTest::messageMixIsThatOfTheReference()
+{
+    Results results = sweepOf(1.2, 7);
+    for (Sample &sample : results.samples) {
+        if (sample.run.arm == 0 && sample.run.load == 0)
+            sample.messages = {{0, 1}, {30, 60}, {33, 38}, {11'000'000, 1}};
+        if (sample.run.load == 1)
+            sample.messages = {{109, 5}};
+    }
+    results.samples[1].messages = {{109, 1'000'000}}; // it failed
+    const MessageMix mix = messageMixOf(results, 0);
+    QCOMPARE(mix.size(), std::size_t(4));
+    QCOMPARE(mix.at(30), 0.6);
+    QCOMPARE(mix.at(33), 0.38);
+    QCOMPARE(messageMixOf(results, 1).at(109), 1.0);
+    QCOMPARE(messageMixText(mix), std::string("ATTITUDE 60 %, GLOBAL_POSITION_INT 38 %, HEARTBEAT 1 %, message 11000000 1 %"));
+    QCOMPARE(messageMixText({{30, 0.994}, {0, 0.004}, {33, 0.002}}), std::string("ATTITUDE 99.4 %, 2 others 0.6 %"));
+    const std::string page = pageOf(results);
+    QVERIFY(page.find("<td>messages received, natural load</td><td class=\"text\">ATTITUDE 60 %, ") != std::string::npos);
+    const QJsonObject report = QJsonDocument::fromJson(jsonOf(results)).object();
+    const QJsonArray written = report[QLatin1String("message_mix")].toArray();
+    QCOMPARE(written.size(), 2);
+    QCOMPARE(written[0][QLatin1String("load")].toString(), QStringLiteral("natural"));
+    QCOMPARE(written[0][QLatin1String("share")][QLatin1String("30")].toDouble(), 0.6);
+    // Where the reference has no valid run, the first arm that has one.
+    for (Sample &sample : results.samples) {
+        if (sample.run.arm == 0)
+            sample.invalid = "not saturated";
+    }
+    QVERIFY(messageMixOf(results, 0).at(30) > 0.55 && messageMixOf(results, 0).at(30) < 0.6);
+    // A sweep of a version that did not count is readable, has no mix, and is written as it was.
+    for (Sample &sample : results.samples)
+        sample.messages.clear();
+    QVERIFY(!jsonOf(results).contains("\"messages\""));
+    const auto old = readSweep(jsonOf(results));
+    QVERIFY(old && messageMixOf(old->results, 0).empty());
+    QCOMPARE(jsonOf(old->results), jsonOf(results));
+    QVERIFY(pageOf(results).find("messages received") == std::string::npos);
+    // Ids and counts that no writer writes.
+    QJsonObject damaged = QJsonDocument::fromJson(jsonOf(sweepOf(1.2, 7))).object();
+    QJsonArray samples = damaged[QLatin1String("samples")].toArray();
+    QJsonObject sample = samples[0].toObject();
+    sample[QLatin1String("messages")] = QJsonObject{{QStringLiteral("-1"), 5},
+                                                    {QStringLiteral("16777216"), 5},
+                                                    {QStringLiteral("x"), 5},
+                                                    {QStringLiteral("30"), -5},
+                                                    {QStringLiteral("33"), QStringLiteral("many")},
+                                                    {QStringLiteral("0"), 7}};
+    samples[0] = sample;
+    damaged[QLatin1String("samples")] = samples;
+    const auto read = readSweep(QJsonDocument(damaged).toJson());
+    QVERIFY(read);
+    const std::map<std::uint32_t, std::uint64_t> kept{{0, 7}, {30, 0}, {33, 0}};
+    QVERIFY(read->results.samples[0].messages == kept);
+}
+
+void SweepReaderTest::otherMessagesAreRefused()
+{
+    const auto said = [](std::uint64_t attitudes, std::size_t load) {
+        std::vector<Machine> machines{{"desk", 4, sweepOf(1.2, 1)}, {"board", 4, sweepOf(1.2, 2)}};
+        for (Machine &machine : machines) {
+            for (Sample &sample : machine.results.samples)
+                sample.messages = {{30, 500}, {33, 500}};
+        }
+        for (Sample &sample : machines.back().results.samples) {
+            if (sample.run.load == load)
+                sample.messages = {{30, attitudes}, {33, 1000 - attitudes}};
+        }
+        return mismatchOf(machines);
+    };
+    QCOMPARE(said(500, 0), std::string());
+    QCOMPARE(said(549, 0), std::string());
+    QCOMPARE(said(551, 0),
+             std::string("the sweeps cannot be joined: their vehicles sent other messages: under the natural load 50 % of the "
+                         "frames of desk are ATTITUDE, and 55.1 % of those of board, more than 5 percentage points apart"));
+    QVERIFY(!said(449, 0).empty());
+    QCOMPARE(said(900, 1), std::string()); // how much of a saturated link is load, the machine decides
+    // One that was never sent, and a sweep that did not count.
+    std::vector<Machine> machines{{"desk", 4, sweepOf(1.2, 1)}, {"board", 4, sweepOf(1.2, 2)}};
+    for (Sample &sample : machines.back().results.samples)
+        sample.messages[74] = 200;
+    QVERIFY(mismatchOf(machines).find("0 % of the frames of desk are VFR_HUD") != std::string::npos);
+    for (Sample &sample : machines.front().results.samples)
+        sample.messages.clear();
+    QCOMPARE(mismatchOf(machines), std::string());
 }
 
 SKYSEAL_TEST_APPLESS(SweepReaderTest)

@@ -363,7 +363,16 @@ void SweepTest::filesAgree()
         QVERIFY(valueOf(object, "frames_per_datagram") > (plain ? 0.98 : 0.8));
         QCOMPARE(std::isnan(valueOf(object, "open_p50")), plain);
         QVERIFY(plain ? valueOf(object, "overhead") == 0 : valueOf(object, "overhead") > 1);
+        double messages = 0;
+        for (const QJsonValue frames : object[QLatin1String("messages")].toObject())
+            messages += frames.toDouble();
+        const QJsonValue counted = object[QLatin1String("counted")];
+        QCOMPARE(messages,
+                 counted[QLatin1String("end")][QLatin1String("mavlink")][QLatin1String("frames")].toDouble()
+                     - counted[QLatin1String("begin")][QLatin1String("mavlink")][QLatin1String("frames")].toDouble());
+        QVERIFY(saturated || object[QLatin1String("messages")][QLatin1String("30")].toDouble() > 0); // attitudes
     }
+    QVERIFY(report[QLatin1String("message_mix")][0][QLatin1String("share")][QLatin1String("30")].toDouble() > 0.01);
     QVERIFY2(answered > 4 * 2 * 2 / 2, qPrintable(QString::number(answered))); // the vehicle answers five times a second
     QVERIFY2(woken > 4 * 2 / 2, qPrintable(QString::number(woken)));
     QVERIFY(packets >= 4 * 2 * 2 * 10);

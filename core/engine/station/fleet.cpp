@@ -26,6 +26,7 @@ std::optional<VehicleFound> Fleet::take(TimePoint now, WallTime wall, LinkId lin
 {
     const std::uint8_t systemId = frame.systemId();
     m_frameBytes += frame.bytes().size();
+    m_messages.note(frame.messageId());
     m_sequences.note({link, systemId, frame.componentId()}, frame.sequence(), now);
     m_inspector.note(now, frame);
     m_fields.note(now, frame);
@@ -42,6 +43,7 @@ std::optional<VehicleFound> Fleet::take(TimePoint now, WallTime wall, LinkId lin
 void Fleet::takeLate(TimePoint now, LinkId link, const mavlink::Frame &frame)
 {
     m_frameBytes += frame.bytes().size();
+    m_messages.note(frame.messageId());
     m_sequences.note({link, frame.systemId(), frame.componentId()}, frame.sequence(), now);
     if (vehicle::Vehicle *vehicle = m_vehicles.find(frame.systemId()))
         vehicle->handleLateFrame(now, frame);

@@ -6,6 +6,7 @@
 #include "core/engine/station/event.h"
 #include "core/engine/station/field_table.h"
 #include "core/engine/station/inspector_table.h"
+#include "core/engine/station/message_counts.h"
 #include "core/engine/station/station_config.h"
 #include "core/engine/station/vehicle_watches.h"
 #include "core/vehicle/vehicle_set.h"
@@ -33,6 +34,7 @@ public:
     const VehicleWatches &watches() const { return m_watches; }
     InspectorTable &inspector() { return m_inspector; }
     const InspectorTable &inspector() const { return m_inspector; }
+    const MessageCounts &messages() const { return m_messages; }
     FieldTable &fields() { return m_fields; }
     const FieldTable &fields() const { return m_fields; }
 
@@ -53,6 +55,7 @@ private:
     VehicleWatches m_watches;
     metrics::SequenceTable m_sequences;
     InspectorTable m_inspector;
+    MessageCounts m_messages;
     FieldTable m_fields;
     std::uint64_t m_frameBytes = 0;
 };

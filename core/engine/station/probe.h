@@ -7,6 +7,7 @@
 #include "core/metrics/histogram.h"
 
 #include <cstdint>
+#include <map>
 
 namespace skyseal::engine {
 
@@ -22,6 +23,7 @@ struct Probe
     metrics::Histogram seal;
     /// Datagrams of agents that wait for a session while this end uses plain MAVLink; not part of the plain traffic.
     std::uint64_t waitingBytes = 0, waitingDatagrams = 0;
+    std::map<std::uint32_t, std::uint64_t> messages; ///< accepted frames by message id, see MessageCounts
 };
 
 } // namespace skyseal::engine

@@ -21,6 +21,7 @@ std::shared_ptr<const Probe> makeProbe(const SnapshotSources &from)
     out->residentBytes = metrics::residentBytes().value_or(0);
     out->waitingBytes = from.datagrams.waitingBytes;
     out->waitingDatagrams = from.datagrams.waitingCount;
+    out->messages = from.fleet.messages().all();
     if (from.channel) {
         out->open = from.channel->driver.costs().opening();
         out->seal = from.channel->driver.costs().sealing();
