@@ -60,7 +60,7 @@ void addCosts(Values &out, const engine::Probe &begin, const engine::Probe &end,
     const double ioThread = seconds(end.ioThreadCpu - begin.ioThreadCpu);
     out[Metric::Cpu] = 100 * ioThread / time;
     out[Metric::CpuProcess] = 100 * seconds(end.processCpu - begin.processCpu) / time;
-    out[Metric::MeterCpu] = 100 * seconds(end.publishingCpu - begin.publishingCpu) / ioThread;
+    out[Metric::MeterCpu] = 100 * seconds(end.watchingCpu - begin.watchingCpu) / ioThread;
     out[Metric::CpuPerFrame] = 1e9 * ioThread / frames;
     out[Metric::Memory] = static_cast<double>(end.residentBytes);
     out[Metric::CpuSuite] = 0;

@@ -72,8 +72,9 @@ constexpr std::array<MetricInfo, kMetrics> kTable{{
      .key = "meter_cpu",
      .title = "Share of the measurement in the CPU load, station",
      .unit = "%",
-     .description = "CPU time in which the station's I/O thread built and handed out snapshots and probes, by its own clock, "
-                    "percent of its CPU time",
+     .description =
+         "CPU time in which the station's I/O thread made and handed out snapshots, probes and time lines, by its own clock, "
+         "percent of its CPU time",
      .explains = true},
     {.metric = Metric::Readings,
      .key = "readings",

@@ -62,6 +62,17 @@ private Q_SLOTS:
         QVERIFY(last.residentBytes > 1'000'000);
     }
 
+    void costOfWatchingIsTheGrowthOfItsTime()
+    {
+        MetricsSampler sampler;
+        MetricsSampler::Reading reading;
+        for (int i = 0; i <= 8; ++i) {
+            reading.watchingCpu = i * 1ms; // four a second
+            sampler.sample(TimePoint{} + i * MetricsSampler::kEvery, 0, reading);
+        }
+        QCOMPARE(sampler.samples().back().watchingCpuPercent, 0.4);
+    }
+
     void duplicateClearFramesDoNotHideLosses()
     {
         MetricsSampler sampler;

@@ -45,7 +45,7 @@ Reading reading(std::uint64_t share)
     const auto used = [share](Duration time) { return static_cast<std::int64_t>(share) * time; };
     probe->processCpu = used(500ms);
     probe->ioThreadCpu = used(400ms);
-    probe->publishingCpu = used(4ms);
+    probe->watchingCpu = used(4ms);
     probe->wakeUps = 800 * share;
     probe->preemptions = 120 * share;
     snapshot->probe = std::move(probe);

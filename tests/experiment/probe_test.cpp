@@ -1,4 +1,5 @@
-// Probes of a station: one for each request, none otherwise, never dropped; and a station that publishes nothing else.
+// Probes of a station: one for each request, none otherwise, never dropped; a station that publishes nothing else; and what
+// watching costs the one that does.
 #include "core/engine/station/output_queue.h"
 #include "core/engine/station/snapshot.h"
 #include "core/engine/station/snapshot_pace.h"
@@ -24,6 +25,7 @@ private Q_SLOTS:
     void oneProbeForEachRequest();
     void stationPublishesRequestedProbesOnly();
     void withoutDiagnosticsThereAreNoTimeLines();
+    void costOfWatchingIsKnown();
 
 private:
     static engine::StationConfig config(const FlightRig &rig) { return rig.stationConfig(); }
@@ -103,8 +105,8 @@ void ProbeTest::oneProbeForEachRequest()
     QVERIFY(end.wakeUps > begin.wakeUps);
     QVERIFY(begin.residentBytes > 0);
     // The snapshots between the two, and the first probe itself, are known to have cost something, and not everything.
-    QVERIFY(end.publishingCpu > begin.publishingCpu);
-    QVERIFY(end.publishingCpu - begin.publishingCpu < end.ioThreadCpu - begin.ioThreadCpu);
+    QVERIFY(end.watchingCpu > begin.watchingCpu);
+    QVERIFY(end.watchingCpu - begin.watchingCpu < end.ioThreadCpu - begin.ioThreadCpu);
 }
 
 void ProbeTest::stationPublishesRequestedProbesOnly()
@@ -145,6 +147,39 @@ void ProbeTest::withoutDiagnosticsThereAreNoTimeLines()
     EVENTUALLY(ground.ears->snapshot->time > 1.5);
     QVERIFY(ground.ears->snapshot->samples.empty());
     QCOMPARE(ground.ears->snapshot->residentBytes, std::uint64_t(0));
+}
+
+/// With nobody measuring: the diagnostics state what they and the window's snapshots cost. More than nothing, and less than all.
+void ProbeTest::costOfWatchingIsKnown()
+{
+    FlightRig rig;
+    Ground ground(config(rig));
+    rig.startAgent(ground.ears->listening());
+    VehicleOnUdp vehicle(rig.vehicleAddress());
+    EVENTUALLY(ground.up() && !ground.ears->snapshot->vehicles.empty());
+    const auto isKnown = [&] {
+        const auto &samples = ground.ears->snapshot->samples;
+        return !samples.empty() && samples.back().watchingCpuPercent > 0
+            && samples.back().watchingCpuPercent < samples.back().ioCpuPercent;
+    };
+    EVENTUALLY(isKnown());
+    std::vector<SnapshotPtr> probes;
+    connect(ground.station.get(), &engine::Station::probeTaken, this,
+            [&](const SnapshotPtr &probe) { probes.push_back(probe); });
+    ground.station->requestProbe();
+    EVENTUALLY_EQUAL(probes.size(), std::size_t(1));
+    EVENTUALLY(ground.ears->snapshot->time > probes[0]->time + 1);
+    ground.station->requestProbe();
+    EVENTUALLY_EQUAL(probes.size(), std::size_t(2));
+    const engine::Probe &begin = *probes[0]->probe, &end = *probes[1]->probe;
+    QVERIFY(end.watchingCpu > begin.watchingCpu);
+    QVERIFY(end.watchingCpu - begin.watchingCpu < end.ioThreadCpu - begin.ioThreadCpu);
+    // Each accepted frame is counted by its message.
+    std::uint64_t frames = 0;
+    for (const auto &[id, count] : end.messages)
+        frames += count;
+    QCOMPARE(frames, probes[1]->mavlink.frames);
+    QVERIFY(end.messages.contains(0));
 }
 
 SKYSEAL_TEST(ProbeTest)

@@ -285,6 +285,42 @@ private Q_SLOTS:
             QVERIFY(!model->headerData(column, Qt::Horizontal).toString().contains(QStringLiteral("MB resident")));
     }
 
+    void costOfWatchingIsSaid()
+    {
+        auto *watching = m_panel->findChild<QLabel *>(QStringLiteral("watchingCost"));
+        QVERIFY(watching && !watching->isVisible()); // nothing was measured
+        auto all = twoSuites();
+        for (auto &sample : all) {
+            sample.ioCpuPercent = 1.5;
+            sample.watchingCpuPercent = 0.4;
+        }
+        m_panel->onSnapshot(viewWith(all));
+        m_panel->refresh();
+        QVERIFY(watching->isVisible());
+        QCOMPARE(watching->text(), QStringLiteral("CPU of the link thread: 1.50 % of a core, of it watching: 0.40 %"));
+        QVERIFY(watching->toolTip().contains(QStringLiteral("“link” and “process” contain it")));
+        auto *group = m_panel->findChild<QComboBox *>(QStringLiteral("chartGroup"));
+        group->setCurrentText(QStringLiteral("Rates")); // no CPU load
+        QVERIFY(!watching->isVisible());
+        group->setCurrentText(QStringLiteral("Cost"));
+        QVERIFY(watching->isVisible());
+        m_panel->findChild<QComboBox *>(QStringLiteral("chartView"))->setCurrentText(QStringLiteral("Table"));
+        QVERIFY(!watching->isVisible());
+        // Frozen charts, and what is said below them, stay.
+        m_panel->findChild<QComboBox *>(QStringLiteral("chartView"))->setCurrentText(QStringLiteral("Over time"));
+        m_panel->findChild<QCheckBox *>(QStringLiteral("chartFreeze"))->setChecked(true);
+        auto later = all;
+        later.push_back(all.back());
+        later.back().number = all.back().number + 1;
+        later.back().time = all.back().time + 0.25;
+        later.back().watchingCpuPercent = 0.9;
+        m_panel->onSnapshot(viewWith(later));
+        m_panel->refresh();
+        QVERIFY(watching->text().endsWith(QStringLiteral("0.40 %")));
+        m_panel->findChild<QCheckBox *>(QStringLiteral("chartFreeze"))->setChecked(false);
+        QVERIFY(watching->text().endsWith(QStringLiteral("0.90 %")));
+    }
+
     void incidentsAreMarked()
     {
         auto all = samplesOf(0, 0, 30, SuiteId::Aes256Gcm, 0);

@@ -10,6 +10,7 @@
 #include "ui/charts/suite_table_model.h"
 #include "ui/modeless.h"
 #include "ui/sweep/sweep_page.h"
+#include "ui/text/units.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
@@ -28,8 +29,8 @@ namespace skyseal::ui {
 
 DiagnosticsPanel::DiagnosticsPanel(QWidget *parent)
     : DockPanel(parent), m_quantities(allQuantities()), m_history(m_quantities), m_tools(new DiagnosticsTools(this)),
-      m_pages(new QStackedWidget(this)), m_empty(new QLabel(m_pages)), m_grid(new ChartGrid(m_pages)),
-      m_table(new QTableView(m_pages)), m_sweep(new SweepPage(m_pages)),
+      m_pages(new QStackedWidget(this)), m_empty(new QLabel(m_pages)), m_watching(new QLabel(this)),
+      m_grid(new ChartGrid(m_pages)), m_table(new QTableView(m_pages)), m_sweep(new SweepPage(m_pages)),
       m_model(new SuiteTableModel(m_history, m_quantities, this)), m_timer(new QTimer(this))
 {
     setFocusPolicy(Qt::StrongFocus);
@@ -56,6 +57,15 @@ DiagnosticsPanel::DiagnosticsPanel(QWidget *parent)
     column->setSpacing(kHalfGrid);
     column->addWidget(m_tools);
     column->addWidget(m_pages, 1);
+    column->addWidget(m_watching);
+    m_watching->setObjectName(QStringLiteral("watchingCost"));
+    m_watching->setAccessibleName(tr("Cost of watching"));
+    m_watching->setForegroundRole(QPalette::PlaceholderText);
+    m_watching->setMinimumWidth(10 * kGrid);
+    m_watching->setToolTip(
+        tr("CPU time of the link thread for the snapshots that this window shows and for these measurements, "
+           "over the last second. The lines “link” and “process” contain it. A sweep measures without "
+           "them, or states their share."));
     makePlots();
     connectTools();
     showGroup();
@@ -150,6 +160,7 @@ void DiagnosticsPanel::showGroup()
         widgets.push_back(widgetOf(*plot));
     }
     m_grid->setCharts(widgets);
+    showWatching();
     refresh();
 }
 
@@ -173,6 +184,20 @@ void DiagnosticsPanel::showPage()
         m_pages->setCurrentWidget(m_empty);
     else
         m_pages->setCurrentWidget(m_tools->view() == DiagnosticsView::Table ? static_cast<QWidget *>(m_table) : m_grid);
+    showWatching();
+}
+
+/// In words, because a line of it would lie on the axis.
+void DiagnosticsPanel::showWatching()
+{
+    const bool isShown = m_pages->currentWidget() == m_grid && !m_history.empty()
+        && std::ranges::any_of(m_tools->group().keys, [](const char *key) { return std::strcmp(key, "cpu") == 0; });
+    m_watching->setVisible(isShown);
+    if (!isShown)
+        return;
+    const engine::MetricsSample &newest = m_history.samples().back();
+    m_watching->setText(tr("CPU of the link thread: %1 % of a core, of it watching: %2 %")
+                            .arg(number(newest.ioCpuPercent, 2), number(newest.watchingCpuPercent, 2)));
 }
 
 void DiagnosticsPanel::showSweep()
@@ -232,6 +257,8 @@ void DiagnosticsPanel::draw(std::size_t count)
     const std::vector<ChartMark> marks = m_tools->view() == DiagnosticsView::TimeLine
         ? buildMarks(m_history, m_range, colors.alarm, colors.dim)
         : std::vector<ChartMark>();
+    if (!m_range.frozen())
+        showWatching();
     for (std::size_t i = 0; i < count; ++i) {
         m_next = (m_next + 1) % m_shown.size();
         drawPlot(m_plots[m_shown[m_next]], marks);

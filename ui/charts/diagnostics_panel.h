@@ -76,6 +76,7 @@ private:
     void showGroup();
     void showView();
     void showPage();
+    void showWatching();
     std::size_t chartsAtOnce() const;
     void draw(std::size_t count);
     void drawPlot(Plot &plot, const std::vector<ChartMark> &marks);
@@ -92,7 +93,8 @@ private:
     std::vector<std::size_t> m_shown; ///< indices into m_plots
     DiagnosticsTools *m_tools;
     QStackedWidget *m_pages;
-    QLabel *m_empty; ///< until a vehicle is heard
+    QLabel *m_empty;    ///< until a vehicle is heard
+    QLabel *m_watching; ///< what these measurements cost themselves, while the CPU load is shown
     ChartGrid *m_grid;
     QTableView *m_table;
     SweepPage *m_sweep;

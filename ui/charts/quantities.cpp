@@ -147,7 +147,9 @@ std::vector<Quantity> costs()
          .title = Text::tr("CPU"),
          .unit = Text::tr("% of a core"),
          .note = Text::tr("CPU time over the last second: of the process with its window, of the link thread, and of the "
-                          "suite in seal and open (sum of the elapsed times of the calls)."),
+                          "suite in seal and open (sum of the elapsed times of the calls). What watching takes (the "
+                          "snapshots for this window, and these measurements) is part of “link” and stated below the charts; "
+                          "drawing the charts is part of “process” only."),
          .group = QuantityGroupId::Cost,
          .overview = true,
          .decimals = 2,
@@ -159,7 +161,8 @@ std::vector<Quantity> costs()
                     Stroke::Dashed,
                     {"link_thread_cpu_percent", read<&MetricsSample::ioCpuPercent>, 1, Valid::Always}},
                    {Text::tr("suite"), Stroke::Dotted, {"suite_cpu_percent", read<&MetricsSample::suiteCpuPercent>}}},
-         .barLine = 2}, // the other lines contain much that does not depend on the suite
+         .barLine = 2, // the other lines contain much that does not depend on the suite
+         .csvOnly = {{"watching_cpu_percent", read<&MetricsSample::watchingCpuPercent>}}},
         {.key = "memory",
          .title = Text::tr("Memory"),
          .unit = Text::tr("MB resident"),

@@ -24,6 +24,7 @@ struct MetricsSample
     double peerMavlinkLossPercent = vehicle::kUnknown; ///< to the vehicle, reported by its agent once a second
     double processCpuPercent = 0;                      ///< of one core, all threads; over the last second
     double ioCpuPercent = 0;                           ///< of the thread that receives, opens, parses and sends
+    double watchingCpuPercent = 0;                     ///< of ioCpuPercent: time lines, snapshots and probes
     double suiteCpuPercent = 0;                        ///< of one core, in seal and open
     double openNsP50 = 0, openNsP99 = 0;               ///< see SuiteCost
     double openNextNsP50 = 0, openNextNsP99 = 0;

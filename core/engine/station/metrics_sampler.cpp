@@ -6,7 +6,7 @@ void MetricsSampler::sample(TimePoint now, double time, const Reading &reading)
 {
     constexpr std::uint64_t kPerSecond = 4;
     if (m_number % kPerSecond == 0)
-        m_process.sample(now);
+        m_process.sample(now, reading.watchingCpu);
     note(reading);
 
     const ChannelTotals &channel = reading.channel;
@@ -72,6 +72,7 @@ void MetricsSampler::setCosts(MetricsSample &sample, const SuiteCost &cost) cons
 {
     sample.processCpuPercent = m_process.cpuPercent();
     sample.ioCpuPercent = m_process.ioCpuPercent();
+    sample.watchingCpuPercent = m_process.watchingCpuPercent();
     sample.residentBytes = m_process.residentBytes();
     sample.powerWatts = m_process.watts().value_or(vehicle::kUnknown);
     sample.suiteCpuPercent = cost.cpuPercent;

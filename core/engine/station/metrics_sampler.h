@@ -31,6 +31,7 @@ public:
         bool linkUp = false;
         double latency = vehicle::kUnknown;     ///< seconds
         std::uint64_t rxBytes = 0, txBytes = 0; ///< of all links so far
+        Duration watchingCpu{};                 ///< see Probe
     };
 
     /// Appends a sample. Call every kEvery; `time` is seconds since the station started.

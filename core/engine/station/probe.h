@@ -13,9 +13,9 @@ namespace skyseal::engine {
 
 struct Probe
 {
-    Duration processCpu{};    ///< all threads
-    Duration ioThreadCpu{};   ///< the thread that receives, opens, parses and sends
-    Duration publishingCpu{}; ///< of ioThreadCpu: snapshots and probes, built and handed out while a measurement is in progress
+    Duration processCpu{};         ///< all threads
+    Duration ioThreadCpu{};        ///< the thread that receives, opens, parses and sends
+    Duration watchingCpu{};        ///< of ioThreadCpu: time lines, snapshots and probes, made and handed out
     std::uint64_t wakeUps = 0;     ///< of the I/O thread: voluntary context switches
     std::uint64_t preemptions = 0; ///< of the I/O thread: involuntary context switches
     std::uint64_t residentBytes = 0;

@@ -424,7 +424,9 @@ void StationCore::everyQuarterSecond(TimePoint now)
     m_pace.markChanged();
     if (!m_config.diagnostics)
         return;
+    const Duration before = metrics::threadCpuTime();
     m_sampler.sample(now, seconds(now - m_clock.start), metricsReading(sources(), now, anyHeard));
+    m_watchingCpu += metrics::threadCpuTime() - before;
 }
 
 void StationCore::everySecond(TimePoint now)
@@ -469,20 +471,19 @@ void StationCore::saveSealedSystems(TimePoint now)
 SnapshotSources StationCore::sources()
 {
     return {m_links,         m_channel.get(), m_receiver.datagrams(),     m_receiver.gate(),
-            m_fleet,         m_sampler,       m_recorder.get(),           m_publishingCpu,
+            m_fleet,         m_sampler,       m_recorder.get(),           m_watchingCpu,
             m_gateway.get(), m_feed.get(),    m_storage.countersProblem()};
 }
 
-/// Measures its own cost, which a measurement reports.
+/// Measures its own cost, which measurements and diagnostics state. Two readings of the clock are some hundred nanoseconds.
 void StationCore::publishSnapshot(TimePoint now, bool withProbe)
 {
-    const Duration before = m_measuring ? metrics::threadCpuTime() : Duration::zero();
+    const Duration before = metrics::threadCpuTime();
     if (!withProbe)
         m_sinks.snapshot(takeSnapshot(now));
     else if (m_sinks.probed)
         m_sinks.probed(takeSnapshot(now, true));
-    if (m_measuring)
-        m_publishingCpu += metrics::threadCpuTime() - before;
+    m_watchingCpu += metrics::threadCpuTime() - before;
 }
 
 std::shared_ptr<Snapshot> StationCore::takeSnapshot(TimePoint now, bool withProbe)

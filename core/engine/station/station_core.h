@@ -161,7 +161,7 @@ private:
     StationStorage m_storage;
     Clock m_clock;
     bool m_measuring = false;
-    Duration m_publishingCpu{}; ///< while measuring
+    Duration m_watchingCpu{}; ///< see Probe
     bool m_stopped = false;
     DeadlineTimer m_timer;
 };

@@ -14,7 +14,7 @@ std::shared_ptr<const Probe> makeProbe(const SnapshotSources &from)
     auto out = std::make_shared<Probe>();
     out->processCpu = metrics::processCpuTime();
     out->ioThreadCpu = metrics::threadCpuTime();
-    out->publishingCpu = from.publishingCpu;
+    out->watchingCpu = from.watchingCpu;
     const metrics::ContextSwitches switches = metrics::threadSwitches();
     out->wakeUps = switches.voluntary;
     out->preemptions = switches.involuntary;
@@ -55,6 +55,7 @@ MetricsSampler::Reading metricsReading(const SnapshotSources &from, TimePoint no
         out.rxBytes += link.counters().rxBytes;
         out.txBytes += link.counters().txBytes;
     });
+    out.watchingCpu = from.watchingCpu;
     return out;
 }
 

@@ -29,7 +29,7 @@ struct SnapshotSources
     const Fleet &fleet;
     const MetricsSampler &sampler;
     const Recorder *recorder;   ///< null when nothing is recorded
-    Duration publishingCpu{};   ///< see Probe
+    Duration watchingCpu{};     ///< see Probe
     Gateway *gateway = nullptr; ///< null while no clients are served
     const Feed *feed = nullptr; ///< null while nothing is published
     Reason storageProblem = {}; ///< see Snapshot
