@@ -53,6 +53,26 @@ std::vector<std::string> disturbances(const Sample &sample)
     return out;
 }
 
+std::string meterText(const Results &results)
+{
+    std::string out;
+    for (std::size_t load = 0; load < results.plan.loads.size(); ++load) {
+        double highest = 0;
+        for (const Sample &sample : results.samples) {
+            const double share = sample.values[Metric::MeterCpu];
+            highest = sample.run.load == load && share > highest ? share : highest;
+        }
+        if (highest > 0)
+            out += (out.empty() ? "up to " : ", up to ") + readable(highest) + " % under the "
+                + std::string(name(results.plan.loads[load])) + " load";
+    }
+    return out.empty()
+        ? out
+        : "A run is the difference of two readings, taken by the thread that is measured. Of its CPU time, taking "
+          "and publishing readings was "
+            + out + " (meter_cpu)";
+}
+
 std::string disturbedRuns(const Results &results)
 {
     std::string list;

@@ -205,25 +205,10 @@ std::string trendTable(const Results &results)
         + headOfTable({{"metric", "change for each run", "p corrected", "trend"}}) + rows + "</table>\n";
 }
 
-/// How much of the thread that is measured is the measurement.
-std::string meterText(const Results &results)
+std::string meterHtml(const Results &results)
 {
-    std::string out;
-    for (std::size_t load = 0; load < results.plan.loads.size(); ++load) {
-        double highest = 0;
-        for (const Sample &sample : results.samples) {
-            const double share = sample.values[Metric::MeterCpu];
-            highest = sample.run.load == load && share > highest ? share : highest;
-        }
-        if (highest > 0)
-            out += (out.empty() ? "" : ", ") + ("up to " + readable(highest)) + " % under the "
-                + std::string(name(results.plan.loads[load])) + " load";
-    }
-    return out.empty()
-        ? out
-        : "<p>A run is the difference of two readings, taken by the thread that is measured. Of its CPU time, taking and "
-          "publishing readings was "
-            + out + " (meter_cpu).</p>\n";
+    const std::string text = meterText(results);
+    return text.empty() ? text : "<p>" + escaped(text) + ".</p>\n";
 }
 
 /// "12 %; below 2 %", or a dash where no other margin would decide.
@@ -308,10 +293,6 @@ std::string settingTable(const Results &results)
         out += "<tr><td>" + escaped(key) + "</td><td class=\"text\">" + escaped(value) + "</td></tr>\n";
     };
     line("seed", std::to_string(plan.seed));
-    for (std::size_t load = 0; load < plan.loads.size(); ++load) {
-        if (const std::string mix = messageMixText(messageMixOf(results, load)); !mix.empty())
-            line("messages received, " + std::string(name(plan.loads[load])) + " load", mix);
-    }
     line("runs",
          std::to_string(results.samples.size()) + " of " + readable(seconds(plan.measure)) + " s, after "
              + readable(seconds(plan.warmUp)) + " s of warm-up each; the sweep took " + readable(results.seconds) + " s");
@@ -327,6 +308,10 @@ std::string settingTable(const Results &results)
              condition.clean()
                  ? "clean, without impairment"
                  : conditionText(condition) + ", in both directions, by a relay: skyseal-cli impair (" + condition.name + ")");
+    for (std::size_t load = 0; load < plan.loads.size(); ++load) {
+        if (const std::string mix = messageMixText(messageMixOf(results, load)); !mix.empty())
+            line("messages received, " + std::string(name(plan.loads[load])) + " load", mix);
+    }
     for (const auto &[key, value] : results.setting)
         line(key, value);
     return out + "</table>\n";
@@ -400,7 +385,7 @@ std::string body(const ReportParts &parts, bool inlineFigures)
           "where it begins at zero, below which nothing can be; where nothing was lost in any run, that end is the 95 % bound "
           "by all frames of these runs together, about 3 divided by their number; * marks outliers by Tukey's fences, which "
           "stay in.</p>\n<p>"
-        + methodText(results) + "</p>\n" + meterText(results) + "<h2>Figures</h2>\n";
+        + methodText(results) + "</p>\n" + meterHtml(results) + "<h2>Figures</h2>\n";
     out += inlineFigures ? inlined(parts.figures) : figuresInPairs(parts.figures);
     // In the PDF each section begins a page, so that no table head is left alone at the bottom of one.
     const std::string section = inlineFigures ? "<h2>" : "<h2 style=\"page-break-before:always\">";

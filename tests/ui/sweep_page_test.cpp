@@ -1,6 +1,8 @@
 // The page of a sweep without a station: the ratios to plain MAVLink with their 95 % intervals are what it shows first, in the
-// table and as bars, and the means by choice. A picture is kept in the folder that SKYSEAL_PICTURES names.
+// table and as bars, and the means by choice; what disturbed the runs, and the measurement's own share, stand above them. A picture is kept in the folder that SKYSEAL_PICTURES names.
 #include "core/experiment/analysis.h"
+#include "core/experiment/disturbances.h"
+#include "core/experiment/report_warnings.h"
 #include "tests/support/test_runner.h"
 #include "ui/sweep/sweep_bars.h"
 #include "ui/sweep/sweep_labels.h"
@@ -11,6 +13,8 @@
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QComboBox>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QScrollArea>
 #include <QtWidgets/QTableView>
 
 #include <cmath>
@@ -72,6 +76,8 @@ class SweepPageTest : public QObject
 private Q_SLOTS:
     void ratiosAreTheResult();
     void singleRunsHaveMeans();
+    void disturbancesAreShownAsInTheReport();
+    void manyWarningsLeaveRoomForTheResults();
 };
 
 void SweepPageTest::ratiosAreTheResult()
@@ -122,6 +128,70 @@ void SweepPageTest::singleRunsHaveMeans()
     QTest::keyClick(shownBy(*page), Qt::Key_Up);
     QCOMPARE(model->index(1, SweepTableModel::FixedColumns).data().toString(), QStringLiteral("–"));
     QVERIFY(std::isnan(page->findChild<SweepBars *>()->chart().bars[1].mean));
+}
+
+/// Run after run while the sweep goes on, and the sentences of the report's first page at its end.
+void SweepPageTest::disturbancesAreShownAsInTheReport()
+{
+    const experiment::Plan plan = planned(2);
+    SweepPage page;
+    page.resize(1000, 320);
+    page.show();
+    auto *notes = page.findChild<QLabel *>(QStringLiteral("sweepNotes"));
+    page.begin(plan);
+    QVERIFY(!notes->isVisible());
+    std::size_t taken = 0;
+    for (const experiment::Run &run : experiment::schedule(plan)) {
+        experiment::Sample sample = measured(run);
+        sample.values[Metric::MeterCpu] = 0.4;
+        if (taken == 1) {
+            sample.values[Metric::Steal] = 7;
+            sample.values[Metric::OtherCpu] = 35;
+        }
+        if (taken == 2)
+            sample.values[Metric::FrequencyChange] = 12;
+        page.take(sample, {});
+        ++taken;
+        QVERIFY(notes->isVisible());
+        QCOMPARE(notes->text().contains(QLatin1String("the hypervisor took up to 7 % of a core (1 run)")), taken > 1);
+        QCOMPARE(notes->text().contains(QLatin1String("incomplete")), false);
+    }
+    auto results = std::make_shared<experiment::Results>(*page.results());
+    results->complete = true;
+    page.finish(results, {});
+    const QString text = notes->text();
+    for (const std::string &sentence : experiment::reportWarnings(*results))
+        QVERIFY2(text.contains(QString::fromStdString(sentence)), sentence.c_str());
+    QVERIFY(!experiment::disturbedRuns(*results).empty());
+    QVERIFY(text.contains(QString::fromStdString(experiment::disturbedRuns(*results))));
+    QVERIFY(text.contains(QLatin1String("2 of 8 runs were disturbed")));
+    QVERIFY(text.contains(QLatin1String("the frequency of the cores differed by up to 12 %")));
+    QVERIFY(text.contains(QString::fromStdString(experiment::meterText(*results))));
+    QVERIFY(text.contains(QLatin1String("up to 0.4 % under the natural load (meter_cpu)")));
+    page.begin(plan); // those of the sweep before are gone
+    QVERIFY(!notes->isVisible());
+    QVERIFY(notes->text().isEmpty());
+}
+
+void SweepPageTest::manyWarningsLeaveRoomForTheResults()
+{
+    const experiment::Plan plan = planned(2);
+    SweepPage page;
+    page.resize(700, 320);
+    page.show();
+    page.begin(plan);
+    for (const experiment::Run &run : experiment::schedule(plan)) {
+        experiment::Sample sample = measured(run);
+        for (const Metric metric : {Metric::OtherCpu, Metric::Steal, Metric::Preemptions, Metric::AgentPreemptions,
+                                    Metric::FrequencyChange, Metric::LoadBegin, Metric::LoadEnd, Metric::SimulatorCpu})
+            sample.values[metric] = 120;
+        page.take(sample, {});
+    }
+    QApplication::processEvents(); // the layout
+    const auto *area = page.findChild<QScrollArea *>(QStringLiteral("sweepNoteArea"));
+    QVERIFY(area->height() < page.height() / 3);
+    QVERIFY(area->widget()->height() > area->height()); // the rest is scrolled to
+    QVERIFY(page.findChild<QTableView *>(QStringLiteral("sweepTable"))->height() > page.height() / 3);
 }
 
 SKYSEAL_TEST_WIDGETS(SweepPageTest)

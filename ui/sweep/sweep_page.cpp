@@ -1,6 +1,8 @@
 #include "ui/sweep/sweep_page.h"
 
 #include "core/experiment/analysis.h"
+#include "core/experiment/disturbances.h"
+#include "core/experiment/report_warnings.h"
 #include "ui/control_action.h"
 #include "ui/theme/form_pieces.h"
 #include "ui/sweep/ratio_chart.h"
@@ -29,6 +31,8 @@ namespace skyseal::ui {
 
 SweepPage::SweepPage(QWidget *parent)
     : QWidget(parent), m_status(named(new QLabel(this), "sweepStatus", tr("The sweep"))),
+      m_notes(named(new QLabel(this), "sweepNotes", tr("Warnings and the measurement's own share"))),
+      m_noteArea(named(new QScrollArea(this), "sweepNoteArea", tr("Warnings of the sweep"))),
       m_bar(named(new QProgressBar(this), "sweepProgress", tr("Runs completed"))),
       m_start(named(new QPushButton(tr("Run a sweep…"), this), "sweepStart", tr("Run a sweep"))),
       m_cancel(named(new QPushButton(tr("Cancel"), this), "sweepCancel", tr("Cancel the sweep"))),
@@ -69,10 +73,20 @@ SweepPage::SweepPage(QWidget *parent)
     body->setStretchFactor(0, 3);
     body->setStretchFactor(1, 2);
     body->setChildrenCollapsible(false);
+    m_notes->setWordWrap(true);
+    m_notes->setTextFormat(Qt::PlainText);
+    m_notes->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_notes->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    m_noteArea->setWidget(m_notes);
+    m_noteArea->setWidgetResizable(true);
+    m_noteArea->setFrameShape(QFrame::NoFrame);
+    m_noteArea->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_noteArea->hide();
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(kHalfGrid);
     column->addLayout(top);
+    column->addWidget(m_noteArea);
     column->addWidget(body, 1);
 
     m_clock->setInterval(1000);
@@ -248,6 +262,46 @@ void SweepPage::showResults()
                                        : tr("not in this framing"))
                                       .toStdString();
     m_bars->showChart(std::move(chart), labels);
+    showNotes();
+}
+
+/// The sentences of the report's first page. While the sweep runs it is not complete yet, which is no warning.
+void SweepPage::showNotes()
+{
+    std::vector<std::string> notes;
+    if (!m_running)
+        notes = experiment::reportWarnings(*m_results);
+    else if (std::string disturbed = experiment::disturbedRuns(*m_results); !disturbed.empty())
+        notes.push_back(std::move(disturbed));
+    const bool isWarning = !notes.empty();
+    if (std::string meter = experiment::meterText(*m_results); !meter.empty())
+        notes.push_back(std::move(meter));
+    QStringList lines;
+    for (const std::string &note : notes)
+        lines << fromStd(note) + QLatin1Char('.');
+    m_notes->setText(lines.join(QLatin1Char('\n')));
+    QPalette colors = palette();
+    if (isWarning)
+        colors.setColor(QPalette::WindowText, stateColors(colors).warning);
+    m_notes->setPalette(colors);
+    m_noteArea->setVisible(!lines.isEmpty());
+    fitNotes();
+}
+
+/// As high as its text, up to a few lines; the rest is scrolled to, so that the results keep their place.
+void SweepPage::fitNotes()
+{
+    constexpr int kMostLines = 4;
+    const int least = m_notes->fontMetrics().lineSpacing() + kHalfGrid,
+              most = kMostLines * m_notes->fontMetrics().lineSpacing();
+    const int wanted = m_notes->heightForWidth(std::max(10 * kGrid, width() - 2 * kGrid));
+    m_noteArea->setFixedHeight(std::clamp(wanted, least, std::max(least, most)));
+}
+
+void SweepPage::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    fitNotes();
 }
 
 /// Shows "not in this framing" once, not in every column.

@@ -12,6 +12,7 @@ class QComboBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
+class QScrollArea;
 class QTableView;
 class QTimer;
 
@@ -49,6 +50,9 @@ Q_SIGNALS:
     void cancelRequested();
     void saveRequested();
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
     void fillChoices();
     void fillMetrics();
@@ -56,6 +60,8 @@ private:
     void showRunningPlace();
     void spanRows();
     void showResults();
+    void showNotes();
+    void fitNotes();
     void showStatus();
     void setStatus(const QString &text, bool problem = false);
 
@@ -66,6 +72,8 @@ private:
     std::optional<experiment::Run> m_run;
     SweepProgress m_progress;
     QLabel *m_status;
+    QLabel *m_notes; ///< what a reader must know before the figures
+    QScrollArea *m_noteArea;
     QProgressBar *m_bar;
     QPushButton *m_start, *m_cancel, *m_save;
     QComboBox *m_place, *m_shown, *m_metric;
