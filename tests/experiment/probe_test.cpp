@@ -149,7 +149,8 @@ void ProbeTest::withoutDiagnosticsThereAreNoTimeLines()
     QCOMPARE(ground.ears->snapshot->residentBytes, std::uint64_t(0));
 }
 
-/// With nobody measuring: the diagnostics state what they and the window's snapshots cost. More than nothing, and less than all.
+/// With nobody measuring: the diagnostics state what they and the window's snapshots cost, more than nothing and less than
+/// all.
 void ProbeTest::costOfWatchingIsKnown()
 {
     FlightRig rig;

@@ -1,5 +1,6 @@
-// The page of a sweep without a station: the ratios to plain MAVLink with their 95 % intervals are what it shows first, in the
-// table and as bars, and the means by choice; what disturbed the runs, and the measurement's own share, stand above them. A picture is kept in the folder that SKYSEAL_PICTURES names.
+// The page of a sweep without a station: the ratios to plain MAVLink with their 95 % intervals are what it shows first, in
+// the table and as bars, and the means by choice; what disturbed the runs, and the measurement's own share, stand above
+// them. A picture is kept in the folder that SKYSEAL_PICTURES names.
 #include "core/experiment/analysis.h"
 #include "core/experiment/disturbances.h"
 #include "core/experiment/report_warnings.h"
