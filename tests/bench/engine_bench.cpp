@@ -2,12 +2,18 @@
 // against a forwarder that does nothing but recvmmsg and sendmmsg; the station that receives, opens and parses; and opening
 // and parsing alone, against verifying the signature of the frame, which is the protection that stock MAVLink offers.
 #include "core/mavlink/signing.h"
-#include "tests/engine/engine_rigs.h"
+#include "tests/engine/agent_rig.h"
+#include "tests/engine/bare_forwarder.h"
+#include "tests/engine/receiver_rig.h"
+#include "tests/engine/station_rig.h"
 
-#include "core/channel/endpoint.h"
 #include "core/crypto/init_crypto.h"
-#include "core/engine/station/snapshot.h"
 #include "core/experiment/bare_calls.h"
+#include "core/link/steady_now.h"
+#include "core/mavlink/dialect.h"
+#include "core/mavlink/frame_scanner.h"
+
+#include <QtCore/QCoreApplication>
 
 #include <benchmark/benchmark.h>
 
@@ -60,7 +66,7 @@ class OpenAndVerify
 public:
     OpenAndVerify()
         : m_ground(m_keys, channel::Role::Station, everySuite()),
-          m_air(m_keys, channel::Role::Agent, everySuite(), m_ground.port()), m_records(kFrames), m_lengths(kFrames)
+          m_air(m_keys, channel::Role::Agent, everySuite(), m_ground.port()), m_records(kFrames)
     {
         while (!m_ground.up() || !m_air.up()) {
             m_ground.pump();
@@ -83,17 +89,13 @@ public:
         m_ground.pump();
         m_air.pump();
         for (std::size_t i = 0; i < kFrames; ++i)
-            m_lengths[i] = *m_air.endpoint().seal(steadyNow(), m_air.session(), m_telemetry.frames()[i], m_records[i]);
-        Path from{LinkId{1}, {}};
-        from.remote = m_ground.endpoint().sessionInfo(m_ground.session())->path.remote;
+            m_records[i] = m_air.seal(m_telemetry.frames()[i]);
         const TimePoint now = steadyNow();
         std::size_t frames = 0;
         CpuTimer cpu;
         cpu.time([&] {
             for (std::size_t i = 0; i < kFrames; ++i) {
-                const auto opened = m_ground.endpoint().handleDatagram(now, from,
-                                                                       MutableByteView(m_records[i]).first(m_lengths[i]));
-                mavlink::FrameScanner scanner(opened->frames, mavlink::Dialect::builtin());
+                mavlink::FrameScanner scanner(m_ground.open(now, m_records[i]), mavlink::Dialect::builtin());
                 while (const auto item = scanner.next())
                     frames += item->frame.has_value();
             }
@@ -126,8 +128,7 @@ private:
     Introduced m_keys;
     BareEnd m_ground, m_air;
     Traffic m_telemetry{kFrames};
-    std::vector<std::array<std::uint8_t, 320>> m_records;
-    std::vector<std::size_t> m_lengths;
+    std::vector<Bytes> m_records;
     std::vector<Bytes> m_signed;
 };
 

@@ -1,6 +1,7 @@
 // The path of a packet through the engines allocates nothing: receive, open, parse, vehicle in the station, and both ways
 // through the agent. Counted against operator new in this program, over real sockets.
-#include "tests/engine/engine_rigs.h"
+#include "tests/engine/agent_rig.h"
+#include "tests/engine/station_rig.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/test_runner.h"
 

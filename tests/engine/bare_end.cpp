@@ -58,6 +58,21 @@ BareEnd::BareEnd(std::unique_ptr<engine::SecretFiles> secrets, channel::Role rol
 
 BareEnd::~BareEnd() = default;
 
+channel::SessionInfo BareEnd::sessionInfo() const
+{
+    return *m_endpoint->sessionInfo(session());
+}
+
+void BareEnd::switchSuite(crypto::SuiteId suite)
+{
+    m_endpoint->switchSuite(steadyNow(), session(), suite);
+}
+
+void BareEnd::close()
+{
+    m_endpoint->close(steadyNow(), session());
+}
+
 std::size_t BareEnd::pump()
 {
     std::size_t frames = 0;
@@ -100,6 +115,12 @@ Bytes BareEnd::seal(ByteView frame)
     Bytes record(frame.size() + channel::kMaxRecordOverhead);
     record.resize(m_endpoint->seal(steadyNow(), session(), frame, record).value_or(0));
     return record;
+}
+
+ByteView BareEnd::open(TimePoint now, MutableByteView record)
+{
+    const auto delivery = m_endpoint->handleDatagram(now, loopback(m_peerPort), record);
+    return delivery ? ByteView(delivery->frames) : ByteView();
 }
 
 void BareEnd::sendEach(std::span<const ByteView> frames)

@@ -7,6 +7,7 @@
 #include "core/channel/policy.h"
 #include "core/channel/role.h"
 #include "core/channel/session_id.h"
+#include "core/channel/session_info.h"
 #include "core/crypto/system_random.h"
 #include "core/engine/common/secret_files.h"
 #include "tests/support/bare_socket.h"
@@ -59,7 +60,10 @@ public:
     std::uint16_t port() const { return m_socket.port(); }
     bool up() const { return m_session.has_value(); }
     channel::SessionId session() const { return *m_session; } ///< the newest
-    channel::Endpoint &endpoint() { return *m_endpoint; }
+    /// Calls of its endpoint for that session.
+    channel::SessionInfo sessionInfo() const;
+    void switchSuite(crypto::SuiteId suite);
+    void close();
 
     /// Handles all received datagrams, sends due messages, and returns the number of received MAVLink frames.
     std::size_t pump();
@@ -67,6 +71,8 @@ public:
     void sendEach(std::span<const ByteView> frames);
     /// Seals the frame without sending it.
     Bytes seal(ByteView frame);
+    /// Opens a record of the peer in place, and returns its frames; empty if it is not accepted.
+    ByteView open(TimePoint now, MutableByteView record);
     /// Called for each received MAVLink frame.
     std::function<void(ByteView frame)> frameReceived;
     /// Sends a datagram as it is.

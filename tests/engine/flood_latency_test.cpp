@@ -2,7 +2,6 @@
 // agent, and its effect on a legitimate session. Telemetry passes the agent all the time, seconds with and without the flood
 // alternate, and the two are compared within one run. Nothing else should run beside it. SKYSEAL_FLOOD_SECONDS makes the flood
 // last that long without a pause, between two quiet periods.
-#include "core/channel/endpoint.h"
 #include "core/crypto/x25519.h"
 #include "core/crypto/init_crypto.h"
 #include "core/keys/secret_file.h"
@@ -161,7 +160,7 @@ void FloodLatencyTest::legitimateSessionDoesNotFeelIt()
     for (const TimePoint stop = steadyNow() + 10s; !ground.up() && steadyNow() < stop; ground.pump())
         ground.waitReadable(10);
     QVERIFY(ground.up());
-    const std::uint16_t agentPort = ground.endpoint().sessionInfo(ground.session())->path.remote.port;
+    const std::uint16_t agentPort = ground.sessionInfo().path.remote.port;
 
     BareSocket vehicle;
     const Traffic telemetry(256);
@@ -173,11 +172,8 @@ void FloodLatencyTest::legitimateSessionDoesNotFeelIt()
         ground.waitReadable(20);
     }
     QVERIFY(through > 0);
-    StrangersKnowledge knows{keys.air->publicKey, keys.ground->publicKey,
-                             Bytes(mavlink::kMaxFrameLength + channel::kMaxRecordOverhead)};
-    const auto size = ground.endpoint().seal(steadyNow(), ground.session(), telemetry.frames()[0], knows.record);
-    QVERIFY(size.has_value());
-    knows.record.resize(*size);
+    const StrangersKnowledge knows{keys.air->publicKey, keys.ground->publicKey, ground.seal(telemetry.frames()[0])};
+    QVERIFY(!knows.record.empty());
     std::vector<Bytes> datagrams = aSecondOf(kStrangerMessages[message], knows);
     const auto perSecond = static_cast<double>(datagrams.size());
     Flood flood(agentPort, std::move(datagrams));

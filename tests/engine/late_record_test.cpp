@@ -1,6 +1,5 @@
 // The last record of a session arrives after its goodbye: its frames are accepted, and the end of the session is published
 // after them.
-#include "core/channel/endpoint.h"
 #include "core/crypto/init_crypto.h"
 #include "core/engine/agent/agent_core.h"
 #include "core/engine/station/snapshot.h"
@@ -21,7 +20,7 @@ namespace {
 
 const channel::Policy kPolicy{channel::defaultSuites(), false, false};
 
-template<typename Message> Bytes frameOf(const Message &message, std::uint8_t systemId, std::uint8_t componentId)
+template<typename Message> Bytes frameFrom(const Message &message, std::uint8_t systemId, std::uint8_t componentId)
 {
     std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
     mavlink::FrameWriter writer(systemId, componentId);
@@ -33,7 +32,7 @@ template<typename Message> Bytes frameOf(const Message &message, std::uint8_t sy
 void sayLate(BareEnd &end, ByteView frame)
 {
     const Bytes late = end.seal(frame);
-    end.endpoint().close(steadyNow(), end.session());
+    end.close();
     end.pump();
     end.send(late);
 }
@@ -73,7 +72,7 @@ void LateRecordTest::agentTakesIt()
     agent.start();
     BareSocket vehicle;
     vehicle.send(portOf(agent.snapshot().vehicle.localAddress),
-                 std::array{ByteView(frameOf(mavlink::Heartbeat{.type = 2, .autopilot = 3}, 1, 1))});
+                 std::array{ByteView(frameFrom(mavlink::Heartbeat{.type = 2, .autopilot = 3}, 1, 1))});
     QVERIFY(waitFor(ground, [&] { return ground.up() && agent.snapshot().mavlink.frames > 0; }));
 
     const std::uint64_t before = agent.snapshot().counters.toVehicle;
@@ -81,7 +80,7 @@ void LateRecordTest::agentTakesIt()
     mavlink::ParamRequestList question;
     question.target_system = 1;
     question.target_component = 1;
-    sayLate(ground, frameOf(question, 255, 190));
+    sayLate(ground, frameFrom(question, 255, 190));
     QVERIFY(waitFor(ground, [&] { return !downs.empty(); }));
     QCOMPARE(downs.size(), std::size_t(1));
     QCOMPARE(int(downs[0].reason), int(channel::DownReason::PeerClosed));
@@ -109,7 +108,7 @@ void LateRecordTest::stationTakesIt()
     QVERIFY(waitFor(air, [&] { return air.up() && !snapshot->sessions.empty(); }));
     QVERIFY(snapshot->vehicles.empty());
 
-    sayLate(air, frameOf(mavlink::Heartbeat{.type = 2, .autopilot = 3}, 1, 1));
+    sayLate(air, frameFrom(mavlink::Heartbeat{.type = 2, .autopilot = 3}, 1, 1));
     QVERIFY(waitFor(air, [&] { return snapshot->sessions.empty(); }));
     QCOMPARE(snapshot->spoofed, std::uint64_t(0));
     QCOMPARE(snapshot->vehicles.size(), std::size_t(1));
@@ -142,16 +141,16 @@ void LateRecordTest::clientsReceiveOvertakenAnswers()
     BareEnd air(keys, channel::Role::Agent, kPolicy, portOf(snapshot->links[0].localAddress));
     QVERIFY(waitFor(air, [&] { return air.up() && !snapshot->sessions.empty(); }));
     BareSocket client;
-    client.send(portOf(snapshot->served[0].localAddress), std::array{ByteView(frameOf(mavlink::Heartbeat{}, 255, 190))});
+    client.send(portOf(snapshot->served[0].localAddress), std::array{ByteView(frameFrom(mavlink::Heartbeat{}, 255, 190))});
     QVERIFY(waitFor(air, [&] { return !snapshot->clients.empty(); }));
 
-    const auto parameter = [](int index) { return frameOf(mavlink::ParamValue{.param_index = std::uint16_t(index)}, 1, 1); };
-    const auto attitude = [](int time) { return frameOf(mavlink::Attitude{.time_boot_ms = std::uint32_t(time)}, 1, 1); };
+    const auto parameter = [](int index) { return frameFrom(mavlink::ParamValue{.param_index = std::uint16_t(index)}, 1, 1); };
+    const auto attitude = [](int time) { return frameFrom(mavlink::Attitude{.time_boot_ms = std::uint32_t(time)}, 1, 1); };
     std::vector<Bytes> sent{parameter(1), attitude(1), attitude(2), parameter(2)};
     // Of other conversations, each older than one of its kind.
     const auto inTwo = [&sent](auto first, auto second) {
-        sent.push_back(frameOf(first, 1, 1));
-        sent.push_back(frameOf(second, 1, 1));
+        sent.push_back(frameFrom(first, 1, 1));
+        sent.push_back(frameFrom(second, 1, 1));
     };
     inTwo(mavlink::MissionItemInt{.seq = 1}, mavlink::MissionItemInt{.seq = 2});
     inTwo(mavlink::CommandAck{.command = 1}, mavlink::CommandAck{.command = 2});

@@ -1,5 +1,5 @@
 // One agent with several links to the ground: a station at each, or one station behind two modems.
-#include "core/channel/endpoint.h"
+#include "core/channel/mac1.h"
 #include "core/engine/station/snapshot.h"
 #include "tests/engine/ground.h"
 #include "tests/support/stranger_messages.h"
@@ -33,7 +33,7 @@ struct Modem
     {
         relay.passes = [this](const UdpAttacker::Seen &seen) {
             const bool passes = seen.toGround ? up : down;
-            carried += passes && !channel::Endpoint::isAnnouncement(viewOf(seen.bytes));
+            carried += passes && !channel::Announcement::hasForm(viewOf(seen.bytes));
             return passes;
         };
     }
