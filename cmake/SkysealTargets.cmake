@@ -162,6 +162,14 @@ function(skyseal_test_program name)
   endif()
 endfunction()
 
+# skyseal_test_library(NAME KIND SOURCES … LINK …): a static library that tests share, with the precompiled headers of KIND.
+function(skyseal_test_library name kind)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+  add_library(${name} STATIC ${arg_SOURCES})
+  target_link_libraries(${name} PUBLIC skyseal_options ${arg_LINK} PRIVATE skyseal_hardening)
+  skyseal_precompile(${name} ${kind})
+endfunction()
+
 # skyseal_test(NAME SOURCES … LINK … LABELS … [NEEDS PROGRAM …] [DEFINE …] [TIMEOUT S] [ALONE])
 # One QtTest class, that of the first source file, as the ctest entry NAME. All classes of a folder are in the program
 # FOLDER_tests. ALONE gives the class a program NAME of its own, for one that replaces operator new or has its own main().
@@ -233,9 +241,9 @@ function(skyseal_fuzzer name)
   endif()
 endfunction()
 
-# skyseal_benchmark(NAME SOURCES … LINK …): a Google Benchmark program; `cmake --build … --target bench` runs all.
+# skyseal_benchmark(NAME SOURCES … LINK … [QT]): a Google Benchmark program; `cmake --build … --target bench` runs all.
 function(skyseal_benchmark name)
-  cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(arg "QT" "" "SOURCES;LINK" ${ARGN})
   if(NOT SKYSEAL_BENCH)
     return()
   endif()
@@ -243,6 +251,11 @@ function(skyseal_benchmark name)
   add_executable(${name} ${arg_SOURCES})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bench)
   target_link_libraries(${name} PRIVATE skyseal_options skyseal_hardening benchmark::benchmark ${arg_LINK})
+  if(arg_QT)
+    skyseal_precompile(${name} engine)
+  else()
+    skyseal_precompile(${name} protocol)
+  endif()
   if(NOT TARGET bench)
     add_custom_target(bench)
     add_custom_target(bench_programs)
