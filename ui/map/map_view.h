@@ -1,23 +1,20 @@
 // The map: north is up unless it turns with the vehicle, tiles of the chosen source or a graticule, a scale bar, home, fence,
 // mission, the track coloured by suite, the overlays of the operator, and all vehicles. A click selects another one. Drag or
 // the arrow keys move the map, the wheel or + and − zoom, Home follows the vehicle again; while the operator measures, clicks
-// and keys go to MeasureTool. Holds the content, the viewport and a picture of the ground; MapPainter paints.
+// and keys go to MeasureTool. MapContent, FenceContent and TrafficContent are what it shows, MapCamera is which part of it,
+// GroundPicture and MapPainter paint it, MapPointer reads mouse and fingers.
 #pragma once
 
 #include "ui/map/fence.h"
+#include "ui/map/ground_picture.h"
+#include "ui/map/map_camera.h"
 #include "ui/map/map_content.h"
-#include "ui/map/map_motion.h"
-#include "ui/map/map_rotation.h"
-#include "ui/map/map_touch.h"
-#include "ui/map/map_viewport.h"
+#include "ui/map/map_pointer.h"
 #include "ui/map/measure_tool.h"
-#include "ui/map/tile_layer.h"
 #include "ui/map/traffic.h"
-#include "ui/overlays/overlay_model.h"
 #include "ui/text/coordinates.h"
 #include "ui/text/units.h"
 
-#include <QtGui/QPixmap>
 #include <QtWidgets/QWidget>
 
 namespace skyseal::ui {
@@ -38,32 +35,32 @@ public:
     void setUnits(UnitSystem units);
     void setTrackColors(TrackColors colors);
     void setCoordinateFormat(CoordinateFormat format);
-    void setSource(const MapSource &source) { m_tiles.setSource(source); }
-    void followVehicle();
-    void zoomBy(double factor);
+    void setSource(const MapSource &source) { m_ground.tiles().setSource(source); }
+    void followVehicle() { m_camera.follow(); }
+    void zoomBy(double factor) { m_camera.zoom(factor); }
 
-    bool isFollowing() const { return m_follow; }
+    bool isFollowing() const { return m_camera.isFollowing(); }
     /// Until a zoom or a movement by keys has ended.
-    bool isMoving() const { return m_motion.isMoving(); }
+    bool isMoving() const { return m_camera.isMoving(); }
     const MapContent &content() const { return m_content; }
     const FenceContent &fence() const { return m_fence; }
     const TrafficContent &traffic() const { return m_traffic; }
-    const MapViewport &viewport() const { return m_viewport; }
-    TileLayer &tiles() { return m_tiles; }
+    const MapViewport &viewport() const { return m_camera.viewport(); }
+    TileLayer &tiles() { return m_ground.tiles(); }
     MeasureTool &measure() { return m_measure; }
-    MapRotation &rotation() { return m_rotation; }
-    OverlayModel &overlays() { return m_overlays; }
+    MapRotation &rotation() { return m_camera.rotation(); }
+    OverlayModel &overlays() { return m_ground.overlays(); }
     UnitSystem units() const { return m_units; }
     CoordinateFormat coordinateFormat() const { return m_coordinates; }
     /// The place under the pointer or, while the map has the focus without it, in the middle; nullopt otherwise.
     std::optional<LatLong> pointedPlace() const;
     /// Marks a place that the operator is asked about, with a word beside it; nullopt: none.
     void setMark(const std::optional<LatLong> &place, const QString &label = {});
-    const std::optional<QPointF> &mark() const { return m_mark; }
+    std::optional<QPointF> mark() const { return placeOf(m_mark); }
     /// Marks the place that the selected vehicle flies to; nullopt: none.
     void setTarget(const std::optional<LatLong> &place, const QString &label = {});
-    const std::optional<QPointF> &target() const { return m_target; }
-    QPoint pixelOf(const LatLong &place) const { return m_viewport.toPixels(mercator::project(place)).toPoint(); }
+    std::optional<QPointF> target() const { return placeOf(m_target); }
+    QPoint pixelOf(const LatLong &place) const { return viewport().toPixels(mercator::project(place)).toPoint(); }
 
 Q_SIGNALS:
     /// The operator clicked a vehicle that is not the selected one.
@@ -89,51 +86,37 @@ protected:
     void contextMenuEvent(QContextMenuEvent *event) override;
 
 private:
-    void connectTouch();
-    void zoomAt(const QPointF &pixel, double factor);
-    void beginDrag(const QPointF &pixel);
-    void dragTo(const QPointF &pixel);
-    void endDrag(const QPointF &pixel, bool isClick);
+    /// A place with a word beside it.
+    struct Labelled
+    {
+        QPointF metres; ///< of the projection
+        QString label;
+
+        bool operator==(const Labelled &) const = default;
+    };
+    static std::optional<Labelled> labelled(const std::optional<LatLong> &place, const QString &label);
+    static std::optional<QPointF> placeOf(const std::optional<Labelled> &one);
+    void connectPointer();
     void openMenu(const QPoint &pixel);
-    void leaveVehicle();
-    void turn();
     bool isOnNorth(const QPointF &pixel) const;
-    void showFirst(const QPointF &vehicle);
-    void markGroundDirty();
     std::optional<std::uint8_t> otherVehicleAt(const QPointF &pixel) const;
-    void setPointer(const std::optional<QPointF> &pixel);
-    LatLong placeAt(const QPointF &pixel) const { return mercator::unproject(m_viewport.toMetres(pixel)); }
+    void showPointer();
+    LatLong placeAt(const QPointF &pixel) const { return mercator::unproject(viewport().toMetres(pixel)); }
     void click(const QPointF &pixel);
     void showMeasurement();
     void showCursor();
     void describe();
-    void paintGround();
 
     MapContent m_content;
     FenceContent m_fence;
     TrafficContent m_traffic;
-    MapViewport m_viewport;
-    MapMotion m_motion{m_viewport};
-    TileLayer m_tiles;
+    MapCamera m_camera;
+    GroundPicture m_ground;
+    MapPointer m_pointer;
     MeasureTool m_measure;
-    MapRotation m_rotation;
-    MapTouch m_touch;
-    OverlayModel m_overlays;
     UnitSystem m_units = UnitSystem::Metric;
     CoordinateFormat m_coordinates = CoordinateFormat::Decimal;
-    std::optional<QPointF> m_pointer; ///< pixels
-    bool m_follow = true;
-    bool m_placed = false;                   ///< a vehicle was shown, or the operator has moved the map
-    std::optional<QPointF> m_mark, m_target; ///< metres of the projection
-    QString m_markLabel, m_targetLabel;
-    /// Pixels.
-    struct Drag
-    {
-        QPointF begin, last;
-    };
-    std::optional<Drag> m_drag; ///< while the button is down
-    QPixmap m_ground;           ///< painted again only when its content or the viewport changes
-    bool m_groundDirty = true;
+    std::optional<Labelled> m_mark, m_target;
 };
 
 } // namespace skyseal::ui
