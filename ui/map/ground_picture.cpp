@@ -35,8 +35,7 @@ const QPixmap &GroundPicture::picture(const Content &content, const QWidget &on)
     m_picture.fill(palette.color(QPalette::Base));
     QPainter painter(&m_picture);
     painter.setFont(on.font());
-    MapPainter(painter, content.map, content.viewport, palette)
-        .paintGround(m_tiles, m_overlays, content.fence, content.units, content.moving);
+    MapPainter(painter, content.map, content.viewport, palette).paintGround(m_tiles, m_overlays, content.fence, content.moving);
     return m_picture;
 }
 

@@ -4,7 +4,6 @@
 
 #include "ui/map/tile_layer.h"
 #include "ui/overlays/overlay_model.h"
-#include "ui/text/units.h"
 
 #include <QtCore/QObject>
 #include <QtGui/QPixmap>
@@ -29,7 +28,6 @@ public:
         const MapContent &map;
         const FenceContent &fence;
         const MapViewport &viewport;
-        UnitSystem units;
         bool moving; ///< painted quickly rather than finely
     };
 

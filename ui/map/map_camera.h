@@ -29,8 +29,8 @@ public:
     /// Pixels.
     void setSize(const QSizeF &size);
 
-    /// Takes the position of the selected vehicle, in metres of the projection; `moved` if it is a new one. The first one is shown
-    /// from near.
+    /// Takes the position of the selected vehicle, in metres of the projection; `moved` if it is a new one. The first one is
+    /// shown from near.
     void showVehicle(const std::optional<QPointF> &metres, bool moved);
     /// Takes its heading in degrees and its speed over the ground in metres a second; unknown ones are NaN.
     void showHeading(double heading, double groundSpeed);

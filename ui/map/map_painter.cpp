@@ -33,8 +33,7 @@ MapPainter::MapPainter(QPainter &painter, const MapContent &content, const MapVi
     : m_painter(painter), m_content(content), m_viewport(viewport), m_palette(palette)
 {}
 
-void MapPainter::paintGround(const TileLayer &tiles, const OverlayModel &overlays, const FenceContent &fence, UnitSystem units,
-                             bool moving)
+void MapPainter::paintGround(const TileLayer &tiles, const OverlayModel &overlays, const FenceContent &fence, bool moving)
 {
     const Graticule graticule = graticuleOf(m_viewport);
     paintGraticule(graticule);
@@ -50,6 +49,10 @@ void MapPainter::paintGround(const TileLayer &tiles, const OverlayModel &overlay
     paintMission();
     paintTrack();
     paintHome();
+}
+
+void MapPainter::paintLegends(const TileLayer &tiles, UnitSystem units)
+{
     paintScale(units);
     paintNorth();
     paintTrackScale(units, paintAttribution(tiles));

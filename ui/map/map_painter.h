@@ -27,9 +27,10 @@ public:
     /// References must outlive the painter.
     MapPainter(QPainter &painter, const MapContent &content, const MapViewport &viewport, const QPalette &palette);
 
-    /// Everything except the vehicle. The caller fills the background. `moving`: quickly rather than finely.
-    void paintGround(const TileLayer &tiles, const OverlayModel &overlays, const FenceContent &fence, UnitSystem units,
-                     bool moving);
+    /// What lies on the ground. The caller fills the background. `moving`: quickly rather than finely.
+    void paintGround(const TileLayer &tiles, const OverlayModel &overlays, const FenceContent &fence, bool moving);
+    /// Scale, north and the source of the tiles; above the vehicles, so that none hides them.
+    void paintLegends(const TileLayer &tiles, UnitSystem units);
     /// All of them; with words beside each if there are several.
     void paintVehicles();
     /// A place that the operator is asked about. `label` may be empty.

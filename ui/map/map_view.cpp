@@ -192,7 +192,7 @@ void MapView::showPointer()
 void MapView::paintEvent(QPaintEvent *)
 {
     const bool moving = m_pointer.isDragging() || m_camera.isMoving();
-    const QPixmap &ground = m_ground.picture({m_content, m_fence, viewport(), m_units, moving}, *this);
+    const QPixmap &ground = m_ground.picture({m_content, m_fence, viewport(), moving}, *this);
     QPainter painter(this);
     painter.drawPixmap(0, 0, ground);
     painter.setRenderHint(QPainter::Antialiasing);
@@ -205,6 +205,7 @@ void MapView::paintEvent(QPaintEvent *)
         map.paintMark(m_mark->metres, m_mark->label);
     if (m_measure.isOn())
         MeasurePainter(painter, viewport(), palette()).paint(m_measure, pointedPlace(), m_units);
+    map.paintLegends(m_ground.tiles(), m_units);
     if (const auto place = pointedPlace())
         map.paintCoordinates(coordinatesText(place->latitude, place->longitude, m_coordinates));
     if (hasFocus()) {
