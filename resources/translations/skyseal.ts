@@ -2032,6 +2032,10 @@
         <source>the vehicle is already flying</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the vehicle was flying when it was last heard</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::AddWaypointDialog</name>
@@ -2849,6 +2853,18 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
     </message>
     <message>
         <source>Connect to a vehicle to see the throughput, losses, latency and cost of its link.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cost of watching</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU time of the link thread for the snapshots that this window shows and for these measurements, over the last second. The lines “link” and “process” contain it. A sweep measures without them, or states their share.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU of the link thread: %1 % of a core, of it watching: %2 %</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5791,11 +5807,11 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>CPU time over the last second: of the process with its window, of the link thread, and of the suite in seal and open (sum of the elapsed times of the calls).</source>
+        <source>From the kernel&apos;s energy counters or the power supply&apos;s sensor, over the last second: the whole machine, not this program alone (%1).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>From the kernel&apos;s energy counters or the power supply&apos;s sensor, over the last second: the whole machine, not this program alone (%1).</source>
+        <source>CPU time over the last second: of the process with its window, of the link thread, and of the suite in seal and open (sum of the elapsed times of the calls). What watching takes (the snapshots for this window, and these measurements) is part of “link” and stated below the charts; drawing the charts is part of “process” only.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7491,6 +7507,14 @@ A click opens the links.</source>
     </message>
     <message>
         <source>Means</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warnings and the measurement&apos;s own share</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warnings of the sweep</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

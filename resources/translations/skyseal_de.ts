@@ -2859,6 +2859,18 @@ Sollte dies das Fahrzeug von %3 sein, Abbrechen wählen: Dessen versiegelte Verb
         <source>Connect to a vehicle to see the throughput, losses, latency and cost of its link.</source>
         <translation>Verbinden Sie ein Fahrzeug, um Durchsatz, Verluste, Latenz und Kosten seiner Verbindung zu sehen.</translation>
     </message>
+    <message>
+        <source>Cost of watching</source>
+        <translation>Kosten des Beobachtens</translation>
+    </message>
+    <message>
+        <source>CPU time of the link thread for the snapshots that this window shows and for these measurements, over the last second. The lines “link” and “process” contain it. A sweep measures without them, or states their share.</source>
+        <translation>CPU-Zeit des Verbindungs-Threads für die Momentaufnahmen, die dieses Fenster zeigt, und für diese Messungen, in der letzten Sekunde. Die Linien „Verbindung“ und „Prozess“ enthalten sie. Eine Messreihe misst ohne sie oder nennt ihren Anteil.</translation>
+    </message>
+    <message>
+        <source>CPU of the link thread: %1 % of a core, of it watching: %2 %</source>
+        <translation>CPU des Verbindungs-Threads: %1 % eines Kerns, davon Beobachten: %2 %</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::DiagnosticsTools</name>
@@ -5830,12 +5842,12 @@ mit PSK</translation>
         <translation>Von den Frames bis zum Record, der gesendet wird, mit den kalten Caches eines Threads, der geschlafen hat.</translation>
     </message>
     <message>
-        <source>CPU time over the last second: of the process with its window, of the link thread, and of the suite in seal and open (sum of the elapsed times of the calls).</source>
-        <translation>CPU-Zeit in der letzten Sekunde: des Prozesses mit seinem Fenster, des Verbindungs-Threads und der Chiffre beim Versiegeln und Öffnen (Summe der Dauer aller Aufrufe).</translation>
-    </message>
-    <message>
         <source>From the kernel&apos;s energy counters or the power supply&apos;s sensor, over the last second: the whole machine, not this program alone (%1).</source>
         <translation>Aus den Energiezählern des Kernels oder dem Sensor der Stromversorgung, in der letzten Sekunde: der ganze Rechner, nicht nur dieses Programm (%1).</translation>
+    </message>
+    <message>
+        <source>CPU time over the last second: of the process with its window, of the link thread, and of the suite in seal and open (sum of the elapsed times of the calls). What watching takes (the snapshots for this window, and these measurements) is part of “link” and stated below the charts; drawing the charts is part of “process” only.</source>
+        <translation>CPU-Zeit in der letzten Sekunde: des Prozesses mit seinem Fenster, des Verbindungs-Threads und der Chiffre beim Versiegeln und Öffnen (Summe der Dauer aller Aufrufe). Was das Beobachten kostet (die Momentaufnahmen für dieses Fenster und diese Messungen), ist in „Verbindung“ enthalten und steht unter den Diagrammen; das Zeichnen der Diagramme ist nur in „Prozess“ enthalten.</translation>
     </message>
 </context>
 <context>
@@ -7537,6 +7549,14 @@ Ein Klick öffnet die Verbindungen.</translation>
     <message>
         <source>Means</source>
         <translation>Mittelwerte</translation>
+    </message>
+    <message>
+        <source>Warnings and the measurement&apos;s own share</source>
+        <translation>Warnungen und der Anteil der Messung selbst</translation>
+    </message>
+    <message>
+        <source>Warnings of the sweep</source>
+        <translation>Warnungen der Messreihe</translation>
     </message>
 </context>
 <context>
