@@ -1,11 +1,10 @@
-// Library for LD_PRELOAD: makes the agent take a share more CPU time than it would, whatever it does with it. The share is a double
-// at the beginning of the file EXTRA_CPU, in host byte order, and may change at any time. Other programs are unchanged.
+// Library for LD_PRELOAD: makes the agent take a share more CPU time than it would, whatever it does with it. The share is a
+// double at the beginning of the file EXTRA_CPU, in host byte order, and may change at any time. Other programs are unchanged.
 //
-// A thread of its own takes the time, in small pieces. Taken in the event loop, at each wake-up or when it is idle, it would let
-// more frames arrive until the next wake-up, and an agent that finds more frames at a wake-up needs less for each: at 20,000
-// frames a second a half more would hide itself wholly.
+// A thread of its own takes the time, in small pieces. Taken in the event loop, at each wake-up or when it is idle, it would
+// let more frames arrive until the next wake-up, and an agent that finds more frames at a wake-up needs less for each: at
+// 20,000 frames a second a half more would hide itself wholly.
 #include <atomic>
-#include <chrono>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -14,13 +13,13 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <pthread.h>
+#include <poll.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
 namespace {
 
-constexpr std::chrono::milliseconds kPeriod{10};
+constexpr int kPeriodMs = 10;
 
 std::int64_t timeOf(clockid_t clock)
 {
@@ -48,7 +47,7 @@ const std::atomic<double> *findShare()
     std::int64_t own = 0; ///< what this thread took for the share
     std::int64_t before = timeOf(CLOCK_PROCESS_CPUTIME_ID);
     for (;;) {
-        std::this_thread::sleep_for(kPeriod);
+        ::poll(nullptr, 0, kPeriodMs);
         const std::int64_t now = timeOf(CLOCK_PROCESS_CPUTIME_ID);
         const std::int64_t begin = timeOf(CLOCK_THREAD_CPUTIME_ID);
         const auto owed = std::int64_t(double(now - before - own) * share.load(std::memory_order_relaxed));
