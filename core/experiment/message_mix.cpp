@@ -96,11 +96,15 @@ std::string mixDifference(const Results &one, const std::string &oneName, const 
             return std::abs(shareIn(first, entry.first) - shareIn(second, entry.first));
         };
         const auto widest = std::ranges::max_element(all, {}, gap);
-        if (gap(*widest) > kMixTolerance)
-            return "under the " + std::string(name(one.plan.loads[load])) + " load "
-                + percentText(shareIn(first, widest->first)) + " of the frames of " + oneName + " are "
-                + messageName(widest->first) + ", and " + percentText(shareIn(second, widest->first)) + " of those of "
-                + twoName + ", more than " + readable(100 * kMixTolerance) + " percentage points apart";
+        if (gap(*widest) > kMixTolerance) {
+            std::string text = "under the ";
+            text.append(name(one.plan.loads[load])).append(" load ");
+            text.append(percentText(shareIn(first, widest->first))).append(" of the frames of ").append(oneName);
+            text.append(" are ").append(messageName(widest->first)).append(", and ");
+            text.append(percentText(shareIn(second, widest->first))).append(" of those of ").append(twoName);
+            text.append(", more than ").append(readable(100 * kMixTolerance)).append(" percentage points apart");
+            return text;
+        }
     }
     return {};
 }
