@@ -31,7 +31,7 @@ const QPixmap &GroundPicture::picture(const Content &content, const QWidget &on)
         m_picture.setDevicePixelRatio(ratio);
     }
     m_tiles.show(content.viewport);
-    const QPalette palette = on.palette();
+    const QPalette &palette = on.palette();
     m_picture.fill(palette.color(QPalette::Base));
     QPainter painter(&m_picture);
     painter.setFont(on.font());
