@@ -3,11 +3,10 @@
 #include "fake_keyring.h"
 #include "fake_pairing.h"
 #include "gallery_dialogs.h"
-#include "scripted_snapshots.h"
 #include "tests/support/test_runner.h"
 #include "ui/map/map_view.h"
-#include "ui/replay/rescue_bar.h"
 #include "window_rig.h"
+#include "window_states.h"
 
 #include <QtCore/QDirIterator>
 #include <QtCore/QFile>
@@ -116,17 +115,6 @@ QStringList namelessEntriesIn(const QMenu &menu)
     return faults;
 }
 
-engine::Snapshot attackedSnapshot()
-{
-    engine::Snapshot snapshot = sealedSnapshot(5);
-    snapshot.security = engine::Security::UnderAttack;
-    snapshot.sessions.front().forgedLastMinute = 87;
-    snapshot.vehicles.front().state.batteryPercent = 8;
-    snapshot.vehicles.push_back(snapshot.vehicles.front());
-    snapshot.vehicles.back().state.systemId = 2;
-    return snapshot;
-}
-
 } // namespace
 
 class AccessibleNamesTest : public QObject, private WindowRig
@@ -142,13 +130,7 @@ private Q_SLOTS:
     }
     void cleanup() { tearDown(); }
 
-    void windowHasNames_data()
-    {
-        QTest::addColumn<QString>("state");
-        for (const char *state :
-             {"empty", "waiting", "pending", "plain", "sealed", "attacked", "replay", "demo", "problem", "rescue"})
-            QTest::newRow(state) << QString::fromLatin1(state);
-    }
+    void windowHasNames_data() { addWindowStates(); }
     void windowHasNames()
     {
         QFETCH(QString, state);
@@ -249,28 +231,7 @@ private Q_SLOTS:
     }
 
 private:
-    void enter(const QString &state)
-    {
-        if (state == QLatin1String("waiting"))
-            m_station->show(waitingSnapshot());
-        else if (state == QLatin1String("pending"))
-            m_station->show(pendingApprovalSnapshot());
-        else if (state == QLatin1String("plain"))
-            m_station->show(plainSnapshot(1));
-        else if (state == QLatin1String("sealed"))
-            m_station->show(sealedSnapshot(1));
-        else if (state == QLatin1String("attacked"))
-            m_station->show(attackedSnapshot());
-        else if (state == QLatin1String("replay")) {
-            m_window->startReplay(QStringLiteral("tlog:/logs/field.tlog"));
-            m_station->showReplay(replayedSnapshot(300));
-        } else if (state == QLatin1String("demo"))
-            m_window->setDemo(true);
-        else if (state == QLatin1String("problem"))
-            m_window->reportProblem(QStringLiteral("The port is in use"), QStringLiteral("Use another"), [] {});
-        else if (state == QLatin1String("rescue"))
-            m_window->offerRescue({QStringLiteral("/logs/a.tlog"), {QStringLiteral("udpin:0.0.0.0:14550")}, {}});
-    }
+    void enter(const QString &state) { enterState(state, *m_window, *m_station); }
     QWidget *opened(const QString &state)
     {
         m_keyring = std::make_unique<FakeKeyring>();

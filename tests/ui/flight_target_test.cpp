@@ -1,34 +1,22 @@
 // The place that a vehicle is sent to by the map's menu: the question stands beside it, and the map marks it until it is over.
-#include "confirm_question.h"
-#include "scripted_snapshots.h"
+#include "map_rig.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
-#include "ui/map/map_view.h"
 #include "ui/window/place_beside.h"
-#include "window_rig.h"
 
 #include <QtGui/QScreen>
-#include <QtGui/QWindow>
 #include <QtTest/QTest>
-#include <QtWidgets/QMenu>
-#include <QtWidgets/QMessageBox>
 #include <QtWidgets/QPushButton>
 
 using namespace skyseal;
 using namespace skyseal::ui;
 
-class FlightTargetTest : public QObject, private WindowRig
+class FlightTargetTest : public QObject, private MapRig
 {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init()
-    {
-        setUp();
-        m_time = 0;
-        show([](vehicle::VehicleState &) {});
-        m_map = find<MapView>("map");
-    }
+    void init() { setUp(); }
     void cleanup() { tearDown(); }
 
     /// Wherever the place is, the question stands beside it and on the screen.
@@ -124,34 +112,7 @@ private Q_SLOTS:
     }
 
 private:
-    template<typename Change> void show(Change change)
-    {
-        engine::Snapshot snapshot = sealedSnapshot(++m_time);
-        vehicle::VehicleState &state = snapshot.vehicles.front().state;
-        state.autopilot = mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA;
-        state.type = mavlink::MAV_TYPE_QUADROTOR;
-        state.mode = "GUIDED";
-        state.armed = true;
-        state.altitudeRelative = m_altitude;
-        change(state);
-        m_station->show(snapshot);
-    }
-
-    /// Vehicle 2, some 50 m north of vehicle 1.
-    void addOther()
-    {
-        engine::Snapshot snapshot = sealedSnapshot(++m_time);
-        snapshot.vehicles.push_back(snapshot.vehicles.front());
-        snapshot.vehicles.back().state.systemId = 2;
-        snapshot.vehicles.back().state.position.latitude += 0.0005;
-        m_station->show(snapshot);
-    }
-
-    LatLong placeAt(const QPoint &pixel) const { return mercator::unproject(m_map->viewport().toMetres(pixel)); }
-    bool isTarget(const LatLong &place) const
-    {
-        return m_map->target() && (*m_map->target() - mercator::project(place)).manhattanLength() < 1e-3;
-    }
+    bool isTarget(const LatLong &place) const { return isAt(m_map->target(), place); }
 
     void goTo(const QPoint &at)
     {
@@ -161,37 +122,6 @@ private:
         QTest::mouseClick(question()->button(QMessageBox::Yes), Qt::LeftButton);
         EVENTUALLY_EQUAL(m_station->commands.size(), before + 1);
     }
-
-    QMenu *shownMenu() const
-    {
-        for (QMenu *menu : m_map->findChildren<QMenu *>(QStringLiteral("mapMenu")))
-            if (menu->isVisible())
-                return menu;
-        return nullptr;
-    }
-
-    /// By a click as the window system reports it, which QTest's clicks on widgets are not.
-    QMenu *openMenu(const QPoint &at)
-    {
-        QTest::mouseClick(m_window->windowHandle(), Qt::RightButton, {}, m_map->mapTo(m_window.get(), at));
-        if (!QTest::qWaitFor([this] { return shownMenu() != nullptr; }, test::kDeadlineMs))
-            qFatal("no menu");
-        return shownMenu();
-    }
-
-    static void choose(QMenu *menu, const char *name)
-    {
-        auto *entry = menu->findChild<QAction *>(QLatin1String(name));
-        if (!entry)
-            qFatal("no %s", name);
-        QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(entry).center());
-    }
-
-    QMessageBox *question() const { return test::shownQuestion(*m_window); }
-
-    MapView *m_map = nullptr;
-    double m_time = 0;
-    const double m_altitude = 12.4;
 };
 
 SKYSEAL_TEST_WIDGETS(FlightTargetTest)

@@ -1,41 +1,28 @@
 // The menu of the map: opened by a right click or the menu key, each command confirmed and sent for the place that was clicked,
 // and the coordinates at the map's edge.
-#include "confirm_question.h"
-#include "scripted_snapshots.h"
+#include "map_rig.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/flight/hold_button.h"
-#include "ui/map/map_view.h"
 #include "ui/text/coordinates.h"
-#include "window_rig.h"
 
 #include <QtGui/QClipboard>
 #include <QtGui/QContextMenuEvent>
 #include <QtGui/QGuiApplication>
-#include <QtGui/QWindow>
 #include <QtTest/QTest>
 #include <QtWidgets/QDoubleSpinBox>
 #include <QtWidgets/QLabel>
-#include <QtWidgets/QMenu>
-#include <QtWidgets/QMessageBox>
 #include <QtWidgets/QPushButton>
 
 using namespace skyseal;
 using namespace skyseal::ui;
 
-class MapMenuTest : public QObject, private WindowRig
+class MapMenuTest : public QObject, private MapRig
 {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init()
-    {
-        setUp();
-        m_time = 0;
-        m_mission.reset();
-        show([](vehicle::VehicleState &) {});
-        m_map = find<MapView>("map");
-    }
+    void init() { setUp(); }
     void cleanup() { tearDown(); }
 
     void goesToTheClickedPlaceOnceConfirmed()
@@ -275,8 +262,6 @@ private Q_SLOTS:
         settings.coordinates = CoordinateFormat::Mgrs;
         storeSettings(*m_store, settings);
         open();
-        show([](vehicle::VehicleState &) {});
-        m_map = find<MapView>("map");
         const LatLong place = placeAt({120, 90});
         QMenu *menu = openMenu({120, 90});
         QCOMPARE(menu->actions().first()->text(), coordinatesText(place.latitude, place.longitude, CoordinateFormat::Mgrs));
@@ -341,68 +326,7 @@ private:
         });
     }
 
-    template<typename Change> void show(Change change)
-    {
-        engine::Snapshot snapshot = sealedSnapshot(++m_time);
-        vehicle::VehicleState &state = snapshot.vehicles.front().state;
-        state.autopilot = mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA;
-        state.type = mavlink::MAV_TYPE_QUADROTOR;
-        state.mode = "GUIDED";
-        state.armed = true;
-        state.altitudeRelative = m_altitude;
-        change(state);
-        snapshot.vehicles.front().mission = m_mission;
-        m_station->show(snapshot);
-    }
-
-    /// Vehicle 2, some 50 m north of vehicle 1.
-    void addOther()
-    {
-        engine::Snapshot snapshot = sealedSnapshot(++m_time);
-        snapshot.vehicles.push_back(snapshot.vehicles.front());
-        snapshot.vehicles.back().state.systemId = 2;
-        snapshot.vehicles.back().state.position.latitude += 0.0005;
-        m_station->show(snapshot);
-    }
-
-    LatLong placeAt(const QPoint &pixel) const { return mercator::unproject(m_map->viewport().toMetres(pixel)); }
-    bool isMarked(const LatLong &place) const
-    {
-        constexpr double kMetres = 1e-3;
-        return m_map->mark() && (*m_map->mark() - mercator::project(place)).manhattanLength() < kMetres;
-    }
-
-    QMenu *shownMenu() const
-    {
-        for (QMenu *menu : m_map->findChildren<QMenu *>(QStringLiteral("mapMenu")))
-            if (menu->isVisible())
-                return menu;
-        return nullptr;
-    }
-
-    /// By a click as the window system reports it, which QTest's clicks on widgets are not.
-    QMenu *openMenu(const QPoint &at)
-    {
-        QTest::mouseClick(m_window->windowHandle(), Qt::RightButton, {}, m_map->mapTo(m_window.get(), at));
-        if (!QTest::qWaitFor([this] { return shownMenu() != nullptr; }, test::kDeadlineMs))
-            qFatal("no menu");
-        return shownMenu();
-    }
-
-    static void choose(QMenu *menu, const char *name)
-    {
-        auto *entry = menu->findChild<QAction *>(QLatin1String(name));
-        if (!entry)
-            qFatal("no %s", name);
-        QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(entry).center());
-    }
-
-    QMessageBox *question() const { return test::shownQuestion(*m_window); }
-
-    MapView *m_map = nullptr;
-    vehicle::MissionItems m_mission;
-    double m_time = 0;
-    const double m_altitude = 12.4;
+    bool isMarked(const LatLong &place) const { return isAt(m_map->mark(), place); }
 };
 
 SKYSEAL_TEST_WIDGETS(MapMenuTest)

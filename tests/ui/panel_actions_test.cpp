@@ -1,14 +1,13 @@
 // Every button of the window is an action of the command palette as well, which can have a shortcut: in all states and
 // workspaces, and what is chosen there does what the button does, with the same guards.
 #include "confirm_question.h"
-#include "scripted_snapshots.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/map/map_view.h"
-#include "ui/replay/rescue_bar.h"
 #include "ui/shortcuts/shortcuts.h"
 #include "ui/status/strip_item.h"
 #include "window_rig.h"
+#include "window_states.h"
 
 #include <QtCore/QHash>
 #include <QtCore/QSet>
@@ -111,13 +110,7 @@ private Q_SLOTS:
     }
     void cleanup() { tearDown(); }
 
-    void everyButtonIsAnAction_data()
-    {
-        QTest::addColumn<QString>("state");
-        for (const char *state :
-             {"empty", "waiting", "pending", "plain", "sealed", "attacked", "replay", "demo", "problem", "rescue"})
-            QTest::newRow(state) << QString::fromLatin1(state);
-    }
+    void everyButtonIsAnAction_data() { addWindowStates(); }
     void everyButtonIsAnAction()
     {
         QFETCH(QString, state);
@@ -367,32 +360,7 @@ private Q_SLOTS:
     }
 
 private:
-    void enter(const QString &state)
-    {
-        if (state == QLatin1String("waiting"))
-            m_station->show(waitingSnapshot());
-        else if (state == QLatin1String("pending"))
-            m_station->show(pendingApprovalSnapshot());
-        else if (state == QLatin1String("plain"))
-            m_station->show(plainSnapshot(1));
-        else if (state == QLatin1String("sealed"))
-            m_station->show(sealedSnapshot(1));
-        else if (state == QLatin1String("attacked")) {
-            engine::Snapshot snapshot = sealedSnapshot(5);
-            snapshot.security = engine::Security::UnderAttack;
-            snapshot.sessions.front().forgedLastMinute = 87;
-            snapshot.vehicles.front().state.batteryPercent = 8;
-            m_station->show(snapshot);
-        } else if (state == QLatin1String("replay")) {
-            m_window->startReplay(QStringLiteral("tlog:/logs/field.tlog"));
-            m_station->showReplay(replayedSnapshot(300));
-        } else if (state == QLatin1String("demo"))
-            m_window->setDemo(true);
-        else if (state == QLatin1String("problem"))
-            m_window->reportProblem(QStringLiteral("The port is in use"), QStringLiteral("Use another"), [] {});
-        else if (state == QLatin1String("rescue"))
-            m_window->offerRescue({QStringLiteral("/logs/a.tlog"), {QStringLiteral("udpin:0.0.0.0:14550")}, {}});
-    }
+    void enter(const QString &state) { enterState(state, *m_window, *m_station); }
     Shortcuts &shortcuts() const { return *m_window->findChild<Shortcuts *>(); }
     int itemOf(const char *id) const
     {

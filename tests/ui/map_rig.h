@@ -1,0 +1,104 @@
+// The window with its map, above which a copter flies in GUIDED: a second base class for tests of the map's menu.
+#pragma once
+
+#include "confirm_question.h"
+#include "scripted_snapshots.h"
+#include "ui/map/map_view.h"
+#include "window_rig.h"
+
+#include <QtGui/QWindow>
+#include <QtWidgets/QMenu>
+#include <QtWidgets/QMessageBox>
+
+namespace skyseal::ui {
+
+class MapRig : protected WindowRig
+{
+protected:
+    void setUp()
+    {
+        WindowRig::setUp();
+        m_time = 0;
+        m_mission.reset();
+        showCopter();
+    }
+
+    void open()
+    {
+        WindowRig::open();
+        showCopter();
+    }
+
+    template<typename Change> void show(Change change)
+    {
+        engine::Snapshot snapshot = sealedSnapshot(++m_time);
+        vehicle::VehicleState &state = snapshot.vehicles.front().state;
+        state.autopilot = mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA;
+        state.type = mavlink::MAV_TYPE_QUADROTOR;
+        state.mode = "GUIDED";
+        state.armed = true;
+        state.altitudeRelative = m_altitude;
+        change(state);
+        snapshot.vehicles.front().mission = m_mission;
+        m_station->show(snapshot);
+    }
+
+    /// Vehicle 2, some 50 m north of vehicle 1.
+    void addOther()
+    {
+        engine::Snapshot snapshot = sealedSnapshot(++m_time);
+        snapshot.vehicles.push_back(snapshot.vehicles.front());
+        snapshot.vehicles.back().state.systemId = 2;
+        snapshot.vehicles.back().state.position.latitude += 0.0005;
+        m_station->show(snapshot);
+    }
+
+    LatLong placeAt(const QPoint &pixel) const { return mercator::unproject(m_map->viewport().toMetres(pixel)); }
+
+    /// Whether a mark of the map is at a place, to a millimetre.
+    static bool isAt(const std::optional<QPointF> &mark, const LatLong &place)
+    {
+        return mark && (*mark - mercator::project(place)).manhattanLength() < 1e-3;
+    }
+
+    QMenu *shownMenu() const
+    {
+        for (QMenu *menu : m_map->findChildren<QMenu *>(QStringLiteral("mapMenu")))
+            if (menu->isVisible())
+                return menu;
+        return nullptr;
+    }
+
+    /// By a click as the window system reports it, which QTest's clicks on widgets are not.
+    QMenu *openMenu(const QPoint &at)
+    {
+        QTest::mouseClick(m_window->windowHandle(), Qt::RightButton, {}, m_map->mapTo(m_window.get(), at));
+        if (!QTest::qWaitFor([this] { return shownMenu() != nullptr; }, test::kDeadlineMs))
+            qFatal("no menu");
+        return shownMenu();
+    }
+
+    static void choose(QMenu *menu, const char *name)
+    {
+        auto *entry = menu->findChild<QAction *>(QLatin1String(name));
+        if (!entry)
+            qFatal("no %s", name);
+        QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(entry).center());
+    }
+
+    QMessageBox *question() const { return test::shownQuestion(*m_window); }
+
+    MapView *m_map = nullptr;
+    vehicle::MissionItems m_mission;
+    double m_time = 0;
+    const double m_altitude = 12.4;
+
+private:
+    void showCopter()
+    {
+        show([](vehicle::VehicleState &) {});
+        m_map = find<MapView>("map");
+    }
+};
+
+} // namespace skyseal::ui
