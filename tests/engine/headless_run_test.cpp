@@ -1,6 +1,7 @@
 // A run without a window ends in an orderly way: a switch that is in progress may finish within its usual time.
 #include "core/engine/headless/headless_run.h"
 #include "core/engine/station/snapshot.h"
+#include "core/vehicle/flight_script.h"
 #include "tests/engine/ground.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
@@ -41,23 +42,37 @@ class HeadlessRunTest : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void pendingSwitchMayFinish_data();
     void pendingSwitchMayFinish();
 };
 
+void HeadlessRunTest::pendingSwitchMayFinish_data()
+{
+    QTest::addColumn<QString>("script");
+    QTest::newRow("duration") << QString();
+    QTest::newRow("script") << QStringLiteral("sleep 0.5"); // over long before a switch is given up
+}
+
 void HeadlessRunTest::pendingSwitchMayFinish()
 {
+    QFETCH(QString, script);
     FlightRig rig;
     Ground ground(rig.stationConfig());
     KillingListener listener(rig);
     engine::RunPlan plan;
     plan.switchTo = {crypto::SuiteId::Aes256Gcm};
     plan.switchEvery = 100ms;
-    plan.duration = 3s;
+    if (script.isEmpty())
+        plan.duration = 3s;
+    else
+        plan.script = *vehicle::parseFlightScript(script.toStdString());
     engine::HeadlessRun run(*ground.station, listener, std::move(plan), {});
     std::optional<engine::RunOutcome> outcome;
     connect(&run, &engine::HeadlessRun::finished, this, [&](engine::RunOutcome reached) { outcome = reached; });
     rig.startAgent(ground.ears->listening());
     EVENTUALLY(ground.up()); // before the time of the run begins
+    const VehicleOnUdp vehicle(rig.vehicleAddress());
+    EVENTUALLY(!ground.ears->snapshot->vehicles.empty());
     run.start();
     EVENTUALLY(outcome);
     QCOMPARE(listener.switches.size(), std::size_t(1));
