@@ -236,7 +236,7 @@ void CalibrationTest::extraCpuTimeIsFound()
 {
     // The more work a wake-up has, the smaller is its random share: at this rate twenty pairs of runs of a second tell 3 %.
     if (isLong())
-        return judge({20, "--launches 1 --repeats 20 --seconds 1 --warm-up 0.3 --pps 20000", 0.05, 16, 17, 0});
+        return judge({20, "--launches 1 --repeats 20 --seconds 2.5 --warm-up 0.3 --pps 20000", 0.05, 16, 17, 0});
     // Beside other tests the share changes some milliseconds before or after the run, and caches are not the same: a matter of
     // a tenth, which the interval does not know of.
     judge({2, "--launches 1 --repeats 8 --seconds 0.6 --warm-up 0.1 --load natural", 1, 2, 1, 0, 0.1});
