@@ -45,7 +45,9 @@ Result<std::unique_ptr<Demo>, InputError> Demo::create(RandomSource &random)
 {
     std::unique_ptr<Demo> demo(new Demo);
     if (!demo->m_folder.isValid())
-        return tl::unexpected(InputError{demo->m_folder.errorString().toStdString(), demo->m_folder.path().toStdString()});
+        return tl::unexpected(
+            InputError{sentence("Reason", "cannot be created: %1")(demo->m_folder.errorString().toStdString()),
+                       demo->m_folder.path().toStdString()});
     if (auto written = keys::writePairedEnds(demo->m_folder.path().toStdString(), "air-demo", random); !written)
         return tl::unexpected(written.error());
     return demo;
@@ -131,12 +133,15 @@ void Demo::reportEnd(const QString &name, QProcess &process)
 {
     if (m_stopping)
         return;
+    if (process.error() == QProcess::FailedToStart) {
+        Q_EMIT ended(tr("The demo's %1 could not be started: %2").arg(name, process.errorString()));
+        return;
+    }
     const QStringList lines =
         QString::fromLocal8Bit(process.readAllStandardError()).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
-    const QString how = process.error() == QProcess::FailedToStart ? process.errorString()
-        : process.exitStatus() == QProcess::CrashExit              ? tr("it was killed or crashed")
-        : lines.isEmpty()                                          ? tr("exit status %1").arg(process.exitCode())
-                                                                   : lines.last();
+    const QString how = process.exitStatus() == QProcess::CrashExit ? tr("it was killed or crashed")
+        : lines.isEmpty()                                           ? tr("exit status %1").arg(process.exitCode())
+                                                                    : lines.last();
     Q_EMIT ended(tr("The demo's %1 exited: %2").arg(name, how));
 }
 

@@ -162,7 +162,8 @@ Result<std::unique_ptr<Lab>, InputError> Lab::create(LabPrograms programs, Rando
     }
     std::unique_ptr<Lab> lab(new Lab(std::move(programs), std::move(vehicle), placement));
     if (!lab->m_folder.isValid())
-        return tl::unexpected(InputError{lab->m_folder.errorString().toStdString(), lab->m_folder.path().toStdString()});
+        return tl::unexpected(InputError{sentence("Reason", "cannot be created: %1")(lab->m_folder.errorString().toStdString()),
+                                         lab->m_folder.path().toStdString()});
     if (auto written = keys::writePairedEnds(lab->m_folder.path().toStdString(), "air", random); !written)
         return tl::unexpected(written.error());
     if (auto written = writeBareKey(lab->bareKey(), random); !written)

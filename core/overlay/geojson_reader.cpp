@@ -248,7 +248,8 @@ Result<Overlay, InputError> readGeoJson(const QByteArray &content)
     if (parsed.error != QJsonParseError::NoError) {
         const auto lines = std::count(content.begin(),
                                       content.begin() + std::clamp<qsizetype>(parsed.offset, 0, content.size()), '\n');
-        return tl::unexpected(errorAt(parsed.errorString().toStdString(), static_cast<std::size_t>(lines) + 1));
+        return tl::unexpected(errorAt(sentence("Reason", "this is not JSON: %1")(parsed.errorString().toStdString()),
+                                      static_cast<std::size_t>(lines) + 1));
     }
     if (!document.isObject())
         return tl::unexpected(errorAt(sentence("Reason", "the file has no JSON object")));

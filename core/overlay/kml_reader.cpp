@@ -70,10 +70,11 @@ Result<Overlay, InputError> KmlReader::read()
         if (message.endsWith(QLatin1Char('.')))
             message.chop(1);
         const qint64 line = m_failedLine ? m_failedLine : m_xml.lineNumber();
-        return tl::unexpected(InputError{m_failure.empty() ? Reason(message.toStdString()) : m_failure,
-                                         {},
-                                         static_cast<std::size_t>(std::max<qint64>(line, 0)),
-                                         0});
+        return tl::unexpected(
+            InputError{m_failure.empty() ? sentence("Reason", "this is not XML: %1")(message.toStdString()) : m_failure,
+                       {},
+                       static_cast<std::size_t>(std::max<qint64>(line, 0)),
+                       0});
     }
     return m_builder.take();
 }

@@ -30,10 +30,10 @@ Result<QByteArray, InputError> contentOf(const QString &path)
     if (QFileInfo info(path); info.exists() && !info.isFile()) // a pipe would never end
         return failed(sentence("Reason", "this is not a file"));
     if (!file.open(QIODevice::ReadOnly))
-        return failed(file.errorString().toStdString());
+        return failed(sentence("Reason", "cannot be read: %1")(file.errorString().toStdString()));
     QByteArray content = file.read(kMostBytes + 1);
     if (file.error() != QFileDevice::NoError)
-        return failed(file.errorString().toStdString());
+        return failed(sentence("Reason", "cannot be read: %1")(file.errorString().toStdString()));
     if (content.size() > kMostBytes)
         return failed(sentence("Reason", "the file is larger than %1 MB")(kMostBytes / 1024 / 1024));
     return content;

@@ -76,7 +76,7 @@ private Q_SLOTS:
         QTest::newRow("system") << QByteArray(R"({"type":"Point","coordinates":[1,2],"crs":{"type":"name","properties":
 {"name":"urn:ogc:def:crs:EPSG::3857"}}})")
                                 << QStringLiteral("crs: the coordinates are not in WGS84") << 0;
-        QTest::newRow("cut") << QByteArray("{\n\"type\":\n\"Poi") << QString() << 3;
+        QTest::newRow("cut") << QByteArray("{\n\"type\":\n\"Poi") << QStringLiteral("this is not JSON: ") << 3;
         QTest::newRow("array") << QByteArray("[1]") << QStringLiteral("no JSON object") << 0;
         QTest::newRow("too deep") << QByteArray(R"({"type":"GeometryCollection","geometries":[)").repeated(70)
                 + QByteArray("]}").repeated(70)

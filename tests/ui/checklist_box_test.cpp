@@ -193,7 +193,7 @@ private Q_SLOTS:
         holdArm();
         QVERIFY(find<QMessageBox>("confirmCommand")->informativeText().contains(QStringLiteral("cannot be read")));
         openList();
-        QVERIFY(find<QLabel>("checklistProblems")->text().contains(file));
+        QVERIFY(find<QLabel>("checklistProblems")->text().contains(file + QStringLiteral(" cannot be read: ")));
     }
 };
 

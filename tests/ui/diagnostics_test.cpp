@@ -536,6 +536,8 @@ private Q_SLOTS:
         QVERIFY(drawn.contains("RC4 (insecure)"));
         QVERIFY(drawn.contains("<polyline") || drawn.contains("<path"));
         QVERIFY(!m_panel->savePicture(folder.filePath(QStringLiteral("no/such/folder.png"))).isEmpty());
+        const QString unknown = folder.filePath(QStringLiteral("p.unknown"));
+        QVERIFY(m_panel->savePicture(unknown).startsWith(unknown + QStringLiteral(" cannot be written as a picture: ")));
     }
 
     void axisHoldsStill()

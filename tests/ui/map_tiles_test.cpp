@@ -133,6 +133,8 @@ private Q_SLOTS:
         m_server->answer = [](const QString &) { return TileServer::Answer{403}; };
         choose();
         EVENTUALLY(!map()->tiles().problem().isEmpty());
+        const QString said = map()->tiles().problem();
+        QVERIFY2(said.startsWith(QStringLiteral("no tile could be downloaded: ")), qPrintable(said));
     }
 
     void areaInViewIsFetchedAndUsed()

@@ -116,7 +116,7 @@ private Q_SLOTS:
         nameFile(m_folder->filePath(QStringLiteral("missing.waypoints")));
         EVENTUALLY(openDialogs() == 0);
         QVERIFY(m_station->missionWrites.empty());
-        QVERIFY(find<QLabel>("missionResult")->text().contains(QStringLiteral("missing.waypoints")));
+        QVERIFY(find<QLabel>("missionResult")->text().contains(QStringLiteral("missing.waypoints cannot be read: ")));
     }
 
     void openDialogComesToTheFront()

@@ -69,7 +69,9 @@ QString writeImage(const QString &file, const QImage &image)
 {
     QBuffer out;
     QImageWriter writer(&out, QFileInfo(file).suffix().toLatin1());
-    return writer.write(image) ? writeWhole(file, out.data()) : file + QStringLiteral(": ") + writer.errorString();
+    if (!writer.write(image))
+        return Text::tr("%1 cannot be written as a picture: %2").arg(file, writer.errorString());
+    return writeWhole(file, out.data());
 }
 
 QString writeWhole(const QString &file, const QByteArray &content)

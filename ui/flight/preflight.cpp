@@ -66,7 +66,7 @@ void Preflight::read(const QString &path, List &list)
     list.problems.clear();
     QFile in(path);
     if (!in.open(QIODevice::ReadOnly)) {
-        list.problems << tr("%1: %2").arg(path, in.errorString());
+        list.problems << tr("%1 cannot be read: %2").arg(path, in.errorString());
         return;
     }
     const std::string text = in.read(static_cast<qint64>(vehicle::kMaxChecklistSize) + 1).toStdString();

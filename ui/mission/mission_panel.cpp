@@ -125,7 +125,7 @@ void MissionPanel::sendFile(const QString &file, std::uint8_t systemId)
     }
     QFile in(file);
     if (!in.open(QIODevice::ReadOnly)) {
-        say(tr("%1: %2").arg(file, in.errorString()));
+        say(tr("%1 cannot be read: %2").arg(file, in.errorString()));
         return;
     }
     const auto items = vehicle::parseMission(in.readAll().toStdString(), file.toStdString());

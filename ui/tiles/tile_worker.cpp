@@ -170,7 +170,7 @@ void TileWorker::finished(QNetworkReply *reply)
     } else if (reply->error() != QNetworkReply::NoError) {
         const QByteArray kept = fromCache(reply->url());
         if (kept.isEmpty())
-            failed(job, reply->errorString());
+            failed(job, tr("no tile could be downloaded: %1").arg(reply->errorString()));
         else
             arrived(job, kept);
     } else {
