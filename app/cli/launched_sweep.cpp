@@ -176,7 +176,7 @@ void LaunchedSweep::endLaunch()
     end({});
 }
 
-void LaunchedSweep::end(const std::string &problem)
+void LaunchedSweep::end(const Reason &problem)
 {
     m_results.complete = problem.empty();
     m_results.seconds = static_cast<double>(m_clock.nsecsElapsed()) / 1e9;

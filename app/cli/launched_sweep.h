@@ -42,14 +42,14 @@ Q_SIGNALS:
     void runBegan(const skyseal::experiment::Run &run);
     void sampleTaken(const skyseal::experiment::Sample &sample);
     /// As SweepRunner::finished().
-    void finished(bool opened, const std::string &problem);
+    void finished(bool opened, const skyseal::Reason &problem);
 
 private:
     void beginLaunch();
     void readLines();
     void takeLine(const QByteArray &line);
     void endLaunch();
-    void end(const std::string &problem);
+    void end(const Reason &problem);
 
     struct Launch
     {

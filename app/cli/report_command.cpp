@@ -53,7 +53,7 @@ std::vector<std::string> labelsOf(const QStringList &folders)
 int conclude(const SweepFiles &files, const QString &folder)
 {
     if (!files.problem.empty())
-        complain(kName, files.problem);
+        complain(kName, files.problem.text());
     if (!files.written)
         return kCannotOpen;
     remark("written to " + folder.toStdString());

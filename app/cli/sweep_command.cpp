@@ -75,13 +75,14 @@ int conclude(const experiment::Results &results, const SweepOptions &options)
     }
     bool hold = true;
     for (const experiment::Verdict &verdict : verdicts) {
-        printLine(options.json ? experiment::expectEvent(results.plan, verdict) : experiment::sentence(verdict, results.plan));
+        printLine(options.json ? experiment::expectEvent(results.plan, verdict)
+                               : experiment::verdictText(verdict, results.plan));
         hold = hold && verdict.outcome.holds;
     }
     if (!options.folder.isEmpty()) {
         const SweepFiles files = writeSweepFiles(options.folder, results, verdicts);
         if (!files.problem.empty())
-            complain(kName, files.problem);
+            complain(kName, files.problem.text());
         if (!files.written)
             return kCannotOpen;
         if (!options.json)
@@ -135,7 +136,7 @@ int carryOut(Sweep &sweep, const SweepOptions &options, const experiment::Settin
     });
     int status = kDone;
     experiment::IdlePower idle;
-    const auto end = [&](bool opened, const std::string &problem) {
+    const auto end = [&](bool opened, const Reason &problem) {
         experiment::Results results = sweep.results();
         results.setting = setting;
         results.contextBytes = contextSizes(heap);
@@ -143,14 +144,14 @@ int carryOut(Sweep &sweep, const SweepOptions &options, const experiment::Settin
         const bool nothing = results.samples.empty();
         status = !opened ? kCannotOpen : nothing ? kNotReached : conclude(results, options);
         if (options.json)
-            printLine(experiment::endEvent(results, opened, problem, idle));
+            printLine(experiment::endEvent(results, opened, problem.text(), idle));
         QCoreApplication::exit(status);
     };
     QObject::connect(
         &sweep, &Sweep::finished, qApp,
-        [&](bool opened, const std::string &problem) {
+        [&](bool opened, const Reason &problem) {
             if (!problem.empty())
-                complain(kName, problem);
+                complain(kName, problem.text());
             if (!idleMeter || isStopped || !opened)
                 return end(opened, problem);
             idleMeter->measure([&, opened, problem](double watts) {

@@ -23,22 +23,23 @@ namespace {
 
 constexpr int kDrawingMs = 120000;
 
-/// Returns an error message, empty on success.
-std::string write(const QString &path, const std::string &content)
+/// Returns what went wrong, empty on success.
+Reason write(const QString &path, const std::string &content)
 {
     const auto saved = saveFile(path.toStdString(), asBytes(content));
-    return saved ? std::string() : saved.error().text();
+    return saved ? Reason() : saved.error().reason();
 }
 
-/// Draws PNG and PDF by skyseal-figures. Returns an error message, empty on success.
+/// Draws PNG and PDF by skyseal-figures. Returns what went wrong, empty on success.
 /// `date`: of the PDF.
-std::string draw(const QDir &folder, const QStringList &figures, const std::string &report, const std::string &date)
+Reason draw(const QDir &folder, const QStringList &figures, const std::string &report, const std::string &date)
 {
     const QString program = programPath(QStringLiteral("skyseal-figures"));
     if (program.isEmpty())
-        return "no PNG and PDF: skyseal-figures is not installed; report.html and the SVG files have the same content";
+        return sentence(
+            "Reason", "no PNG and PDF: skyseal-figures is not installed; report.html and the SVG files have the same content");
     const QString printable = folder.filePath(QStringLiteral("report-print.html"));
-    if (std::string problem = write(printable, report); !problem.empty())
+    if (Reason problem = write(printable, report); !problem.empty())
         return problem;
     QProcess process;
     process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
@@ -50,7 +51,7 @@ std::string draw(const QDir &folder, const QStringList &figures, const std::stri
     const bool drawn = process.waitForFinished(kDrawingMs) && process.exitStatus() == QProcess::NormalExit
         && process.exitCode() == 0;
     QFile::remove(printable);
-    return drawn ? std::string() : "PNG and PDF could not be drawn by " + program.toStdString();
+    return drawn ? Reason() : sentence("Reason", "PNG and PDF could not be drawn by %1")(program.toStdString());
 }
 
 /// True if the folder contains the files of an older sweep.
@@ -126,10 +127,10 @@ SweepFiles writeSweepFiles(const QString &path, const experiment::Results &resul
         drawings << folder.filePath(files.back().first);
     }
     if (!folder.mkpath(QStringLiteral("figures")))
-        return {false, path.toStdString() + ": the folder cannot be created"};
+        return {false, InputError{sentence("Reason", "the folder cannot be created"), path.toStdString()}.reason()};
     removePictures(folder);
     for (const auto &[name, content] : files) {
-        if (std::string problem = write(folder.filePath(name), content); !problem.empty())
+        if (Reason problem = write(folder.filePath(name), content); !problem.empty())
             return {false, std::move(problem)};
     }
     return {true, draw(folder, drawings, experiment::printReport(parts), settingOf(results, "time"))};
@@ -139,7 +140,7 @@ SweepFiles writePooledFiles(const QString &path, const std::vector<experiment::M
 {
     const QDir folder(path);
     if (!folder.mkpath(QStringLiteral("figures")))
-        return {false, path.toStdString() + ": the folder cannot be created"};
+        return {false, InputError{sentence("Reason", "the folder cannot be created"), path.toStdString()}.reason()};
     std::vector<std::pair<QString, std::string>> files{{QStringLiteral("report.html"), experiment::pooledHtml(machines)},
                                                        {QStringLiteral("pooled.csv"), experiment::pooledCsv(machines)},
                                                        {QStringLiteral("pooled-columns.csv"), experiment::pooledColumnsCsv()}};
@@ -149,7 +150,7 @@ SweepFiles writePooledFiles(const QString &path, const std::vector<experiment::M
         drawings << folder.filePath(files.back().first);
     }
     for (const auto &[name, content] : files) {
-        if (std::string problem = write(folder.filePath(name), content); !problem.empty())
+        if (Reason problem = write(folder.filePath(name), content); !problem.empty())
             return {false, std::move(problem)};
     }
     std::string newest; // of the sweeps, so that the same sweeps give the same bytes

@@ -2,6 +2,7 @@
 // skyseal-figures is installed.
 #pragma once
 
+#include "core/base/reason.h"
 #include "core/experiment/heap_figures.h"
 #include "core/experiment/pooled_report.h"
 #include "core/experiment/results.h"
@@ -10,7 +11,6 @@
 #include <QtCore/QString>
 
 #include <map>
-#include <string>
 #include <vector>
 
 namespace skyseal::app {
@@ -18,7 +18,7 @@ namespace skyseal::app {
 struct SweepFiles
 {
     bool written = false;
-    std::string problem; ///< a sentence: the error or the missing files; empty if complete
+    Reason problem; ///< the error or the missing files; empty if complete
 };
 
 /// Heap bytes of one keyed cipher, for each suite where they can be measured: Results::contextBytes.

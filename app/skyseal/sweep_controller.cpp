@@ -2,6 +2,7 @@
 
 #include "app/common/sweep_files.h"
 #include "app/skyseal/demo.h"
+#include "core/engine/text/qt_text.h"
 
 namespace skyseal::app {
 
@@ -86,7 +87,7 @@ void SweepController::save(const experiment::Results &results, const QString &fo
         QMetaObject::invokeMethod(this, [this, folder, files] {
             m_writer->wait();
             m_writer.reset();
-            Q_EMIT saved(folder, files.written, QString::fromStdString(files.problem));
+            Q_EMIT saved(folder, files.written, engine::reasonText(files.problem));
         });
     }));
     m_writer->start();

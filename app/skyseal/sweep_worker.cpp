@@ -5,6 +5,7 @@
 #include "app/common/sweep_setting.h"
 #include "core/channel/policy.h"
 #include "core/crypto/system_random.h"
+#include "core/engine/text/qt_text.h"
 
 #include <QtCore/QCoreApplication>
 
@@ -60,7 +61,7 @@ void SweepWorker::begin()
                                             programPath(QStringLiteral("skyseal-cli"))},
                                            random, m_order.autopilot);
         if (!lab)
-            return end(QString::fromStdString(lab.error().text()));
+            return end(engine::reasonText(lab.error().reason()));
         m_lab = std::move(*lab);
         config.lab = m_lab.get();
         config.link = *link::LinkUrl::parse("udpin:127.0.0.1:" + std::to_string(m_lab->groundPort()));
@@ -77,9 +78,9 @@ void SweepWorker::begin()
     // Queued, since the runner is deleted.
     connect(
         m_runner.get(), &experiment::SweepRunner::finished, this,
-        [this](bool, const std::string &problem) { end(QString::fromStdString(problem)); }, Qt::QueuedConnection);
+        [this](bool, const Reason &problem) { end(engine::reasonText(problem)); }, Qt::QueuedConnection);
     if (m_cancelled)
-        return end(QStringLiteral("cancelled"));
+        return end(engine::reasonText(sentence("Reason", "cancelled")));
     m_runner->start();
 }
 

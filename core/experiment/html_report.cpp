@@ -257,8 +257,8 @@ std::string expectationList(const Results &results, const std::vector<Verdict> &
         return {};
     std::string out = "<h2>Assertions</h2>\n<ul>\n";
     for (const Verdict &verdict : verdicts)
-        out += std::string("<li") + (verdict.outcome.holds ? ">" : " class=\"bad\">") + escaped(sentence(verdict, results.plan))
-            + "</li>\n";
+        out += std::string("<li") + (verdict.outcome.holds ? ">" : " class=\"bad\">")
+            + escaped(verdictText(verdict, results.plan)) + "</li>\n";
     return out + "</ul>\n";
 }
 
@@ -347,11 +347,11 @@ std::string rawTable(const Results &results)
                 out += "<tr><td colspan=\"" + std::to_string(head.size()) + "\" class=\"bad\">" + escaped(text)
                     + "</td></tr>\n";
         };
-        note(sample.problem);
+        note(sample.problem.text());
         for (const std::string &text : disturbances(sample))
             note("disturbed: " + text);
         if (!sample.invalid.empty())
-            note("left out of every comparison, " + sample.invalid
+            note("left out of every comparison, " + sample.invalid.text()
                  + (sample.attempts > 1 ? ", the last of " + std::to_string(sample.attempts) + " attempts" : ""));
     }
     return out + "</table>\n";

@@ -158,7 +158,7 @@ Result<std::unique_ptr<Lab>, InputError> Lab::create(LabPrograms programs, Rando
                                      std::pair(programs.relay, "skyseal-cli")}) {
         const bool isNeeded = !vehicle || path != programs.simulator;
         if (isNeeded && !QFileInfo(path).isExecutable())
-            return tl::unexpected(InputError{"was not found beside this program or in PATH", name});
+            return tl::unexpected(InputError{sentence("Reason", "was not found beside this program or in PATH"), name});
     }
     std::unique_ptr<Lab> lab(new Lab(std::move(programs), std::move(vehicle), placement));
     if (!lab->m_folder.isValid())
@@ -315,13 +315,16 @@ void Lab::reportEnd(QProcess &process)
 {
     if (m_stopping)
         return;
-    const QString name = QFileInfo(process.program()).fileName();
-    const QString how = process.error() == QProcess::FailedToStart ? process.errorString()
-        : process.exitStatus() == QProcess::CrashExit              ? QStringLiteral("it was killed or crashed")
-                                                                   : QStringLiteral("exit status %1").arg(process.exitCode());
-    const QByteArray said = process.readAllStandardError().trimmed().split('\n').last();
-    Q_EMIT ended(QStringLiteral("%1 ended by itself: %2%3")
-                     .arg(name, how, said.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(QString::fromUtf8(said))));
+    const std::string name = QFileInfo(process.program()).fileName().toStdString();
+    if (process.error() == QProcess::FailedToStart) {
+        Q_EMIT ended(sentence("Reason", "%1 could not be started: %2")(name, process.errorString().toStdString()));
+        return;
+    }
+    const Reason how = process.exitStatus() == QProcess::CrashExit ? sentence("Reason", "it was killed or crashed")
+                                                                   : sentence("Reason", "exit status %1")(process.exitCode());
+    const std::string said = process.readAllStandardError().trimmed().split('\n').last().toStdString();
+    Q_EMIT ended(said.empty() ? sentence("Reason", "%1 ended by itself: %2")(name, how)
+                              : sentence("Reason", "%1 ended by itself: %2 (%3)")(name, how, said));
 }
 
 } // namespace skyseal::experiment

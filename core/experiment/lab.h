@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/random_source.h"
+#include "core/base/reason.h"
 #include "core/base/result.h"
 #include "core/engine/station/station_config.h"
 #include "core/experiment/measurement.h"
@@ -63,8 +64,8 @@ public:
     const Placement &placement() const { return m_placement; }
 
 Q_SIGNALS:
-    /// A program ended unexpectedly or could not be started. `problem` is a sentence with the reason.
-    void ended(const QString &problem);
+    /// A program ended unexpectedly or could not be started.
+    void ended(const skyseal::Reason &problem);
 
 private:
     Lab(LabPrograms programs, std::optional<link::LinkUrl> vehicle, const Placement &placement);

@@ -7,35 +7,38 @@ namespace skyseal::experiment {
 
 namespace {
 
-std::string paceProblem(Load load, const Values &values)
+Reason paceProblem(Load load, const Values &values)
 {
     const double time = values[Metric::Packets] / values[Metric::FrameRate];
     const double missed = 100 * values[Metric::MissedSends] / (load.perSecond * time);
     if (missed <= kMayMiss)
         return {};
-    return std::isnan(missed) ? "the generator of the load did not count its sends"
-                              : "the generator missed " + readable(missed) + " % of its sends";
+    if (std::isnan(missed))
+        return sentence("Reason", "the generator of the load did not count its sends");
+    return sentence("Reason", "the generator missed %1 % of its sends")(readable(missed));
 }
 
 } // namespace
 
-std::string loadProblem(Load load, const Values &values)
+Reason loadProblem(Load load, const Values &values)
 {
     if (load.isPaced())
         return paceProblem(load, values);
-    constexpr std::array kParts{std::pair(Metric::LineLoad, "of the line's rate"),
-                                std::pair(Metric::Cpu, "of the station's core"),
-                                std::pair(Metric::AgentCpu, "of the agent's core")};
+    constexpr std::array kParts{std::pair(Metric::LineLoad, sentence("Reason", "%1 % of the line's rate")),
+                                std::pair(Metric::Cpu, sentence("Reason", "%1 % of the station's core")),
+                                std::pair(Metric::AgentCpu, sentence("Reason", "%1 % of the agent's core"))};
     if (load != Load::Saturated)
         return {};
-    std::string used;
+    Reason used;
     for (const auto &[metric, what] : kParts) {
         if (values[metric] >= kUsedUp)
             return {};
-        if (!std::isnan(values[metric]))
-            used += (used.empty() ? "" : "; ") + readable(values[metric]) + " % " + what;
+        if (std::isnan(values[metric]))
+            continue;
+        const Reason part = what(readable(values[metric]));
+        used = used.empty() ? part : sentence("Reason", "%1; %2")(used, part);
     }
-    return "not saturated: nothing reached " + readable(kUsedUp) + " % (" + used + ")";
+    return sentence("Reason", "not saturated: nothing reached %1 % (%2)")(readable(kUsedUp), used);
 }
 
 } // namespace skyseal::experiment

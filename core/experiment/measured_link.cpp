@@ -80,15 +80,15 @@ void MeasuredLink::learnConsent(const engine::Snapshot &snapshot)
     m_inlineRefused = m_inlineRefused || (m_protection == Protection::Inline && m_framing != channel::Framing::Inline);
 }
 
-std::string MeasuredLink::refusal(const SweepArm &arm) const
+Reason MeasuredLink::refusal(const SweepArm &arm) const
 {
     const Protection wanted = protectionOf(arm);
     if (bareCipherOf(arm) && m_bareRefused)
         return kUnreadable;
     if (wanted == Protection::Plain && m_plainRefused)
-        return "the other end does not allow plain MAVLink";
+        return sentence("Reason", "the other end does not allow plain MAVLink");
     if (wanted == Protection::Inline && m_inlineRefused)
-        return "the other end does not allow inline framing";
+        return sentence("Reason", "the other end does not allow inline framing");
     return {};
 }
 

@@ -2,12 +2,12 @@
 // count in that mode, and what the far end allows. Holds no station and sends nothing. Plain object without a thread.
 #pragma once
 
+#include "core/base/reason.h"
 #include "core/channel/events.h"
 #include "core/engine/station/protection.h"
 #include "core/experiment/plan.h"
 
 #include <optional>
-#include <string>
 
 namespace skyseal::engine {
 struct Snapshot;
@@ -24,7 +24,8 @@ class MeasuredLink
 {
 public:
     /// Problem of a run under a bare cipher whose vehicle uses another key.
-    static constexpr const char *kUnreadable = "the vehicle's payloads could not be decrypted; is its key another one?";
+    static constexpr Sentence kUnreadable = sentence("Reason",
+                                                     "the vehicle's payloads could not be decrypted; is its key another one?");
 
     /// A station was opened. Knowledge about the far end is kept.
     void stationOpened();
@@ -59,8 +60,8 @@ public:
     std::optional<crypto::MavsecKind> bareCipher() const { return m_bareCipher; }
     /// Suite of the first session that was seen; nullopt before.
     std::optional<crypto::SuiteId> firstSuite() const { return m_firstSuite; }
-    /// The reason why the far end cannot be measured like this, a sentence; empty if none is known.
-    std::string refusal(const SweepArm &arm) const;
+    /// Why the far end cannot be measured like this; empty if nothing is known against it.
+    Reason refusal(const SweepArm &arm) const;
 
     /// The live session; null without one. Points into the snapshot.
     const engine::SessionSnapshot *session(const engine::Snapshot &snapshot) const;

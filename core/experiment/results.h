@@ -2,6 +2,7 @@
 // and reports are computed from these.
 #pragma once
 
+#include "core/base/reason.h"
 #include "core/channel/stats.h"
 #include "core/experiment/metric.h"
 #include "core/experiment/plan.h"
@@ -56,8 +57,8 @@ struct Sample
     Counted begin, end;                              ///< at the run's edges
     bool isCounted = true;                           ///< false: of an older file, which has no `begin` and `end`
     std::map<std::uint32_t, std::uint64_t> messages; ///< frames that the station accepted, by message id; empty if not known
-    std::string problem;                             ///< reason why nothing was measured; empty on success
-    std::string invalid;   ///< reason why the values are not those of the run's load; empty if they are
+    Reason problem;                                  ///< why nothing was measured; empty on success
+    Reason invalid;                                  ///< why the values are not those of the run's load; empty if they are
     unsigned attempts = 1; ///< a run that is not valid is repeated; the values are those of the last attempt
     bool isJudged = true;  ///< false: of an older program, which did not check whether a run is valid
 

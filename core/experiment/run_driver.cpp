@@ -97,7 +97,7 @@ void RunDriver::handleSessionUp(const channel::SessionUp &up)
 void RunDriver::handleSwitch(const channel::SwitchDone &done)
 {
     if (m_stage.is(Stage::Measuring) && !done.rekey && done.failure == channel::SwitchFailure::None)
-        return end("another suite came into use during the run");
+        return end(sentence("Reason", "another suite came into use during the run"));
     if (!m_stage.is(Stage::Switching))
         return;
     using Outcome = SuiteSwitch::Outcome;
@@ -117,7 +117,7 @@ void RunDriver::handleTimeout()
     if (m_stage.is(Stage::Reporting))
         end(); // without the agent's costs
     else
-        end("the link fell silent");
+        end(sentence("Reason", "the link fell silent"));
 }
 
 void RunDriver::beginSwitch()
@@ -225,7 +225,7 @@ void RunDriver::requestReport()
     enter(Stage::Reporting, kReportPatience);
 }
 
-void RunDriver::end(std::string problem)
+void RunDriver::end(Reason problem)
 {
     m_stage.enterUnlimited(Stage::Idle);
     if (m_link.station().isOpen())

@@ -70,7 +70,7 @@ private:
     void watchMeasuring();
     void requestEnd();
     void requestReport();
-    void end(std::string problem = {});
+    void end(Reason problem = {});
     int snapshotsPerSecond() const;
     double now() const { return static_cast<double>(m_clock.nsecsElapsed()) / 1e9; }
 

@@ -99,7 +99,7 @@ void RunMeasurement::end(const MeasuredLink &link, const Plan &plan, Sample &sam
         return;
     }
     if (!link.hasVehicle(*snapshot) || values[Metric::Packets] == 0) {
-        sample.problem = "the vehicle fell silent during the run";
+        sample.problem = sentence("Reason", "the vehicle fell silent during the run");
         return;
     }
     sample.values = values;

@@ -14,7 +14,7 @@ class RunMeasurement
 {
 public:
     /// Problem of a run during which the session ended.
-    static constexpr const char *kSessionEnded = "the session did not last through the run";
+    static constexpr Sentence kSessionEnded = sentence("Reason", "the session did not last through the run");
 
     using Snapshot = std::shared_ptr<const engine::Snapshot>; ///< at both edges with a probe
 

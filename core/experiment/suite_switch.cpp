@@ -31,7 +31,9 @@ SuiteSwitch::Outcome SuiteSwitch::finish(const channel::SwitchDone &done, bool l
         m_orders = 0; // a later session of this run may need an order of its own
         return Outcome::Committed;
     case Failure::NotAllowedHere:
-    case Failure::NotAllowedByPeer: m_problem = "the other end did not take this suite"; return Outcome::Failed;
+    case Failure::NotAllowedByPeer:
+        m_problem = sentence("Reason", "the other end did not take this suite");
+        return Outcome::Failed;
     case Failure::SessionEnded: return Outcome::LinkLost;
     case Failure::NotConfirmed:
     case Failure::Superseded: break;
@@ -41,9 +43,9 @@ SuiteSwitch::Outcome SuiteSwitch::finish(const channel::SwitchDone &done, bool l
         return Outcome::LinkLost;
     if (++m_failures < kMostOrders)
         return Outcome::Retry;
-    m_problem = (done.failure == Failure::NotConfirmed ? "the switch was not confirmed in time, "
-                                                       : "another switch took the place of this one, ")
-        + std::to_string(kMostOrders) + " times";
+    m_problem = done.failure == Failure::NotConfirmed
+        ? sentence("Reason", "the switch was not confirmed in time, %1 times")(kMostOrders)
+        : sentence("Reason", "another switch took the place of this one, %1 times")(kMostOrders);
     return Outcome::Failed;
 }
 

@@ -3,11 +3,11 @@
 // decisions come out.
 #pragma once
 
+#include "core/base/reason.h"
 #include "core/channel/events.h"
 
 #include <limits>
 #include <optional>
-#include <string>
 
 namespace skyseal::experiment {
 
@@ -30,8 +30,7 @@ public:
 
     /// Milliseconds from the first order to the confirmation, failed orders included; NaN without a switch.
     double milliseconds() const { return m_milliseconds; }
-    /// A sentence.
-    const std::string &problem() const { return m_problem; }
+    const Reason &problem() const { return m_problem; }
 
 private:
     double secondsOf(const channel::SwitchDone &done, double now) const;
@@ -41,7 +40,7 @@ private:
     unsigned m_orders = 0, m_failures = 0;
     double m_firstOrder = 0; ///< seconds
     double m_milliseconds = std::numeric_limits<double>::quiet_NaN();
-    std::string m_problem;
+    Reason m_problem;
 };
 
 } // namespace skyseal::experiment

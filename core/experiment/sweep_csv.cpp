@@ -167,7 +167,7 @@ std::string sweepCsv(const Results &results)
         for (const std::string &text : disturbances(sample))
             disturbed += (disturbed.empty() ? "" : "; ") + text;
         const auto add = [&out](const std::string &text) { out += "," + (text.empty() ? std::string() : csvText(text)); };
-        for (const std::string &text : {sample.invalid, disturbed, sample.problem})
+        for (const std::string &text : {sample.invalid.text(), disturbed, sample.problem.text()})
             add(text);
         if (const auto relay = comparedWithRelay(plan, sample))
             out += "," + std::string(relay->unit) + "," + std::to_string(relay->lost) + "," + std::to_string(relay->dropped);

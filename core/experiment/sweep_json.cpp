@@ -128,11 +128,11 @@ void writeSample(JsonWriter &json, const Plan &plan, const Sample &sample)
     writeRun(json, plan, sample.run, sample.order);
     json.field("start", sample.start).field("seconds", sample.seconds);
     if (!sample.problem.empty())
-        json.field("problem", sample.problem);
+        json.field("problem", sample.problem.text());
     if (sample.isJudged)
         json.field("valid", sample.isValid()).field("attempts", std::uint64_t(sample.attempts));
     if (!sample.invalid.empty())
-        json.field("invalid", sample.invalid);
+        json.field("invalid", sample.invalid.text());
     if (sample.isJudged) {
         json.key("disturbances").beginArray();
         for (const std::string &text : disturbances(sample))

@@ -67,7 +67,7 @@ void SweepRunner::listen()
     connect(station, &SweepStation::closed, this, &SweepRunner::handleClosed);
     connect(station, &SweepStation::lost, this, [this] {
         if (m_problem.empty())
-            m_problem = "the station ended";
+            m_problem = sentence("Reason", "the station ended");
         end();
     });
     connect(&m_run, &RunDriver::measuring, this, [this] { m_results.source = sourceText(m_config, *m_link.snapshot()); });
@@ -87,10 +87,10 @@ void SweepRunner::listen()
     });
     connect(&m_tick, &QTimer::timeout, this, &SweepRunner::handleTimeout);
     if (m_config.lab) {
-        connect(m_config.lab, &Lab::ended, this, [this](const QString &problem) {
+        connect(m_config.lab, &Lab::ended, this, [this](const Reason &problem) {
             m_opened = true; // a program failed, not a link
             m_link.forgetSnapshot();
-            giveUp(problem.toStdString());
+            giveUp(problem);
         });
     }
 }
@@ -105,7 +105,7 @@ void SweepRunner::start()
 void SweepRunner::cancel()
 {
     if (!m_stage.is(Stage::Restoring))
-        giveUp("cancelled");
+        giveUp(sentence("Reason", "cancelled"));
 }
 
 void SweepRunner::enter(Stage stage, Duration patience)
@@ -143,7 +143,7 @@ void SweepRunner::beginNextRun()
 void SweepRunner::openStation()
 {
     if (const auto opened = m_link.open(protectionOf(arm())); !opened)
-        return giveUp(opened.error().text());
+        return giveUp(opened.error().reason());
     enter(Stage::Connecting, kConnectPatience);
 }
 
@@ -167,7 +167,7 @@ void SweepRunner::handleLink(const engine::LinkSnapshot &link)
 {
     m_opened = m_opened || link.phase == engine::LinkPhase::Listening || link.phase == engine::LinkPhase::Connected;
     if (!m_opened && (link.phase == engine::LinkPhase::Failed || link.hostUnknown))
-        giveUp(link.url + ": " + link.problem.text());
+        giveUp(sentence("Reason", "%1: %2")(link.url, link.problem));
 }
 
 void SweepRunner::handleSnapshot(const LinkDriver::Snapshot &snapshot)
@@ -244,9 +244,9 @@ void SweepRunner::handleTimeout()
     }
     // Without a link each further run would only wait as long.
     if (!m_link.measured().isPlain())
-        return giveUp("no sealed session with a vehicle came up");
+        return giveUp(sentence("Reason", "no sealed session with a vehicle came up"));
     m_link.measured().plainSilent();
-    endRun("no vehicle was heard in plain MAVLink; do both ends allow it?");
+    endRun(sentence("Reason", "no vehicle was heard in plain MAVLink; do both ends allow it?"));
 }
 
 /// On a link that works: flies to the phase of the run, changes how the link carries MAVLink if the run needs another mode, and
@@ -259,10 +259,10 @@ void SweepRunner::prepareLink()
         return m_flight.beginLeg(block);
     }
     m_link.measured().learnConsent(*m_link.snapshot());
-    if (const std::string refusal = m_link.measured().refusal(arm()); !refusal.empty())
+    if (const Reason refusal = m_link.measured().refusal(arm()); !refusal.empty())
         return refuseRun(refusal);
     if (bareCipherOf(arm()) && (!m_config.lab || m_config.lab->vehicle() || m_config.borrowed))
-        return refuseRun("only the sweep's own simulator encrypts payloads with a bare cipher");
+        return refuseRun(sentence("Reason", "only the sweep's own simulator encrypts payloads with a bare cipher"));
     if (m_link.measured().isCarriedAs(arm())) {
         m_stage.enterUnlimited(Stage::Running);
         return m_run.begin(sampleOfRun(), m_fresh && !m_link.station().isBorrowed());
@@ -282,13 +282,13 @@ void SweepRunner::changeLink()
         m_link.setProtection(protectionOf(arm()));
     if (const auto cipher = bareCipherOf(arm())) {
         if (const auto set = m_link.setBareCipher(cipher); !set)
-            return refuseRun(set.error().text());
+            return refuseRun(set.error().reason());
         m_config.lab->setBareCipher(cipher);
     }
     enter(Stage::Connecting, kConnectPatience);
 }
 
-void SweepRunner::endRun(const std::string &problem)
+void SweepRunner::endRun(const Reason &problem)
 {
     Sample sample = sampleOfRun();
     sample.problem = problem;
@@ -314,8 +314,8 @@ void SweepRunner::endRun(Sample sample)
     }
     record(sample);
     if (m_attempts.isLinkLost())
-        return giveUp("given up after " + std::to_string(RunAttempts::kMostFailedRuns)
-                      + " runs in a row that failed; the last one: " + sample.problem);
+        return giveUp(sentence("Reason", "given up after %1 runs in a row that failed; the last one: %2")(
+            RunAttempts::kMostFailedRuns, sample.problem));
     beginNextRun();
 }
 
@@ -331,7 +331,7 @@ void SweepRunner::addSessionMemory(Sample &sample)
 }
 
 /// A run that the far end does not consent to is no sign of a lost link.
-void SweepRunner::refuseRun(const std::string &problem)
+void SweepRunner::refuseRun(const Reason &problem)
 {
     Sample sample = sampleOfRun();
     sample.problem = problem;
@@ -343,7 +343,7 @@ void SweepRunner::refuseRun(const std::string &problem)
 }
 
 /// The run for which the vehicle flew is listed with the reason.
-void SweepRunner::failFlight(const std::string &problem)
+void SweepRunner::failFlight(const Reason &problem)
 {
     Sample sample = sampleOfRun();
     sample.problem = problem;
@@ -369,13 +369,13 @@ void SweepRunner::record(const Sample &sample)
     Q_EMIT sampleTaken(sample);
 }
 
-void SweepRunner::addProblem(const std::string &problem)
+void SweepRunner::addProblem(const Reason &problem)
 {
-    if (m_problem.find(problem) == std::string::npos)
-        m_problem += (m_problem.empty() ? "" : "; ") + problem;
+    if (m_problem.text().find(problem.text()) == std::string::npos)
+        m_problem = m_problem.empty() ? problem : sentence("Reason", "%1; %2")(m_problem, problem);
 }
 
-void SweepRunner::giveUp(const std::string &problem)
+void SweepRunner::giveUp(const Reason &problem)
 {
     if (!m_problem.empty())
         return;

@@ -57,8 +57,8 @@ Q_SIGNALS:
     /// A run began: the link is brought into its state, then it is measured.
     void runBegan(const skyseal::experiment::Run &run);
     void sampleTaken(const skyseal::experiment::Sample &sample);
-    /// `problem` is a sentence if the plan was not carried out completely; `opened` is false if no link could be opened.
-    void finished(bool opened, const std::string &problem);
+    /// `problem`: why the plan was not carried out completely, empty if it was; `opened` is false if no link could be opened.
+    void finished(bool opened, const skyseal::Reason &problem);
 
 private:
     enum class Stage : std::uint8_t {
@@ -86,17 +86,17 @@ private:
     void changeLink();
     bool isConnected() const;
     void endRun(Sample sample);
-    void endRun(const std::string &problem);
+    void endRun(const Reason &problem);
     void addSessionMemory(Sample &sample);
-    void refuseRun(const std::string &problem);
+    void refuseRun(const Reason &problem);
     Sample sampleOfRun() const;
     void record(const Sample &sample);
-    void failFlight(const std::string &problem);
-    void addProblem(const std::string &problem);
+    void failFlight(const Reason &problem);
+    void addProblem(const Reason &problem);
     void restoreLink();
     void continueRestoring();
     void closeStation();
-    void giveUp(const std::string &problem);
+    void giveUp(const Reason &problem);
     void end();
     void enter(Stage stage, Duration patience);
 
@@ -116,7 +116,7 @@ private:
     double m_runStart = 0; ///< seconds since the sweep began
     bool m_fresh = false;  ///< the station was opened for this run
     bool m_opened = false; ///< a link worked at least once
-    std::string m_problem; ///< reason why the sweep ends early
+    Reason m_problem;      ///< why the sweep ends early
     QTimer m_tick{this};
 };
 

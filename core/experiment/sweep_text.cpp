@@ -145,7 +145,7 @@ std::string failedRuns(const Results &results)
         const Plan &plan = results.plan;
         std::string reason = name(plan.arms[sample.run.arm]) + " (" + std::string(name(plan.loads[sample.run.load])) + " load"
             + (plan.conditions.size() > 1 ? ", link " + plan.conditions[sample.run.condition].name : "")
-            + "): " + sample.problem;
+            + "): " + sample.problem.text();
         if (std::find(reasons.begin(), reasons.end(), reason) == reasons.end())
             reasons.push_back(std::move(reason));
     }
@@ -173,7 +173,7 @@ std::string invalidRuns(const Results &results)
         return {};
     return std::to_string(invalid) + " of " + std::to_string(results.samples.size())
         + " runs are not valid and left out of every comparison; the first of them, " + fullName(plan.arms[first->run.arm])
-        + " (" + std::string(name(plan.loads[first->run.load])) + " load): " + first->invalid;
+        + " (" + std::string(name(plan.loads[first->run.load])) + " load): " + first->invalid.text();
 }
 
 std::vector<std::string> sweepText(const Results &results)
@@ -239,9 +239,9 @@ std::string runText(const Plan &plan, const Sample &sample, std::size_t runs, do
         out += readable(sample.values[Metric::Packets]) + " packets, " + lossText(sample.values) + ", CPU "
             + readable(sample.values[Metric::Cpu]) + " %";
     else
-        out += sample.problem;
+        out += sample.problem.text();
     if (!sample.invalid.empty())
-        out += "; NOT VALID, " + sample.invalid
+        out += "; NOT VALID, " + sample.invalid.text()
             + (sample.attempts > 1 ? ", in " + std::to_string(sample.attempts) + " attempts" : "");
     for (const std::string &text : disturbances(sample))
         out += "; disturbed: " + text;

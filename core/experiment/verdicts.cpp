@@ -93,7 +93,7 @@ std::vector<Verdict> judge(const Expectation &expectation, const Results &result
     return out;
 }
 
-std::string sentence(const Verdict &verdict, const Plan &plan)
+std::string verdictText(const Verdict &verdict, const Plan &plan)
 {
     std::string out = verdict.expectation;
     if (!verdict.suite.empty())

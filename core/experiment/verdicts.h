@@ -28,6 +28,6 @@ Result<void, InputError> fits(const Expectation &expectation, const Plan &plan);
 std::vector<Verdict> judge(const Expectation &expectation, const Results &results);
 
 /// "loss<=0.001 [aes-256-gcm] [natural]: 0 against 0.001: holds"; the load only if the plan has several.
-std::string sentence(const Verdict &verdict, const Plan &plan);
+std::string verdictText(const Verdict &verdict, const Plan &plan);
 
 } // namespace skyseal::experiment

@@ -14,7 +14,7 @@ namespace {
 using Action = decltype(FlightStep::action);
 using StepResult = Result<Action, InputError>;
 
-tl::unexpected<InputError> fail(const ScriptTokens &tokens, const std::string &expected)
+tl::unexpected<InputError> fail(const ScriptTokens &tokens, const Reason &expected)
 {
     return tl::make_unexpected(tokens.error(expected));
 }
@@ -178,7 +178,7 @@ Result<WaitUntil, InputError> parseComparison(ScriptTokens &tokens)
         std::string names;
         for (const StateField &field : stateFields())
             names += (names.empty() ? "" : ", ") + std::string(field.name);
-        return fail(tokens, "a field's name (" + names + ")");
+        return fail(tokens, sentence("Reason", "a field's name (%1)")(names));
     }
     tokens.skip(name.size());
     bool found = false;
@@ -189,19 +189,20 @@ Result<WaitUntil, InputError> parseComparison(ScriptTokens &tokens)
         }
     }
     if (!found)
-        return fail(tokens, "one of >= <= > < == !=");
+        return fail(tokens, sentence("Reason", "one of >= <= > < == !="));
     const bool isText = out.field->kind == StateField::Kind::Text;
     if (isText) {
         if (out.comparison != ComparisonOperator::Equal && out.comparison != ComparisonOperator::NotEqual)
-            return tl::make_unexpected(tokens.errorBefore("== or !=, since " + std::string(name) + " is a text"));
+            return tl::make_unexpected(
+                tokens.errorBefore(sentence("Reason", "== or !=, since %1 is a text")(std::string(name))));
         if (tokens.atEnd())
-            return fail(tokens, "a value to compare " + std::string(name) + " with");
+            return fail(tokens, sentence("Reason", "a value to compare %1 with")(std::string(name)));
         out.text = std::string(tokens.take());
     } else if (out.field->kind == StateField::Kind::Flag
                && (equalIgnoringCase(tokens.peek(), "true") || equalIgnoringCase(tokens.peek(), "false"))) {
         out.number = equalIgnoringCase(tokens.take(), "true");
     } else {
-        const auto value = tokens.number("a number to compare " + std::string(name) + " with", -1e300, 1e300);
+        const auto value = tokens.number(sentence("Reason", "a number to compare %1 with")(std::string(name)), -1e300, 1e300);
         if (!value)
             return tl::make_unexpected(value.error());
         out.number = *value;
@@ -295,7 +296,7 @@ Result<WaitUntil, InputError> parseCondition(std::string_view condition, std::si
     ScriptTokens tokens(condition, column, 0);
     auto out = parseComparison(tokens);
     if (out && !tokens.atEnd())
-        return fail(tokens, "the end of the condition");
+        return fail(tokens, sentence("Reason", "the end of the condition"));
     return out;
 }
 

@@ -79,7 +79,7 @@ void ScriptTokens::skip(std::size_t count)
     m_column += count;
 }
 
-Result<double, InputError> ScriptTokens::number(const std::string &expected, double least, double most)
+Result<double, InputError> ScriptTokens::number(const Reason &expected, double least, double most)
 {
     const std::string_view word = peek();
     const char *begin = word.data();
@@ -94,7 +94,7 @@ Result<double, InputError> ScriptTokens::number(const std::string &expected, dou
     return value;
 }
 
-Result<std::int64_t, InputError> ScriptTokens::wholeNumber(const std::string &expected, std::int64_t least, std::int64_t most)
+Result<std::int64_t, InputError> ScriptTokens::wholeNumber(const Reason &expected, std::int64_t least, std::int64_t most)
 {
     const std::string_view word = peek();
     std::int64_t value = 0;
@@ -105,7 +105,7 @@ Result<std::int64_t, InputError> ScriptTokens::wholeNumber(const std::string &ex
     return value;
 }
 
-Result<Duration, InputError> ScriptTokens::duration(const std::string &expected)
+Result<Duration, InputError> ScriptTokens::duration(const Reason &expected)
 {
     const auto value = number(expected, 0, 86400);
     if (!value)
@@ -113,27 +113,24 @@ Result<Duration, InputError> ScriptTokens::duration(const std::string &expected)
     return std::chrono::round<Duration>(std::chrono::duration<double>(*value));
 }
 
-InputError ScriptTokens::error(const std::string &expected) const
+InputError ScriptTokens::error(const Reason &expected) const
 {
     return errorAt(m_column, peek(), expected);
 }
 
-InputError ScriptTokens::errorBefore(const std::string &expected) const
+InputError ScriptTokens::errorBefore(const Reason &expected) const
 {
     return errorAt(m_lastColumn, m_last, expected);
 }
 
-InputError ScriptTokens::errorAt(std::size_t column, std::string_view found, const std::string &expected) const
+InputError ScriptTokens::errorAt(std::size_t column, std::string_view found, const Reason &expected) const
 {
-    std::string message = m_step == 0 ? "" : "step " + std::to_string(m_step) + ": ";
-    message += "expected " + expected + ", found ";
-    if (found.empty())
-        message += m_step == 0 ? "nothing" : "the end of the step";
-    else if (found.size() > kLongestQuote)
-        message += "'" + std::string(found.substr(0, kLongestQuote)) + "…'";
-    else
-        message += "'" + std::string(found) + "'";
-    return {std::move(message), {}, 1, column};
+    const std::string quoted = "'" + std::string(found.substr(0, kLongestQuote)) + (found.size() > kLongestQuote ? "…'" : "'");
+    const Reason there = !found.empty() ? Reason(quoted)
+        : m_step == 0                   ? sentence("Reason", "nothing")
+                                        : sentence("Reason", "the end of the step");
+    const Reason message = sentence("Reason", "expected %1, found %2")(expected, there);
+    return {m_step == 0 ? message : sentence("Reason", "step %1: %2")(m_step, message), {}, 1, column};
 }
 
 } // namespace skyseal::vehicle

@@ -37,18 +37,18 @@ public:
     void skip(std::size_t count);
 
     /// The next token as a number within the limits; otherwise an error that names `expected`.
-    Result<double, InputError> number(const std::string &expected, double least, double most);
-    Result<std::int64_t, InputError> wholeNumber(const std::string &expected, std::int64_t least, std::int64_t most);
+    Result<double, InputError> number(const Reason &expected, double least, double most);
+    Result<std::int64_t, InputError> wholeNumber(const Reason &expected, std::int64_t least, std::int64_t most);
     /// Seconds, up to a day.
-    Result<Duration, InputError> duration(const std::string &expected);
+    Result<Duration, InputError> duration(const Reason &expected);
 
     /// "step 2: expected a number, found 'ten'" at the current column.
-    InputError error(const std::string &expected) const;
+    InputError error(const Reason &expected) const;
     /// The same for the token consumed last.
-    InputError errorBefore(const std::string &expected) const;
+    InputError errorBefore(const Reason &expected) const;
 
 private:
-    InputError errorAt(std::size_t column, std::string_view found, const std::string &expected) const;
+    InputError errorAt(std::size_t column, std::string_view found, const Reason &expected) const;
 
     std::string_view m_rest;
     std::size_t m_column;

@@ -63,7 +63,7 @@ private Q_SLOTS:
             QVERIFY(file.open(QIODevice::WriteOnly) && file.write(sweep) == sweep.size());
         }
         const SweepFiles files = writeSweepFiles(folder.path(), oneRun(), {});
-        QVERIFY2(files.written, files.problem.c_str());
+        QVERIFY2(files.written, files.problem.text().c_str());
         QVERIFY(QFile::exists(folder.filePath(QStringLiteral("figures/packets-natural.svg"))));
         for (const QString &name : figures)
             QVERIFY2(QFile::exists(folder.filePath(name)) != ours, qPrintable(name));
@@ -87,8 +87,8 @@ private Q_SLOTS:
             return write();
         }();
         QVERIFY(!failed.written);
-        QVERIFY2(QByteArray::fromStdString(failed.problem).endsWith("sweep.json: cannot be written: File too large"),
-                 failed.problem.c_str());
+        QVERIFY2(QByteArray::fromStdString(failed.problem.text()).endsWith("sweep.json: cannot be written: File too large"),
+                 failed.problem.text().c_str());
         QCOMPARE(contents(), old);
     }
 };

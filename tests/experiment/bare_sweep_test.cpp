@@ -117,21 +117,22 @@ void BareSweepTest::theKeyDecides()
         QVERIFY(keys::createFile(config.bareKey, Bytes(32, 7)));
     }
     SweepRunner runner(std::move(config));
-    std::string problem;
+    Reason problem;
     bool over = false;
-    connect(&runner, &SweepRunner::finished, this, [&](bool, const std::string &said) {
+    connect(&runner, &SweepRunner::finished, this, [&](bool, const Reason &said) {
         over = true;
         problem = said;
     });
     runner.start();
     QVERIFY(QTest::qWaitFor([&] { return over; }, 2 * kDeadlineMs)); // the link changes for each run
-    QCOMPARE(problem, std::string());
+    QCOMPARE(problem.text(), std::string());
     QCOMPARE(runner.results().samples.size(), runner.results().plan.arms.size());
     std::array<int, 2> answered{};
     for (const Sample &sample : runner.results().samples) {
         const SweepArm &arm = runner.results().plan.arms[sample.run.arm];
         const bool fails = !isRight && arm.framing == ArmFraming::Bare;
-        QVERIFY2(sample.problem == (fails ? MeasuredLink::kUnreadable : ""), (fullName(arm) + ": " + sample.problem).c_str());
+        QVERIFY2(sample.problem == (fails ? Reason(MeasuredLink::kUnreadable) : Reason()),
+                 (fullName(arm) + ": " + sample.problem.text()).c_str());
         QCOMPARE(std::isnan(sample.values[Metric::Packets]), fails);
         if (fails)
             continue;

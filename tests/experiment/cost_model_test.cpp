@@ -188,7 +188,7 @@ private Q_SLOTS:
         extra.values[Metric::Cpu] = 99;
         extra.invalid = "the generator missed 5 % of its sends";
         results.samples.push_back(extra);
-        extra.invalid.clear();
+        extra.invalid = {};
         results.plan.loads.push_back(Load::Saturated);
         extra.run.load = 4;
         results.samples.push_back(extra);

@@ -153,8 +153,8 @@ void ExpectationTest::judgedForEachSuiteThatHasIt()
     QCOMPARE(cpu.size(), std::size_t(4));
     QCOMPARE(cpu[0].outcome.left, 0.25); // the mean of 0 and 0.5, under the first load
     QVERIFY(cpu[0].outcome.holds && !cpu[1].outcome.holds && !cpu[2].outcome.holds && !cpu[3].outcome.holds);
-    QCOMPARE(sentence(cpu[0], results().plan), std::string("cpu<=1 [none] [natural]: 0.25 against 1: holds"));
-    QCOMPARE(sentence(cpu[2], results().plan), std::string("cpu<=1 [none] [saturated]: 10.2 against 1: FAILS"));
+    QCOMPARE(verdictText(cpu[0], results().plan), std::string("cpu<=1 [none] [natural]: 0.25 against 1: holds"));
+    QCOMPARE(verdictText(cpu[2], results().plan), std::string("cpu<=1 [none] [saturated]: 10.2 against 1: FAILS"));
     // One that names a load is about what it names.
     QCOMPARE(judge(*Expectation::parse("cpu(none)<cpu(none,saturated)"), results()).size(), std::size_t(1));
     QCOMPARE(judge(*Expectation::parse("cpu(none,saturated)==10.25"), results()).at(0).outcome.holds, true);
@@ -165,7 +165,7 @@ void ExpectationTest::unmeasuredFails()
     const auto verdicts = judge(*Expectation::parse("latency(none)<1"), results());
     QCOMPARE(verdicts.size(), std::size_t(2));
     QVERIFY(!verdicts[0].outcome.measured && !verdicts[0].outcome.holds);
-    QVERIFY(sentence(verdicts[0], results().plan).find("was not measured") != std::string::npos);
+    QVERIFY(verdictText(verdicts[0], results().plan).find("was not measured") != std::string::npos);
     for (const Verdict &verdict : judge(*Expectation::parse("latency<1"), results()))
         QVERIFY(!verdict.outcome.holds);
 }
@@ -182,7 +182,7 @@ void ExpectationTest::failedSuiteFails()
     const auto verdicts = judge(*Expectation::parse("cpu<=100"), failed);
     QCOMPARE(verdicts.size(), std::size_t(4));
     QVERIFY(verdicts[0].outcome.holds && verdicts[1].outcome.holds && verdicts[3].outcome.holds);
-    QCOMPARE(sentence(verdicts[2], failed.plan), std::string("cpu<=100 [none] [saturated]: was not measured: FAILS"));
+    QCOMPARE(verdictText(verdicts[2], failed.plan), std::string("cpu<=100 [none] [saturated]: was not measured: FAILS"));
     // Its runs under the other load are none of those that were asked for.
     for (const char *text : {"cpu(*,saturated)<=100", "cpu<=100*cpu(*,saturated)"}) {
         const auto named = judge(*Expectation::parse(text), failed);

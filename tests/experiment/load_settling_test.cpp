@@ -111,7 +111,7 @@ private Q_SLOTS:
         QFETCH(double, station);
         QFETCH(double, agent);
         QFETCH(bool, valid);
-        const std::string problem = loadProblem(Load::Saturated, used(line, station, agent));
+        const std::string problem = loadProblem(Load::Saturated, used(line, station, agent)).text();
         QCOMPARE(problem.empty(), valid);
         QVERIFY(loadProblem(Load::Natural, used(line, station, agent)).empty());
         if (!valid && !std::isnan(line))
@@ -130,7 +130,7 @@ private Q_SLOTS:
         values[Metric::MissedSends] = 10;
         QVERIFY(loadProblem(Load::paced(500), values).empty());
         values[Metric::MissedSends] = 11;
-        QCOMPARE(loadProblem(Load::paced(500), values), std::string("the generator missed 1.1 % of its sends"));
+        QCOMPARE(loadProblem(Load::paced(500), values).text(), std::string("the generator missed 1.1 % of its sends"));
     }
 };
 

@@ -58,9 +58,9 @@ struct Sweep
         });
         QObject::connect(&*runner, &experiment::SweepRunner::sampleTaken, &*runner,
                          [this](const experiment::Sample &sample) { samples.emplace_back(sample, suite()); });
-        QObject::connect(&*runner, &experiment::SweepRunner::finished, &*runner, [this](bool, const std::string &said) {
+        QObject::connect(&*runner, &experiment::SweepRunner::finished, &*runner, [this](bool, const Reason &said) {
             over = true;
-            problem = said;
+            problem = said.text();
         });
         QObject::connect(ground.station.get(), &engine::Station::snapshotReady, &*runner, [this] { watch(); });
     }
@@ -141,7 +141,7 @@ void LostLinkTest::noReportOfARunHasCosts()
     EVENTUALLY(sweep.over);
     QCOMPARE(sweep.samples.size(), std::size_t(1));
     const experiment::Sample &sample = sweep.samples[0].first;
-    QCOMPARE(sample.problem, std::string());
+    QCOMPARE(sample.problem.text(), std::string());
     QVERIFY(asked >= 2); // before and after
     QVERIFY2(longest >= 0.9 * kRun, qPrintable(QString::number(longest)));
     QVERIFY(reports.size() >= 3); // the agent went on reporting
@@ -162,7 +162,7 @@ void LostLinkTest::lostBeforeARunIsMeasured()
     QCOMPARE(sweep.lost, 2);
     QCOMPARE(sweep.samples.size(), std::size_t(2));
     for (const auto &[sample, suite] : sweep.samples) {
-        QCOMPARE(sample.problem, std::string());
+        QCOMPARE(sample.problem.text(), std::string());
         QCOMPARE(int(suite), int(sweep.results().plan.arms[sample.run.arm].suite));
         QVERIFY(sample.values[experiment::Metric::Packets] > 0);
         // The snapshots of a borrowed station go on for its reader, and the sample says what they cost.
@@ -183,9 +183,9 @@ void LostLinkTest::lostWhileARunIsMeasured()
     sweep.runner->start();
     EVENTUALLY(sweep.over);
     QCOMPARE(sweep.samples.size(), std::size_t(2));
-    QCOMPARE(QString::fromStdString(sweep.samples[0].first.problem),
+    QCOMPARE(QString::fromStdString(sweep.samples[0].first.problem.text()),
              QStringLiteral("the session did not last through the run"));
-    QCOMPARE(sweep.samples[1].first.problem, std::string());
+    QCOMPARE(sweep.samples[1].first.problem.text(), std::string());
     QCOMPARE(int(sweep.samples[1].second), int(sweep.results().plan.arms[sweep.samples[1].first.run.arm].suite));
 }
 
@@ -240,7 +240,7 @@ void LostLinkTest::vehicleFallsSilent()
     sweep.runner->start();
     EVENTUALLY(sweep.over);
     QCOMPARE(sweep.samples.size(), std::size_t(1));
-    QCOMPARE(sweep.samples[0].first.problem, std::string("the vehicle fell silent during the run"));
+    QCOMPARE(sweep.samples[0].first.problem.text(), std::string("the vehicle fell silent during the run"));
     QVERIFY(std::isnan(sweep.samples[0].first.values[experiment::Metric::Packets]));
 }
 

@@ -75,15 +75,15 @@ private Q_SLOTS:
     void wrongKeyIsToldAndLeavesTheOthers()
     {
         MeasuredLink link;
-        QCOMPARE(link.refusal(kBare), std::string());
+        QCOMPARE(link.refusal(kBare).text(), std::string());
         link.bareSilent();
-        QVERIFY(link.refusal(kBare).find("key") != std::string::npos);
-        QCOMPARE(link.refusal(kPlain), std::string());
-        QCOMPARE(link.refusal(kInline), std::string());
+        QVERIFY(link.refusal(kBare).text().find("key") != std::string::npos);
+        QCOMPARE(link.refusal(kPlain).text(), std::string());
+        QCOMPARE(link.refusal(kInline).text(), std::string());
         link.setBareCipher(crypto::MavsecKind::Aes256Ctr, nullptr);
         link.plainSucceeded();
         link.bareSilent(); // by the link, then
-        QCOMPARE(link.refusal(kBare), std::string());
+        QCOMPARE(link.refusal(kBare).text(), std::string());
     }
 
     void sessionThatIsAboutToEndDoesNotCount()
@@ -151,7 +151,7 @@ private Q_SLOTS:
         QVERIFY(link.refusal(kPlain).empty());
         engine::Snapshot snapshot = withSession(kSession);
         link.learnConsent(snapshot);
-        QCOMPARE(link.refusal(kPlain), std::string("the other end does not allow plain MAVLink"));
+        QCOMPARE(link.refusal(kPlain).text(), std::string("the other end does not allow plain MAVLink"));
         snapshot.sessions.front().info.peerOffered = {SuiteId::None};
         link.learnConsent(snapshot);
         QVERIFY(link.refusal(kPlain).empty());
@@ -179,7 +179,7 @@ private Q_SLOTS:
         up.framing = channel::Framing::Sealed;
         link.sessionUp(up);
         link.learnConsent(withSession(kNextSession));
-        QCOMPARE(link.refusal(kInline), std::string("the other end does not allow inline framing"));
+        QCOMPARE(link.refusal(kInline).text(), std::string("the other end does not allow inline framing"));
         QVERIFY(link.refusal(kSealed).empty());
     }
 

@@ -87,7 +87,7 @@ private Q_SLOTS:
         }
         QVERIFY(live.order(kSession, 8));
         QCOMPARE(int(live.finish(done(SwitchFailure::NotConfirmed), true, 8)), int(Outcome::Failed));
-        QCOMPARE(live.problem(), std::string("the switch was not confirmed in time, 8 times"));
+        QCOMPARE(live.problem().text(), std::string("the switch was not confirmed in time, 8 times"));
     }
 
     void failureWithoutALinkDoesNotCount()
@@ -105,7 +105,7 @@ private Q_SLOTS:
             SuiteSwitch live = begun();
             live.order(kSession, 1);
             QCOMPARE(int(live.finish(done(refusal), true, 2)), int(Outcome::Failed));
-            QCOMPARE(live.problem(), std::string("the other end did not take this suite"));
+            QCOMPARE(live.problem().text(), std::string("the other end did not take this suite"));
         }
     }
 

@@ -301,7 +301,7 @@ void SweepWindowTest::showsWhatItSaves()
     QVERIFY(page().results()->complete);
     QCOMPARE(page().results()->samples.size(), std::size_t(4)); // AES-256-GCM is not inline
     for (const experiment::Sample &sample : page().results()->samples) {
-        QVERIFY2(sample.problem.empty(), sample.problem.c_str());
+        QVERIFY2(sample.problem.empty(), sample.problem.text().c_str());
         QVERIFY(sample.values[experiment::Metric::Packets] >= 10);
     }
     QCOMPARE(model->index(3, SweepTableModel::FixedColumns).data().toString(), q("not in this framing"));
@@ -369,7 +369,7 @@ void SweepWindowTest::overARadio()
     QVERIFY2(shown.startsWith(q("Run 1 of 1")) && shown.contains(q("57,600 baud, 20 ms delay")), qPrintable(shown));
     QVERIFY2(page().results()->complete, qPrintable(status()));
     const experiment::Sample &sample = page().results()->samples.front();
-    QVERIFY2(sample.problem.empty(), sample.problem.c_str());
+    QVERIFY2(sample.problem.empty(), sample.problem.text().c_str());
     const double rate = sample.values[experiment::Metric::WireRate];
     // 5,760 bytes a second; on a busy machine the relay delivers in bursts at the ends of the interval. Without the radio it is
     // a thousand times as much.

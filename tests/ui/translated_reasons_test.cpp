@@ -1,12 +1,17 @@
 // Reasons that come from the engine are shown in the language of the window: of commands, links, recordings, parameters, and of
-// what is typed. The translation of this test puts each sentence between marks.
-#include "core/vehicle/reasons.h"
+// what is typed, of sweeps and checklists. The translation of this test puts each sentence between marks.
+#include "core/engine/text/qt_text.h"
+#include "core/experiment/load_check.h"
+#include "core/experiment/measured_link.h"
 #include "core/link/link_error.h"
+#include "core/vehicle/checklist.h"
+#include "core/vehicle/reasons.h"
 #include "scripted_snapshots.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/flight/hold_button.h"
 #include "ui/links/link_dialog.h"
+#include "ui/sweep/sweep_page.h"
 #include "window_hands.h"
 #include "window_rig.h"
 
@@ -75,6 +80,33 @@ private Q_SLOTS:
         m_station->show(snapshot);
         EVENTUALLY(texts().contains(QStringLiteral("‹there is no device /dev/ttyUSB0›")));
         QVERIFY(texts().contains(QStringLiteral("‹less than 200 MiB are free there›")));
+    }
+
+    void ofSweeps()
+    {
+        experiment::Values values;
+        values[experiment::Metric::Cpu] = 41;
+        auto results = std::make_shared<experiment::Results>();
+        results->plan.arms = {{crypto::SuiteId::None}, {crypto::SuiteId::Aes256Gcm}};
+        results->samples.resize(2);
+        results->samples[0].problem = experiment::MeasuredLink::kUnreadable;
+        results->samples[1].invalid = experiment::loadProblem(experiment::Load::Saturated, values);
+        SweepPage page;
+        page.begin(results->plan);
+        page.finish(results, {});
+        const auto *status = page.findChild<QLabel *>(QStringLiteral("sweepStatus"));
+        QVERIFY(status);
+        for (const char *said : {"‹the vehicle's payloads could not be decrypted; is its key another one?›",
+                                 "‹not saturated: nothing reached 95 % (‹41 % of the station's core›)›"})
+            QVERIFY2(status->text().contains(QString::fromUtf8(said)), qPrintable(status->text()));
+    }
+
+    void ofChecklists()
+    {
+        const auto list = vehicle::parseChecklist("Battery full [battery_v 3]", "q.txt");
+        QVERIFY(list && list->problems.size() == 1);
+        const QString said = engine::reasonText(list->problems.front().reason());
+        QVERIFY2(said.contains(QStringLiteral("‹expected ‹one of >= <= > < == !=›, found '3'›")), qPrintable(said));
     }
 
     void ofWhatIsTyped()

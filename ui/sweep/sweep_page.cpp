@@ -220,11 +220,11 @@ void SweepPage::finish(std::shared_ptr<const experiment::Results> results, const
                                              .arg(aboutTime(m_results->seconds).section(QLatin1Char(' '), 1))
                                        : tr("Incomplete, %1 of %2 runs: %3").arg(runs).arg(m_progress.runs).arg(problem);
     if (const auto first = std::ranges::find_if(m_results->samples, hasFailed); failed > 0)
-        text += tr("; %1 failed: %2").arg(failed).arg(fromStd(first->problem));
+        text += tr("; %1 failed: %2").arg(failed).arg(reasonText(first->problem));
     const auto isInvalid = [](const experiment::Sample &sample) { return !sample.invalid.empty(); };
     const auto invalid = std::ranges::count_if(m_results->samples, isInvalid);
     if (const auto first = std::ranges::find_if(m_results->samples, isInvalid); invalid > 0)
-        text += tr("; %1 not valid: %2").arg(invalid).arg(fromStd(first->invalid));
+        text += tr("; %1 not valid: %2").arg(invalid).arg(reasonText(first->invalid));
     setStatus(text, !m_results->complete || failed > 0 || invalid > 0);
 }
 
