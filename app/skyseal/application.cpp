@@ -118,8 +118,7 @@ void Application::showKeyProblem()
 void Application::askForPassphrase()
 {
     m_question.ask(
-        *m_window, m_keys.identity,
-        [this](const std::shared_ptr<const crypto::Passphrase> &passphrase) { useOpenedKeys(passphrase); },
+        *m_window, m_keys.identity, [this](const PassphraseQuestion::Identity &identity) { useOpenedKeys(identity); },
         [this](const InputError &why) {
             m_keyProblem = engine::reasonText(why.reason());
             m_window->setKeyProblem(m_keyProblem);
@@ -127,15 +126,11 @@ void Application::askForPassphrase()
         });
 }
 
-void Application::useOpenedKeys(const std::shared_ptr<const crypto::Passphrase> &passphrase)
+void Application::useOpenedKeys(const PassphraseQuestion::Identity &identity)
 {
     m_keyProblem.clear();
     engine::KeyPaths keys = m_keys;
-    keys.askPassphrase = [passphrase](const std::string &file, int attempt) -> Result<crypto::Passphrase, InputError> {
-        if (attempt == 0)
-            return passphrase->clone();
-        return tl::unexpected(InputError{sentence("Reason", "was changed meanwhile"), file});
-    };
+    keys.opened = identity;
     m_station->exchange(configOf(m_window->settings(), keys));
     useKeys(m_keys);
     openLinks();

@@ -39,7 +39,7 @@ private:
     void useKeys(const engine::KeyPaths &keys);
     void showKeyProblem();
     void askForPassphrase();
-    void useOpenedKeys(const std::shared_ptr<const crypto::Passphrase> &passphrase);
+    void useOpenedKeys(const PassphraseQuestion::Identity &identity);
     void reportMissingKeys();
     void reportLeftOutPeers(const keys::PeersInForce &peers);
     void makeWindow();

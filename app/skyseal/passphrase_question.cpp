@@ -39,18 +39,22 @@ keys::AskPassphrase PassphraseQuestion::recalled()
 
 void PassphraseQuestion::ask(QWidget &parent, const std::string &file, Opened opened, NotOpened notOpened)
 {
+    if (file != m_file)
+        withdraw(); // it was about another key
     m_parent = &parent;
     m_file = file;
     m_opened = std::move(opened);
     m_notOpened = std::move(notOpened);
     if (m_dialog)
         ui::showModeless(*m_dialog);
-    else
+    else if (!m_opening)
         showDialog(false);
 }
 
 void PassphraseQuestion::withdraw()
 {
+    ++m_number;
+    m_opening = false;
     if (!m_dialog)
         return;
     m_dialog->disconnect(this);
@@ -77,25 +81,42 @@ void PassphraseQuestion::take()
     auto typed = dialog.takePassphrase();
     if (!typed)
         return m_notOpened(notGiven(m_file));
-    const bool isToBeRemembered = dialog.isToBeRemembered();
     const auto passphrase = shareInLockedMemory(std::move(*typed));
+    m_opening = true;
+    m_thread.run(
+        this, [file = m_file, passphrase] { return open(file, *passphrase); },
+        [this, passphrase, number = ++m_number, remember = dialog.isToBeRemembered()](const Outcome &outcome) {
+            if (number == m_number && m_parent)
+                finish(outcome, *passphrase, remember);
+        });
+}
+
+/// Thread-safe.
+PassphraseQuestion::Outcome PassphraseQuestion::open(const std::string &file, const crypto::Passphrase &passphrase)
+{
     bool wrong = false;
-    const auto opened = keys::loadIdentity(m_file,
-                                           [&](const std::string &file, int attempt) -> Result<crypto::Passphrase, InputError> {
-                                               wrong = attempt > 0;
-                                               if (wrong)
-                                                   return tl::unexpected(notGiven(file));
-                                               return passphrase->clone();
-                                           });
-    if (wrong)
+    auto identity = keys::loadIdentity(file,
+                                       [&](const std::string &name, int attempt) -> Result<crypto::Passphrase, InputError> {
+                                           wrong = attempt > 0;
+                                           if (wrong)
+                                               return tl::unexpected(notGiven(name));
+                                           return passphrase.clone();
+                                       });
+    return {std::move(identity).map([](crypto::X25519KeyPair &&pair) { return shareInLockedMemory(std::move(pair)); }), wrong};
+}
+
+void PassphraseQuestion::finish(const Outcome &outcome, const crypto::Passphrase &passphrase, bool isToBeRemembered)
+{
+    m_opening = false;
+    if (outcome.wrong)
         return showDialog(true);
-    if (!opened)
-        return m_notOpened(opened.error());
+    if (!outcome.identity)
+        return m_notOpened(outcome.identity.error());
     if (isToBeRemembered)
-        m_memory.remember(m_file, *passphrase);
+        m_memory.remember(m_file, passphrase);
     else if (m_memory.problem().isEmpty() && m_memory.remembers(m_file))
         m_memory.forget(m_file);
-    m_opened(passphrase);
+    m_opened(*outcome.identity);
 }
 
 } // namespace skyseal::app

@@ -1,8 +1,9 @@
 // Provides the passphrase of a sealed key: from the desktop's keyring if it is stored there, otherwise from the operator, who
-// is asked beside the window.
+// is asked beside the window. What the operator enters is hashed in a thread, since that takes about a second.
 #pragma once
 
 #include "app/skyseal/passphrase_memory.h"
+#include "core/engine/common/file_thread.h"
 #include "core/keys/secret_file.h"
 
 #include <QtCore/QObject>
@@ -25,11 +26,13 @@ class PassphraseQuestion : public QObject
     Q_OBJECT
 
 public:
-    using Opened = std::function<void(std::shared_ptr<const crypto::Passphrase> passphrase)>;
+    using Identity = std::shared_ptr<const crypto::X25519KeyPair>;
+    using Opened = std::function<void(const Identity &identity)>;
     using NotOpened = std::function<void(const InputError &why)>;
 
     /// `memory` must outlive this.
     explicit PassphraseQuestion(PassphraseMemory &memory) : m_memory(memory) {}
+    /// Waits for a passphrase that is being hashed.
     ~PassphraseQuestion() override;
 
     /// Returns a function that gives what the keyring remembers and asks nobody. It blocks while the desktop prompts to unlock
@@ -40,14 +43,24 @@ public:
 
     /// Asks in a dialog beside `parent`, which stays usable, until the identity in `file` opens or the operator cancels, and
     /// calls one of the functions then. A passphrase that opens it is stored in the keyring if the operator chose so. While it
-    /// is asked, the dialog comes to the front instead. Nothing is called once `parent` is deleted.
+    /// is asked, the dialog comes to the front instead, and while the file is being opened, its result is waited for. Nothing
+    /// is called once `parent` is deleted.
     void ask(QWidget &parent, const std::string &file, Opened opened, NotOpened notOpened);
-    /// Closes the dialog without calling anything.
+    /// Closes the dialog, or ignores what has been entered, without calling anything.
     void withdraw();
 
 private:
+    /// What became of a passphrase.
+    struct Outcome
+    {
+        Result<Identity, InputError> identity;
+        bool wrong; ///< the passphrase does not open the file
+    };
+
+    static Outcome open(const std::string &file, const crypto::Passphrase &passphrase);
     void showDialog(bool again);
     void take();
+    void finish(const Outcome &outcome, const crypto::Passphrase &passphrase, bool isToBeRemembered);
 
     PassphraseMemory &m_memory;
     QPointer<QWidget> m_parent;
@@ -56,6 +69,10 @@ private:
     Opened m_opened;
     NotOpened m_notOpened;
     bool m_needed = false;
+    int m_number = 0;       ///< of what was entered last; after withdraw() of nothing
+    bool m_opening = false; ///< it is being hashed
+    /// Far longer than hashing takes. Its destructor waits, so it is the last member.
+    engine::FileThread m_thread{std::chrono::seconds(60)};
 };
 
 } // namespace skyseal::app

@@ -1,4 +1,5 @@
-// The question for the passphrase of this station's key: beside the window, which stays usable.
+// The question for the passphrase of this station's key: beside the window, which stays usable, also while the passphrase is
+// being hashed.
 #include "app/skyseal/passphrase_question.h"
 #include "core/crypto/passphrase.h"
 #include "core/crypto/system_random.h"
@@ -8,6 +9,7 @@
 #include "ui/keys/passphrase_dialog.h"
 
 #include <QtCore/QTemporaryDir>
+#include <QtCore/QTimer>
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QDialogButtonBox>
@@ -51,7 +53,8 @@ private Q_SLOTS:
     {
         m_file = m_folder.filePath(QStringLiteral("identity.key")).toStdString();
         const auto passphrase = crypto::Passphrase::fromBytes(asBytes(std::string_view("swordfish")));
-        QVERIFY(keys::writeNewIdentity(m_file, m_random, {&*passphrase, {.passes = 1, .memoryKiB = 8192}}));
+        QVERIFY(keys::writeNewIdentity(m_file, m_random, {&*passphrase, {.passes = 2, .memoryKiB = 65536}}));
+        m_key = keys::readIdentityFacts(m_file)->publicKey;
     }
 
     void init()
@@ -77,9 +80,68 @@ private Q_SLOTS:
         QCOMPARE(pressed, 1);
         type("swordfish");
         EVENTUALLY_EQUAL(m_opened, 1);
-        QCOMPARE(m_words, std::string("swordfish"));
+        QVERIFY(m_openedKey == m_key);
         EVENTUALLY(!dialog());
         QCOMPARE(m_notOpened, 0);
+    }
+
+    void theEventLoopGoesOnWhileItIsHashed()
+    {
+        PassphraseQuestion question(m_memory);
+        ask(question);
+        QTimer timer;
+        int ticks = 0;
+        connect(&timer, &QTimer::timeout, this, [&] { ticks += m_opened == 0; });
+        timer.start(0);
+        type("swordfish");
+        QCOMPARE(m_opened, 0); // it arrives by the event loop
+        EVENTUALLY_EQUAL(m_opened, 1);
+        QVERIFY(ticks > 0);
+    }
+
+    void requestMeanwhileWaitsForTheResult()
+    {
+        PassphraseQuestion question(m_memory);
+        ask(question);
+        type("swordfish");
+        ask(question);
+        QVERIFY(!dialog());
+        EVENTUALLY_EQUAL(m_opened, 1);
+        QVERIFY(!dialog());
+    }
+
+    void withdrawnOneIsIgnored()
+    {
+        PassphraseQuestion question(m_memory);
+        ask(question);
+        type("swordfish");
+        question.withdraw();
+        ask(question);
+        QVERIFY(dialog());
+        type("sworfish"); // hashed after the first one
+        EVENTUALLY(dialog() && !dialog()->findChild<QLabel *>(QStringLiteral("passphraseWrong"))->text().isEmpty());
+        QCOMPARE(m_opened + m_notOpened, 0);
+    }
+
+    /// Without a window to tell, and before the event loop runs again.
+    void leavingMeanwhileIsQuiet_data()
+    {
+        QTest::addColumn<bool>("windowFirst");
+        QTest::newRow("the window goes first") << true;
+        QTest::newRow("the question goes first") << false;
+    }
+    void leavingMeanwhileIsQuiet()
+    {
+        QFETCH(bool, windowFirst);
+        {
+            PassphraseQuestion question(m_memory);
+            ask(question);
+            type("swordfish");
+            if (windowFirst)
+                m_window.reset();
+        }
+        QCoreApplication::processEvents();
+        QCOMPARE(m_opened + m_notOpened, 0);
     }
 
     void wrongOneIsAskedAgain()
@@ -144,9 +206,9 @@ private:
     {
         question.ask(
             *m_window, m_file,
-            [this](const std::shared_ptr<const crypto::Passphrase> &passphrase) {
+            [this](const PassphraseQuestion::Identity &identity) {
                 ++m_opened;
-                m_words = asText(passphrase->view());
+                m_openedKey = identity->publicKey;
             },
             [this](const InputError &why) {
                 ++m_notOpened;
@@ -162,7 +224,8 @@ private:
     QTemporaryDir m_folder;
     crypto::SystemRandom m_random;
     FakeMemory m_memory;
-    std::string m_file, m_words, m_why;
+    std::string m_file, m_why;
+    crypto::PublicKey m_key{}, m_openedKey{};
     std::unique_ptr<QWidget> m_window;
     QPushButton *m_land = nullptr;
     int m_opened = 0, m_notOpened = 0;

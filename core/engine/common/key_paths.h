@@ -3,6 +3,7 @@
 
 #include "core/keys/secret_file.h"
 
+#include <memory>
 #include <string>
 
 namespace skyseal::engine {
@@ -13,6 +14,8 @@ struct KeyPaths
     std::string identity;                   ///< private key file
     std::string peers;                      ///< known peers
     keys::AskPassphrase askPassphrase = {}; ///< for an encrypted private key; empty: such a file is rejected
+    /// The private key if it is open already; its file is not read then. Opening hashes a passphrase, which takes a second.
+    std::shared_ptr<const crypto::X25519KeyPair> opened = {};
 };
 
 } // namespace skyseal::engine

@@ -14,9 +14,18 @@ const channel::PublicKey &SecretFiles::publicKey() const
     return identity->publicKey;
 }
 
+static Result<std::shared_ptr<const crypto::X25519KeyPair>, InputError> identityOf(const KeyPaths &paths)
+{
+    if (paths.opened)
+        return paths.opened;
+    return keys::loadIdentity(paths.identity, paths.askPassphrase).map([](crypto::X25519KeyPair &&pair) {
+        return shareInLockedMemory(std::move(pair));
+    });
+}
+
 Result<std::unique_ptr<SecretFiles>, InputError> readSecretFiles(const KeyPaths &paths)
 {
-    auto identity = keys::loadIdentity(paths.identity, paths.askPassphrase);
+    auto identity = identityOf(paths);
     if (!identity)
         return tl::unexpected(identity.error());
     auto peers = keys::readPeers(paths.peers);
@@ -36,7 +45,7 @@ Result<std::unique_ptr<SecretFiles>, InputError> readSecretFiles(const KeyPaths 
     auto out = std::make_unique<SecretFiles>();
     out->sealedSystems = std::move(*sealed);
     out->paths = paths;
-    out->identity = shareInLockedMemory(std::move(*identity));
+    out->identity = std::move(*identity);
     out->peers = std::move(peers->peers);
     out->counters = std::move(*counters);
     return out;
