@@ -42,8 +42,8 @@ Application::~Application()
     m_window.reset();
     m_sweep.reset();
     m_demoFlight.reset();
-    m_demo.reset();
     m_station.reset();
+    m_demo.reset(); // with the folder into which the station recorded
 }
 
 engine::StationConfig Application::configOf(const ui::Settings &settings, engine::KeyPaths keys) const
@@ -56,7 +56,8 @@ engine::StationConfig Application::configOf(const ui::Settings &settings, engine
     config.policy.suites = channel::notWeakerThan(settings.weakestSuite, channel::defaultSuites());
     config.policy.allowResearch = settings.allowResearch;
     config.record = settings.record;
-    config.recordFolder = (settings.recordFolder.isEmpty() ? defaultRecordFolder() : settings.recordFolder).toStdString();
+    const QString own = settings.recordFolder.isEmpty() ? defaultRecordFolder() : settings.recordFolder;
+    config.recordFolder = (m_demo ? m_demo->recordFolder() : own).toStdString();
     return config;
 }
 
@@ -297,7 +298,7 @@ void Application::endDemo()
     if (!m_demo)
         return;
     m_demoFlight.reset();
-    m_demo.reset();
+    auto demo = std::move(m_demo); // the station records into its folder until the exchange
     m_window->setDemo(false);
     m_keyProblem.clear();
     const engine::KeyPaths keys = chooseKeys();
@@ -307,6 +308,7 @@ void Application::endDemo()
         m_keyProblem = identity ? tr("the key could not be opened") : engine::reasonText(identity.error().reason());
         m_station->exchange(configOf(m_window->settings(), {}));
     }
+    demo.reset();
     useKeys(keys);
     openLinksAgain();
     reportMissingKeys();

@@ -18,7 +18,7 @@ class Demo : public QObject
     Q_OBJECT
 
 public:
-    /// Creates keys and known peers for both ends in a temporary folder.
+    /// Creates keys and known peers for both ends in a temporary folder, which ends with this object.
     static Result<std::unique_ptr<Demo>, InputError> create(RandomSource &random);
     ~Demo() override;
 
@@ -30,6 +30,8 @@ public:
 
     /// The key files of the station in the demo.
     engine::KeyPaths stationKeys() const;
+    /// For the recordings of the station in the demo: they end with it.
+    QString recordFolder() const { return m_folder.filePath(QStringLiteral("recordings")); }
     /// Starts both programs; the agent looks for the station on this port of loopback. Also restarts it when the port
     /// changed.
     void start(quint16 groundPort);

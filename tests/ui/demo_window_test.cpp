@@ -60,6 +60,11 @@ private:
         return out;
     }
 
+    QStringList recordings() const
+    {
+        return QDir(m_it->path("XDG_DATA_HOME") + QStringLiteral("/skyseal/skyseal/logs")).entryList(QDir::Files);
+    }
+
     std::unique_ptr<SealedWindow> m_it;
 };
 
@@ -101,12 +106,17 @@ void DemoWindowTest::isMarkedAndLeavesEverythingAsBefore()
     EVENTUALLY_EQUAL(links().size(), 2);
     const QStringList linksBefore = links();
     const auto filesBefore = files();
+    const QStringList recordingsBefore = recordings();
     m_it->hands->choose("menuTools", "actionDemo");
     EVENTUALLY(isMarked());
     QVERIFY(m_it->flies([this] { return demoFlies(); })); // takes off by itself
     QVERIFY(isMarked());
     QVERIFY2(!links().contains(linksBefore[0]) && !links().contains(linksBefore[1]),
              qPrintable(links().join(QLatin1Char(' '))));
+    EVENTUALLY(m_it->view().snapshot->recording.bytes > 0);
+    const QString recording = QString::fromStdString(m_it->view().snapshot->recording.file);
+    QVERIFY(QFile::exists(recording));
+    QCOMPARE(recordings(), recordingsBefore); // those of the user
     QVERIFY(!m_it->find<QAction>("actionDemo")->isEnabled());
     QCOMPARE(m_it->find<QAction>("actionDemo")->toolTip(), QStringLiteral("The demo is running"));
     for (const char *workspace : {"workspace_plan", "workspace_vehicle", "workspace_lab", "workspace_fly"}) {
@@ -121,6 +131,7 @@ void DemoWindowTest::isMarkedAndLeavesEverythingAsBefore()
     EVENTUALLY_EQUAL(links(), linksBefore);
     EVENTUALLY(!m_it->view().vehicle && !m_it->view().session);
     QCOMPARE(files(), filesBefore);
+    QVERIFY2(!QFile::exists(recording), qPrintable(recording));
     EVENTUALLY(m_it->find<QAction>("actionDemo")->isEnabled());
     QVERIFY(!m_it->find<QAction>("actionEndDemo")->isEnabled());
     m_it->hands->picture(QStringLiteral("demo-ended"));
