@@ -119,7 +119,7 @@ private Q_SLOTS:
             QCOMPARE(start->accessibleName(), QStringLiteral("Start mission"));
             QVERIFY2(start->toolTip().contains(QStringLiteral("mission")), qPrintable(start->toolTip()));
         }
-        QCOMPARE(words, (QSet<QString>{QStringLiteral("Start"), QStringLiteral("Start mission")}));
+        QCOMPARE(words, (QSet<QString>{QStringLiteral("Start\nmission"), QStringLiteral("Start mission")}));
     }
 
     void namesTheVehicleAmongSeveral()
@@ -247,8 +247,11 @@ private Q_SLOTS:
                 QCoreApplication::processEvents();
                 QVERIFY2(placesIn(bar) == before, qPrintable(QString::number(width)));
             }
-            for (const HoldButton *button : bar.findChildren<HoldButton *>()) // with the greatest number
-                QVERIFY2(button->width() + 1 >= button->sizeHint().width(), qPrintable(button->objectName()));
+            for (const HoldButton *button : bar.findChildren<HoldButton *>()) { // with the greatest number
+                const QByteArray what = QStringLiteral("%1 at %2").arg(button->objectName()).arg(width).toUtf8();
+                QVERIFY2(button->width() + 1 >= button->sizeHint().width(), what.constData());
+                QVERIFY2(button->height() + 1 >= button->sizeHint().height(), what.constData());
+            }
         }
     }
 

@@ -24,8 +24,15 @@
 namespace skyseal::ui {
 
 namespace {
+
 constexpr int kResultWidth = 22 * kGrid, kBriefResultWidth = 18 * kGrid; ///< pixels, the least
+
+QString belowEachOther(const QString &upper, const QString &lower)
+{
+    return upper + QLatin1Char('\n') + lower;
 }
+
+} // namespace
 
 ActionBar::ActionBar(VehicleCommands &commands, QWidget *parent)
     : QWidget(parent), m_commands(commands), m_arm(new HoldButton(tr("Arm"), this)), m_preArm(new PreArmButton(commands, this)),
@@ -38,13 +45,14 @@ ActionBar::ActionBar(VehicleCommands &commands, QWidget *parent)
     m_altitude->setMetres(commands.takeOffAltitude());
     connect(m_altitude, &AltitudeBox::metresChanged, &commands, &VehicleCommands::setTakeOffAltitude);
     connect(&commands, &VehicleCommands::takeOffAltitudeChanged, m_altitude, &AltitudeBox::setMetres);
-    addTarget("takeOffButton", tr("Take off"), tr("Take off"), [this] { return vehicle::TakeOff{m_altitude->metres()}; });
-    addTarget("startMissionButton", tr("Start mission"), tr("Start"), [] { return vehicle::StartMission{}; });
+    addTarget("takeOffButton", tr("Take off"), [this] { return vehicle::TakeOff{m_altitude->metres()}; });
+    addTarget(
+        "startMissionButton", tr("Start mission"), [] { return vehicle::StartMission{}; }, true);
     m_targets.back().button->setPurpose(tr("Starts or continues the mission."));
-    addTarget("pauseButton", tr("Pause"), tr("Pause"), [] { return vehicle::Loiter{}; });
+    addTarget("pauseButton", tr("Pause"), [] { return vehicle::Loiter{}; });
     m_targets.back().button->setPurpose(tr("Stops and holds the present position; a plane circles it."));
-    addTarget("landButton", tr("Land"), tr("Land"), [] { return vehicle::Land{}; });
-    addTarget("returnButton", tr("RTL"), tr("RTL"), [] { return vehicle::ReturnToLaunch{}; });
+    addTarget("landButton", tr("Land"), [] { return vehicle::Land{}; });
+    addTarget("returnButton", tr("RTL"), [] { return vehicle::ReturnToLaunch{}; });
     m_targets.back().button->setPurpose(tr("Returns to launch and lands there."));
     m_mode = new ModeChooser(this); // in the order of the tab key
     m_stop = new EmergencyStop(this);
@@ -87,14 +95,19 @@ ActionBar::ActionBar(VehicleCommands &commands, QWidget *parent)
     arrange();
 }
 
-void ActionBar::addTarget(const char *objectName, const QString &word, const QString &brief,
-                          std::function<vehicle::VehicleCommand()> command)
+QString ActionBar::Target::textIn(Shape shape) const
+{
+    return breaks && shape == Shape::BriefRow ? QString(word).replace(QLatin1Char(' '), QLatin1Char('\n')) : word;
+}
+
+void ActionBar::addTarget(const char *objectName, const QString &word, std::function<vehicle::VehicleCommand()> command,
+                          bool breaks)
 {
     auto *button = new HoldButton(word, this);
     button->setObjectName(QLatin1String(objectName));
     button->setMinimumHeight(kTargetHeight);
     connect(button, &HoldButton::confirmed, this, [this, command] { m_commands.send(m_systemId, command()); });
-    m_targets.push_back({button, word, brief, std::move(command)});
+    m_targets.push_back({button, word, breaks, std::move(command)});
 }
 
 std::vector<HoldButton *> ActionBar::holdButtons() const
@@ -115,7 +128,7 @@ std::vector<std::vector<ActionBar::Piece>> ActionBar::rowsOf(Shape shape) const
         {m_preArm, m_preArm->leastWidth(narrow)}};
     std::vector<Piece> flight{{m_altitude, m_altitude->sizeHint().width()}};
     for (const Target &target : m_targets) {
-        const int word = target.button->roomFor(brief ? target.brief : target.word);
+        const int word = target.button->roomFor(target.textIn(shape));
         flight.push_back({target.button, std::max(word, target.button->roomFor(vehicle)), 1});
     }
     const Piece mode{m_mode, m_mode->leastWidth(stacked)}, stop{m_stop, m_stop->leastWidth(stacked, narrow)};
@@ -168,6 +181,9 @@ void ActionBar::arrange()
     m_preArm->setOnTwoLines(narrow);
     m_mode->setStacked(stacked);
     m_stop->setStacked(stacked, narrow);
+    for (const Target &target : m_targets) // as high with one vehicle as among several
+        target.button->setMinimumHeight(std::max(
+            kTargetHeight, target.button->heightFor(belowEachOther(target.textIn(shape), nameOf(kAnyVehicle, narrow)))));
     const auto rows = rowsOf(shape);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         for (const Piece &piece : rows[i]) {
@@ -258,13 +274,13 @@ void ActionBar::showNames()
     const int named = m_several ? m_systemId : 0;
     const bool brief = m_shape && isBrief(*m_shape);
     const auto name = [named, brief](HoldButton &button, const QString &text, const QString &word) {
-        const QString line = named == 0 ? text : text + QLatin1Char('\n') + nameOf(named, brief);
+        const QString line = named == 0 ? text : belowEachOther(text, nameOf(named, brief));
         button.setCommand(line, spokenCommand(word, named));
     };
     const QString arm = m_armed ? tr("Disarm") : tr("Arm");
     name(*m_arm, arm, arm);
     for (const Target &target : m_targets)
-        name(*target.button, brief ? target.brief : target.word, target.word);
+        name(*target.button, m_shape ? target.textIn(*m_shape) : target.word, target.word);
     m_mode->nameVehicle(named);
     m_stop->nameVehicle(named);
 }

@@ -47,15 +47,18 @@ protected:
     void paintEvent(QPaintEvent *event) override;
 
 private:
-    /// BriefRow: one row with short words and texts on two lines, as on a screen of 1366 pixels.
+    /// BriefRow: one row with texts on two lines, as on a screen of 1366 pixels.
     enum class Shape : std::uint8_t { OneRow, BriefRow, TwoRows, ThreeRows };
     static bool isBrief(Shape shape) { return shape == Shape::BriefRow || shape == Shape::ThreeRows; }
     /// A flight action.
     struct Target
     {
         HoldButton *button;
-        QString word, brief; ///< brief: where there is little room
+        QString word;
+        bool breaks; ///< its words stand below each other in a BriefRow
         std::function<vehicle::VehicleCommand()> command;
+
+        QString textIn(Shape shape) const;
     };
     /// A widget in a row, or a gap if there is none.
     struct Piece
@@ -65,12 +68,12 @@ private:
         int stretch = 0;
     };
 
-    void addTarget(const char *objectName, const QString &word, const QString &brief,
-                   std::function<vehicle::VehicleCommand()> command);
+    void addTarget(const char *objectName, const QString &word, std::function<vehicle::VehicleCommand()> command,
+                   bool breaks = false);
     std::vector<std::vector<Piece>> rowsOf(Shape shape) const;
     int leastWidth(Shape shape) const;
     void arrange();
-    /// The second line of a button that names the vehicle.
+    /// The last line of a button that names the vehicle.
     static QString nameOf(int systemId, bool brief);
     std::vector<HoldButton *> holdButtons() const;
     /// Aborts holds whose meaning has changed.

@@ -56,6 +56,12 @@ int HoldButton::roomFor(const QString &text) const
     return fontMetrics().size(Qt::TextShowMnemonic, text).width() + 2 * kGrid;
 }
 
+int HoldButton::heightFor(const QString &text) const
+{
+    const auto linesOf = [this](const QString &words) { return fontMetrics().size(Qt::TextShowMnemonic, words).height(); };
+    return QPushButton::sizeHint().height() - linesOf(this->text()) + linesOf(text);
+}
+
 QSize HoldButton::sizeHint() const
 {
     return {roomFor(text()), QPushButton::sizeHint().height()};

@@ -34,8 +34,10 @@ public:
     /// Aborts a hold because the meaning of the button has changed.
     void abort();
 
-    /// Width in pixels that the button needs for a text.
+    /// Width in pixels that the button needs for a text: that of its widest line.
     int roomFor(const QString &text) const;
+    /// Height in pixels that the button needs for the lines of a text.
+    int heightFor(const QString &text) const;
     /// As wide as its text needs: the usual least width of buttons has no room in a row of many.
     QSize sizeHint() const override;
 
