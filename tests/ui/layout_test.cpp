@@ -51,12 +51,15 @@ private Q_SLOTS:
         const auto rows = [](const QSize &size, const char *language, bool contrast) {
             for (const char *state : {"waiting", "plain", "sealed", "attack"})
                 for (const WorkspaceRow &row : workspaceTable())
-                    if (size.width() > 1024 || row.id != QByteArray("lab") || language != QByteArray("de")) // needs 1049 pixels
-                        QTest::addRow("%dx%d %s %s %s%s", size.width(), size.height(), state, row.id, language,
-                                      contrast ? " high contrast" : "")
-                            << size << QString::fromLatin1(state) << QByteArray(row.id) << QString::fromLatin1(language)
-                            << contrast;
+                    QTest::addRow("%dx%d %s %s %s%s", size.width(), size.height(), state, row.id, language,
+                                  contrast ? " high contrast" : "")
+                        << size << QString::fromLatin1(state) << QByteArray(row.id) << QString::fromLatin1(language)
+                        << contrast;
         };
+        for (const QSize size : {QSize(1024, 768), QSize(1366, 768)}) // each button names its vehicle
+            for (const char *language : {"en", "de"})
+                QTest::addRow("%dx%d several fly %s", size.width(), size.height(), language)
+                    << size << QStringLiteral("several") << QByteArray("fly") << QString::fromLatin1(language) << false;
         for (const QSize size : {QSize(1024, 700), QSize(1280, 800), QSize(1366, 768), QSize(1920, 1080), QSize(2560, 1440)})
             rows(size, "en", false);
         for (const QSize size : {QSize(1024, 700), QSize(1366, 768)})
@@ -370,6 +373,10 @@ private:
         } else {
             engine::Snapshot snapshot = sealedSnapshot(1);
             snapshot.samples = samplesOf(0, 0, 20, crypto::SuiteId::ChaCha20Poly1305, 0);
+            if (state == QLatin1String("several")) {
+                snapshot.vehicles.push_back(snapshot.vehicles.front());
+                snapshot.vehicles.front().state.systemId = 255;
+            }
             if (state == QLatin1String("attack")) {
                 snapshot.security = engine::Security::UnderAttack;
                 snapshot.sessions.front().forgedLastMinute = 12'345;
