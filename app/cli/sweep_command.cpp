@@ -88,16 +88,16 @@ int conclude(const experiment::Results &results, const SweepOptions &options)
         if (!options.json)
             remark("written to " + options.folder.toStdString());
     }
-    const std::string failed = experiment::failedRuns(results), ended = experiment::endedEarly(results);
-    const std::string invalid = experiment::invalidRuns(results), disturbed = experiment::disturbedRuns(results);
+    const Reason failed = experiment::failedRuns(results), ended = experiment::endedEarly(results);
+    const Reason invalid = experiment::invalidRuns(results), disturbed = experiment::disturbedRuns(results);
     if (!disturbed.empty())
-        remark(disturbed);
-    for (const std::string &problem : {failed, invalid}) {
+        remark(disturbed.text());
+    for (const Reason &problem : {failed, invalid}) {
         if (!problem.empty())
-            complain(kName, problem);
+            complain(kName, problem.text());
     }
     if (!ended.empty())
-        complain(kName, ended);
+        complain(kName, ended.text());
     const bool isPrecise = reportPrecision(results, options);
     return hold && isPrecise && failed.empty() && invalid.empty() && ended.empty() ? kDone : kNotReached;
 }

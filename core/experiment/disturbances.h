@@ -16,10 +16,10 @@ std::vector<std::string> disturbances(const Sample &sample);
 
 /// For the first page of a report and for the window: how much of the thread that was measured was the measurement, at most,
 /// under each load. Empty where it is not known.
-std::string meterText(const Results &results);
+Reason meterText(const Results &results);
 
 /// For the first page of a report: "12 of 72 runs were disturbed, so that their figures are noisier and may be wrong: other
 /// programs used up to 35 % of a core (9 runs); …". Empty if none was.
-std::string disturbedRuns(const Results &results);
+Reason disturbedRuns(const Results &results);
 
 } // namespace skyseal::experiment

@@ -207,7 +207,7 @@ std::string trendTable(const Results &results)
 
 std::string meterHtml(const Results &results)
 {
-    const std::string text = meterText(results);
+    const std::string text = meterText(results).text();
     return text.empty() ? text : "<p>" + escaped(text) + ".</p>\n";
 }
 
@@ -378,8 +378,8 @@ std::string body(const ReportParts &parts, bool inlineFigures)
 {
     const Results &results = parts.results;
     std::string out = "<h1>What each cipher suite costs on a MAVLink link</h1>\n";
-    for (const std::string &warning : reportWarnings(results))
-        out += "<p class=\"bad\">" + escaped(warning) + ".</p>\n";
+    for (const Reason &warning : reportWarnings(results))
+        out += "<p class=\"bad\">" + escaped(warning.text()) + ".</p>\n";
     out += "<p>Means of " + runsText(results)
         + " each, in random order, ± half of the 95 % confidence interval (Student's t, from two runs on), or (≤ its end) "
           "where it begins at zero, below which nothing can be; where nothing was lost in any run, that end is the 95 % bound "

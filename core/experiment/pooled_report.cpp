@@ -312,8 +312,8 @@ static std::string pooledBody(const std::vector<Machine> &machines, bool inlineF
     const std::vector<Pooling> poolings = poolingsOf(machines);
     std::string out = "<h1>What each cipher suite costs on several machines</h1>\n";
     for (const Machine &machine : machines) {
-        for (const std::string &warning : reportWarnings(machine.results))
-            out += "<p class=\"bad\">" + escaped(machine.label + ": " + warning) + ".</p>\n";
+        for (const Reason &warning : reportWarnings(machine.results))
+            out += "<p class=\"bad\">" + escaped(machine.label + ": " + warning.text()) + ".</p>\n";
     }
     out += "<p>" + std::to_string(machines.size()) + " sweeps. Each ratio to " + escaped(referenceText(plan))
         + " and its 95 % interval come from the launches of one sweep. "

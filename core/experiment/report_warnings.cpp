@@ -23,15 +23,17 @@ static std::string trendWarning(const Results &results)
             + list;
 }
 
-std::vector<std::string> reportWarnings(const Results &results)
+std::vector<Reason> reportWarnings(const Results &results)
 {
-    std::vector<std::string> out = warningsOf(results.setting);
-    out.insert(out.end(), results.unknown.begin(), results.unknown.end());
-    const std::string ended = endedEarly(results);
-    for (const std::string &text : {ended.empty() ? ended : "This sweep is incomplete: it " + ended, failedRuns(results),
-                                    invalidRuns(results), trendWarning(results), disturbedRuns(results)}) {
-        if (!text.empty())
-            out.push_back(text);
+    std::vector<Reason> out;
+    for (const std::vector<std::string> &texts : {warningsOf(results.setting), results.unknown})
+        out.insert(out.end(), texts.begin(), texts.end());
+    if (const Reason ended = endedEarly(results); !ended.empty())
+        out.push_back(sentence("Reason", "This sweep is incomplete: it %1")(ended));
+    for (const Reason &reason :
+         {failedRuns(results), invalidRuns(results), Reason(trendWarning(results)), disturbedRuns(results)}) {
+        if (!reason.empty())
+            out.push_back(reason);
     }
     return out;
 }

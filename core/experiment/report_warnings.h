@@ -3,13 +3,12 @@
 
 #include "core/experiment/results.h"
 
-#include <string>
 #include <vector>
 
 namespace skyseal::experiment {
 
 /// An unsuitable build or machine, an incomplete sweep, runs that failed, are not valid or were disturbed, and values that
-/// change with the order of the runs. Sentences without a full stop; empty if there is nothing to warn of.
-std::vector<std::string> reportWarnings(const Results &results);
+/// change with the order of the runs. Empty if there is nothing to warn of.
+std::vector<Reason> reportWarnings(const Results &results);
 
 } // namespace skyseal::experiment

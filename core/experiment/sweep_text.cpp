@@ -124,43 +124,49 @@ std::string runsText(const Results &results)
     return runsText(counts);
 }
 
-std::string endedEarly(const Results &results)
+Reason endedEarly(const Results &results)
 {
     const std::size_t planned = schedule(results.plan).size();
     if (results.complete && results.samples.size() >= planned)
         return {};
     if (results.samples.size() >= planned)
-        return "was given up or cancelled after its last run";
-    return "ended after " + std::to_string(results.samples.size()) + " of " + std::to_string(planned) + " runs";
+        return sentence("Reason", "was given up or cancelled after its last run");
+    return sentence("Reason", "ended after %1 of %2 runs")(results.samples.size(), planned);
 }
 
-std::string failedRuns(const Results &results)
+/// Arm, load, and link if there are several: "none (natural load): " and what happened.
+static Reason ofRun(const Plan &plan, const Run &run, const std::string &arm, const Reason &what)
 {
-    std::vector<std::string> reasons;
+    const std::string load(name(plan.loads[run.load]));
+    if (plan.conditions.size() > 1)
+        return sentence("Reason", "%1 (%2 load, link %3): %4")(arm, load, plan.conditions[run.condition].name, what);
+    return sentence("Reason", "%1 (%2 load): %3")(arm, load, what);
+}
+
+Reason failedRuns(const Results &results)
+{
+    std::vector<Reason> reasons;
     std::size_t failed = 0;
     for (const Sample &sample : results.samples) {
         if (sample.problem.empty())
             continue;
         ++failed;
-        const Plan &plan = results.plan;
-        std::string reason = name(plan.arms[sample.run.arm]) + " (" + std::string(name(plan.loads[sample.run.load])) + " load"
-            + (plan.conditions.size() > 1 ? ", link " + plan.conditions[sample.run.condition].name : "")
-            + "): " + sample.problem.text();
+        Reason reason = ofRun(results.plan, sample.run, name(results.plan.arms[sample.run.arm]), sample.problem);
         if (std::find(reasons.begin(), reasons.end(), reason) == reasons.end())
             reasons.push_back(std::move(reason));
     }
     if (failed == 0)
         return {};
+    Reason list;
+    for (const Reason &reason : reasons)
+        list = list.empty() ? reason : sentence("Reason", "%1; %2")(list, reason);
     const std::size_t all = results.samples.size();
-    std::string out = std::to_string(failed) + " of " + std::to_string(all) + (all == 1 ? " run failed: " : " runs failed: ");
-    for (std::size_t i = 0; i < reasons.size(); ++i)
-        out += (i > 0 ? "; " : "") + reasons[i];
-    return out;
+    return all == 1 ? sentence("Reason", "1 of 1 run failed: %1")(list)
+                    : sentence("Reason", "%1 of %2 runs failed: %3")(failed, all, list);
 }
 
-std::string invalidRuns(const Results &results)
+Reason invalidRuns(const Results &results)
 {
-    const Plan &plan = results.plan;
     std::size_t invalid = 0;
     const Sample *first = nullptr;
     for (const Sample &sample : results.samples) {
@@ -171,9 +177,11 @@ std::string invalidRuns(const Results &results)
     }
     if (!first)
         return {};
-    return std::to_string(invalid) + " of " + std::to_string(results.samples.size())
-        + " runs are not valid and left out of every comparison; the first of them, " + fullName(plan.arms[first->run.arm])
-        + " (" + std::string(name(plan.loads[first->run.load])) + " load): " + first->invalid.text();
+    const Plan &plan = results.plan;
+    return sentence("Reason",
+                    "%1 of %2 runs are not valid and left out of every comparison; the first of them, %3 (%4 load): %5")(
+        invalid, results.samples.size(), fullName(plan.arms[first->run.arm]), std::string(name(plan.loads[first->run.load])),
+        first->invalid);
 }
 
 std::vector<std::string> sweepText(const Results &results)
@@ -210,8 +218,8 @@ std::vector<std::string> sweepText(const Results &results)
     out.push_back("mean ± half of the 95 % confidence interval (from two runs on) over " + runsText(results) + " of "
                   + readable(seconds(plan.measure)) + " s each" + (anyCut ? "; ≤ its end, where it begins at zero" : "")
                   + (anyOutlier ? "; * with outliers" : ""));
-    if (const std::string ended = endedEarly(results); !ended.empty())
-        out.push_back("This sweep " + ended + ".");
+    if (const Reason ended = endedEarly(results); !ended.empty())
+        out.push_back("This sweep " + ended.text() + ".");
     return out;
 }
 

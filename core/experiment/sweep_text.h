@@ -24,13 +24,13 @@ std::string runsText(const std::vector<std::size_t> &counts);
 std::string runsText(const Results &results);
 
 /// "ended after 2 of 12 runs"; empty for a complete sweep.
-std::string endedEarly(const Results &results);
+Reason endedEarly(const Results &results);
 /// "2 of 72 runs failed: none (natural load): no vehicle was heard", each arm, load and reason once; empty if no run failed.
-std::string failedRuns(const Results &results);
+Reason failedRuns(const Results &results);
 
 /// "3 of 72 runs are not valid and left out of every comparison; the first of them, rc4 (saturated load): not saturated: …";
 /// empty if all are valid.
-std::string invalidRuns(const Results &results);
+Reason invalidRuns(const Results &results);
 
 /// For each condition and load the means and the ratios to the reference, then the notes below them.
 std::vector<std::string> sweepText(const Results &results);

@@ -235,7 +235,7 @@ void DisturbancesTest::warningsAreOnTheFirstPageAndAtTheRun()
         results.samples.push_back(sample);
     }
     QCOMPARE(
-        disturbedRuns(results),
+        disturbedRuns(results).text(),
         std::string("2 of 3 runs were disturbed, so that their figures are noisier and may be wrong: other programs used up to "
                     "60 % of a core (2 runs)"));
     const std::string page = htmlReport({results, {}, {}, {}});

@@ -416,7 +416,7 @@ void ReportTest::runsAreCounted()
     results.samples.front().problem = "no vehicle was heard";
     results.samples.front().values = {};
     QCOMPARE(runsText(results), std::string("4 to 5 runs"));
-    const std::string failed = failedRuns(results);
+    const std::string failed = failedRuns(results).text();
     QVERIFY2(failed.starts_with("1 of 40 runs failed: ") && failed.ends_with(" (saturated load): no vehicle was heard"),
              failed.c_str());
     const std::string page = htmlReport({results, {}, {}, {}});
@@ -426,12 +426,12 @@ void ReportTest::runsAreCounted()
     Results severalLinks = results;
     severalLinks.plan.conditions.push_back({"loss=0.05", {}});
     severalLinks.samples[0].run.condition = 1;
-    QVERIFY(failedRuns(severalLinks).ends_with(" (saturated load, link loss=0.05): no vehicle was heard"));
+    QVERIFY(failedRuns(severalLinks).text().ends_with(" (saturated load, link loss=0.05): no vehicle was heard"));
 
     results.complete = false;
-    QCOMPARE(endedEarly(results), std::string("was given up or cancelled after its last run"));
+    QCOMPARE(endedEarly(results).text(), std::string("was given up or cancelled after its last run"));
     results.samples.resize(2);
-    QCOMPARE(endedEarly(results), std::string("ended after 2 of 40 runs"));
+    QCOMPARE(endedEarly(results).text(), std::string("ended after 2 of 40 runs"));
     QCOMPARE(runsText(results), std::string("1 run"));
     QVERIFY(htmlReport({results, {}, {}, {}}).find("ended after 2 of 40 runs") != std::string::npos);
     const std::string legend = chartOf(results, 0, 0, Metric::Packets).legend;
@@ -644,7 +644,7 @@ void ReportTest::invalidRunsAreLeftOut()
     for (const Contrast &pair : compared)
         QVERIFY(pair.first != rc4 && pair.second != rc4);
     const std::string said = "4 of " + std::to_string(results.samples.size()) + " runs are not valid";
-    QVERIFY(invalidRuns(results).starts_with(said));
+    QVERIFY(invalidRuns(results).text().starts_with(said));
     const std::string page = htmlReport({results, {}, {}, {}});
     QVERIFY(page.find(said) < page.find("<h2>Figures"));
     QVERIFY(page.find("left out of every comparison, not saturated") != std::string::npos);

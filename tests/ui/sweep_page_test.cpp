@@ -161,13 +161,13 @@ void SweepPageTest::disturbancesAreShownAsInTheReport()
     results->complete = true;
     page.finish(results, {});
     const QString text = notes->text();
-    for (const std::string &sentence : experiment::reportWarnings(*results))
-        QVERIFY2(text.contains(QString::fromStdString(sentence)), sentence.c_str());
+    for (const Reason &warning : experiment::reportWarnings(*results))
+        QVERIFY2(text.contains(QString::fromStdString(warning.text())), warning.text().c_str());
     QVERIFY(!experiment::disturbedRuns(*results).empty());
-    QVERIFY(text.contains(QString::fromStdString(experiment::disturbedRuns(*results))));
+    QVERIFY(text.contains(QString::fromStdString(experiment::disturbedRuns(*results).text())));
     QVERIFY(text.contains(QLatin1String("2 of 8 runs were disturbed")));
     QVERIFY(text.contains(QLatin1String("the frequency of the cores differed by up to 12 %")));
-    QVERIFY(text.contains(QString::fromStdString(experiment::meterText(*results))));
+    QVERIFY(text.contains(QString::fromStdString(experiment::meterText(*results).text())));
     QVERIFY(text.contains(QLatin1String("up to 0.4 % under the natural load (meter_cpu)")));
     page.begin(plan); // those of the sweep before are gone
     QVERIFY(!notes->isVisible());

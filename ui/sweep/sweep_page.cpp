@@ -268,17 +268,17 @@ void SweepPage::showResults()
 /// The sentences of the report's first page. While the sweep runs it is not complete yet, which is no warning.
 void SweepPage::showNotes()
 {
-    std::vector<std::string> notes;
+    std::vector<Reason> notes;
     if (!m_running)
         notes = experiment::reportWarnings(*m_results);
-    else if (std::string disturbed = experiment::disturbedRuns(*m_results); !disturbed.empty())
+    else if (Reason disturbed = experiment::disturbedRuns(*m_results); !disturbed.empty())
         notes.push_back(std::move(disturbed));
     const bool isWarning = !notes.empty();
-    if (std::string meter = experiment::meterText(*m_results); !meter.empty())
+    if (Reason meter = experiment::meterText(*m_results); !meter.empty())
         notes.push_back(std::move(meter));
     QStringList lines;
-    for (const std::string &note : notes)
-        lines << fromStd(note) + QLatin1Char('.');
+    for (const Reason &note : notes)
+        lines << reasonText(note) + QLatin1Char('.');
     m_notes->setText(lines.join(QLatin1Char('\n')));
     QPalette colors = palette();
     if (isWarning)
