@@ -33,7 +33,7 @@ void LogServer::begin(TimePoint now, const FrameSender &peer)
 
 void LogServer::requestList(TimePoint now, const FrameSender &peer, std::uint16_t start, std::uint16_t end)
 {
-    if (refuses(peer, false))
+    if (refuses(peer, m_autopilot.flight().type.isPx4())) // which has no text for it
         return;
     const auto count = static_cast<std::uint16_t>(m_logs.count());
     m_lastEntry = std::min(end, count);

@@ -117,6 +117,8 @@ void LogClient::requestList(TimePoint now)
     request.start = one ? m_log : 0;
     request.end = one ? m_log : 0xFFFF;
     send(request);
+    if (one && !kind().isArduPilot()) // a lost one costs a timeout; ArduPilot complains of the second
+        send(request);
     m_pace.restart();
     m_firstRequested.reset();
     rest(now);
@@ -212,7 +214,7 @@ void LogClient::requestPiece(TimePoint now)
     if (kind().isArduPilot()) {
         requestRuns();
     } else if (first) {
-        requestRun({first->first, m_content.pieceEnd()});
+        requestStream(first->first);
         m_sweep.begin(now, m_content);
         if (m_silent > kPatience)
             m_sweep.stop();
@@ -235,9 +237,16 @@ void LogClient::requestRuns()
 
 void LogClient::steer(TimePoint now)
 {
-    if (const auto chunk = m_sweep.poll(now, m_content,
-                                        m_rtt.shortest() == Duration::zero() ? m_rtt.timeout() : m_rtt.shortest()))
-        requestRun({*chunk, m_content.pieceEnd()});
+    const auto chunk = m_sweep.poll(now, m_content, m_rtt.shortest() == Duration::zero() ? m_rtt.timeout() : m_rtt.shortest());
+    if (chunk)
+        requestStream(*chunk);
+}
+
+/// Of a vehicle other than ArduPilot, which streams until the next request. The second copy replaces the first one there.
+void LogClient::requestStream(std::size_t first)
+{
+    for (int copy = 0; copy < kStreamCopies; ++copy)
+        requestRun({first, m_content.pieceEnd()});
 }
 
 void LogClient::requestRun(const LogContent::Run &run)

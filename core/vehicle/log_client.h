@@ -32,6 +32,7 @@ public:
     static constexpr std::size_t kMostRuns = 48;   ///< lost runs that are requested again at a time
     static constexpr std::size_t kAskedTwice = 16; ///< so few runs are requested twice at a time: the last ones decide
     static constexpr std::size_t kLong = 64;       ///< a longer run is requested once
+    static constexpr int kStreamCopies = 2;        ///< of a request to a vehicle of which each replaces the one before
     /// So many requests in a row may get no answer before the next ones are made more and more slowly.
     static constexpr int kPatience = 2;
     static constexpr std::size_t kFirstOnes = 4; ///< chunks of an answer of which one measures the round trip
@@ -65,6 +66,7 @@ private:
     void requestPiece(TimePoint now);
     void requestRuns();
     void steer(TimePoint now);
+    void requestStream(std::size_t first);
     void requestRun(const LogContent::Run &run);
     void rest(TimePoint now);
     void finish(bool ok, Reason reason = {}, bool changeUnanswered = false, bool unfit = false);

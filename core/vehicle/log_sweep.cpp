@@ -22,11 +22,22 @@ void LogSweep::arrived(TimePoint now, std::size_t chunk)
     if (!m_first) {
         if (chunk >= m_from)
             m_first = Arrival{now, chunk};
-    } else if (chunk >= m_first->chunk + kMeasured) {
-        const auto chunks = static_cast<Duration::rep>(chunk - m_first->chunk);
-        m_interval = std::max<Duration>((now - m_first->time) / chunks, std::chrono::microseconds(1));
-        m_due = timeOf(m_until);
+        m_latest = now;
+        m_bursts = 0;
+        return;
     }
+    const bool beginsBurst = now - m_latest > kLeastSpacing / 2;
+    m_latest = now;
+    m_bursts += beginsBurst ? 1 : 0;
+    if (chunk < m_first->chunk + kMeasured)
+        return;
+    const Duration passed = now - m_first->time;
+    const bool isInBursts = m_bursts > 0 && passed / m_bursts <= kMostSpacing; // else the gaps were losses
+    if (isInBursts && !beginsBurst)
+        return;
+    m_interval = std::max<Duration>(passed / static_cast<Duration::rep>(chunk - m_first->chunk), std::chrono::microseconds(1));
+    m_spacing = isInBursts ? std::max(passed / m_bursts, kLeastSpacing) : kLeastSpacing;
+    m_due = timeOf(m_until);
 }
 
 /// The chunk that the vehicle sends next when a request that is made now reaches it.
@@ -60,7 +71,7 @@ std::optional<std::size_t> LogSweep::poll(TimePoint now, const LogContent &conte
     m_from = run->first;
     m_until = run->end;
     m_requested = now;
-    m_due = std::max(timeOf(m_until), now + std::max(kLeastSpacing, m_interval));
+    m_due = std::max(timeOf(m_until), now + std::max(m_spacing, m_interval));
     return m_from;
 }
 

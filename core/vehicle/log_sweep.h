@@ -20,6 +20,9 @@ public:
     /// At least so long between requests. PX4 serves one every 10 ms (MavlinkReceiver::run()), and those that it replaced
     /// before cost nothing: what it sends was missing all the same.
     static constexpr Duration kLeastSpacing = std::chrono::milliseconds(5);
+    /// Chunks that come in bursts, at most so far apart, are sent by a radio that serves a request for each burst: a second
+    /// request in that time would replace the first one.
+    static constexpr Duration kMostSpacing = std::chrono::milliseconds(20);
     /// The pace is measured over at least so many chunks.
     static constexpr std::size_t kMeasured = 64;
     /// Sweeps in a round trip, when few chunks are missing: each is requested so often before its answer can have come.
@@ -52,7 +55,10 @@ private:
     TimePoint m_began{};        ///< of the sweep
     bool m_isMeasuring = false; ///< nothing was requested since begin()
     std::optional<Arrival> m_first;
-    Duration m_interval{}; ///< between chunks; zero before it is known
+    TimePoint m_latest{};               ///< arrival while it is measured
+    int m_bursts = 0;                   ///< since m_first
+    Duration m_interval{};              ///< between chunks; zero before it is known
+    Duration m_spacing = kLeastSpacing; ///< between requests
     TimePoint m_due = kNever;
 };
 

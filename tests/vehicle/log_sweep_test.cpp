@@ -15,12 +15,13 @@ constexpr std::size_t kChunks = 200;
 /// A log of which the vehicle has streamed every chunk since a request at 0; some were lost.
 struct StreamedLog
 {
-    explicit StreamedLog(std::initializer_list<std::size_t> lost)
+    /// `burst`: so many chunks are sent at once.
+    explicit StreamedLog(std::initializer_list<std::size_t> lost, std::size_t burst = 1)
     {
         sweep.begin(TimePoint{}, content);
         for (std::size_t i = 0; i < kChunks; ++i) {
             if (std::ranges::find(lost, i) == lost.end())
-                arrive(i, TimePoint{} + kRoundTrip + kInterval * static_cast<int>(i));
+                arrive(i, TimePoint{} + kRoundTrip + kInterval * static_cast<int>(i / burst * burst));
         }
     }
 
@@ -54,6 +55,7 @@ class LogSweepTest : public QObject
 private Q_SLOTS:
     void followsTheVehicle();
     void chunksThatComeByThemselvesAreNotRequested();
+    void eachBurstServesOneRequest();
     void lastChunksAreRequestedSeveralTimesInARoundTrip();
     void nothingIsRequestedBeforeThePaceIsKnown();
     void endsWithTheLastChunk();
@@ -77,6 +79,15 @@ void LogSweepTest::chunksThatComeByThemselvesAreNotRequested()
     QCOMPARE(log.nextRequest(), Request(0.200, 10)); // sent up to 14 when the next may be requested, and then 15 and 16
     QCOMPARE(log.nextRequest(), Request(0.207, 18));
     QCOMPARE(log.nextRequest(), Request(0.212, 40));
+}
+
+void LogSweepTest::eachBurstServesOneRequest()
+{
+    StreamedLog log({10, 22, 50, 150}, 10);
+    using Request = QPair<double, int>;
+    QCOMPARE(log.nextRequest(), Request(0.200, 10));
+    QCOMPARE(log.nextRequest(), Request(0.210, 22)); // not in the same burst
+    QCOMPARE(log.nextRequest(), Request(0.220, 50));
 }
 
 void LogSweepTest::lastChunksAreRequestedSeveralTimesInARoundTrip()
