@@ -23,10 +23,6 @@
 <context>
     <name>Reason</name>
     <message>
-        <source>was changed meanwhile</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>the passphrase does not open it, or the file was changed</source>
         <translation type="unfinished"></translation>
     </message>
@@ -962,6 +958,278 @@
         <source>the vehicle reports error code %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>other programs used %1 % of a core</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the hypervisor took %1 % of a core</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the station&apos;s I/O thread had to give up its core %1 times a second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the agent had to give up its core %1 times a second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the frequency of the cores differed by %1 % between begin and end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the load average at the start was %1 per core</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the load average at the end was %1 per core</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the power of the idle machine differed by %1 % before and after</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the processor was throttled %1 times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the measurement itself took %1 % of the CPU time of the station&apos;s I/O thread</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the simulator (which makes the load) used %1 % of a core</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>up to %1 % under the %2 load</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A run is the difference of two readings, taken by the thread that is measured. Of its CPU time, taking and publishing readings was %1 (meter_cpu)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (1 run)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2 runs)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 runs were disturbed, so that their figures are noisier and may be wrong: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>was not found beside this program or in PATH</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 could not be started: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it was killed or crashed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exit status %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 ended by itself: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 ended by itself: %2 (%3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the generator of the load did not count its sends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the generator missed %1 % of its sends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 % of the line&apos;s rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 % of the station&apos;s core</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 % of the agent&apos;s core</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not saturated: nothing reached %1 % (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the other end does not allow plain MAVLink</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the other end does not allow inline framing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle&apos;s payloads could not be decrypted; is its key another one?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This sweep is incomplete: it %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another suite came into use during the run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the link fell silent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle fell silent during the run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the session did not last through the run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the other end did not take this suite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the switch was not confirmed in time, %1 times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another switch took the place of this one, %1 times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the station ended</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no sealed session with a vehicle came up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no vehicle was heard in plain MAVLink; do both ends allow it?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only the sweep&apos;s own simulator encrypts payloads with a bare cipher</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>given up after %1 runs in a row that failed; the last one: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>was given up or cancelled after its last run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ended after %1 of %2 runs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2 load, link %3): %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2 load): %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 of 1 run failed: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 runs failed: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 runs are not valid and left out of every comparison; the first of them, %3 (%4 load): %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is not JSON: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is not XML: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a field&apos;s name (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one of &gt;= &lt;= &gt; &lt; == !=</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>== or !=, since %1 is a text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a value to compare %1 with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number to compare %1 with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the end of the condition</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the end of the step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected %1, found %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>step %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no PNG and PDF: skyseal-figures is not installed; report.html and the SVG files have the same content</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PNG and PDF could not be drawn by %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the folder cannot be created</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Sweep</name>
@@ -1153,6 +1421,10 @@
     </message>
     <message>
         <source>The demo&apos;s %1 exited: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The demo&apos;s %1 could not be started: %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1998,10 +2270,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Start</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Starts or continues the mission.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2413,6 +2681,10 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
     <name>skyseal::ui::ChartExport</name>
     <message>
         <source>Skyseal diagnostics</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be written as a picture: %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4587,10 +4859,6 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Sending %1 items…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4632,6 +4900,10 @@ Fingerprint %3</source>
     </message>
     <message>
         <source>There are no items to save</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5537,11 +5809,11 @@ with a pre-shared key</source>
 <context>
     <name>skyseal::ui::Preflight</name>
     <message>
-        <source>%1: %2</source>
+        <source>the checklist, which cannot be read</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the checklist, which cannot be read</source>
+        <source>%1 cannot be read: %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7613,6 +7885,10 @@ A click opens the links.</source>
     </message>
     <message>
         <source>the map has no tile server</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no tile could be downloaded: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

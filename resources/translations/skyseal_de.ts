@@ -23,10 +23,6 @@
 <context>
     <name>Reason</name>
     <message>
-        <source>was changed meanwhile</source>
-        <translation>wurde inzwischen geändert</translation>
-    </message>
-    <message>
         <source>the passphrase does not open it, or the file was changed</source>
         <translation>die Passphrase öffnet sie nicht, oder die Datei wurde geändert</translation>
     </message>
@@ -962,6 +958,278 @@
         <source>the vehicle reports error code %1</source>
         <translation>das Fahrzeug meldet den Fehlercode %1</translation>
     </message>
+    <message>
+        <source>other programs used %1 % of a core</source>
+        <translation>andere Programme belegten %1 % eines Kerns</translation>
+    </message>
+    <message>
+        <source>the hypervisor took %1 % of a core</source>
+        <translation>der Hypervisor nahm %1 % eines Kerns</translation>
+    </message>
+    <message>
+        <source>the station&apos;s I/O thread had to give up its core %1 times a second</source>
+        <translation>der E/A-Thread der Station musste seinen Kern %1-mal in der Sekunde abgeben</translation>
+    </message>
+    <message>
+        <source>the agent had to give up its core %1 times a second</source>
+        <translation>der Agent musste seinen Kern %1-mal in der Sekunde abgeben</translation>
+    </message>
+    <message>
+        <source>the frequency of the cores differed by %1 % between begin and end</source>
+        <translation>der Takt der Kerne unterschied sich zwischen Beginn und Ende um %1 %</translation>
+    </message>
+    <message>
+        <source>the load average at the start was %1 per core</source>
+        <translation>die mittlere Last zu Beginn betrug %1 je Kern</translation>
+    </message>
+    <message>
+        <source>the load average at the end was %1 per core</source>
+        <translation>die mittlere Last am Ende betrug %1 je Kern</translation>
+    </message>
+    <message>
+        <source>the power of the idle machine differed by %1 % before and after</source>
+        <translation>die Leistungsaufnahme des ruhenden Rechners unterschied sich vorher und nachher um %1 %</translation>
+    </message>
+    <message>
+        <source>the processor was throttled %1 times</source>
+        <translation>der Prozessor wurde %1-mal gedrosselt</translation>
+    </message>
+    <message>
+        <source>the measurement itself took %1 % of the CPU time of the station&apos;s I/O thread</source>
+        <translation>die Messung selbst nahm %1 % der CPU-Zeit des E/A-Threads der Station</translation>
+    </message>
+    <message>
+        <source>the simulator (which makes the load) used %1 % of a core</source>
+        <translation>der Simulator (der die Last erzeugt) belegte %1 % eines Kerns</translation>
+    </message>
+    <message>
+        <source>up to %1 % under the %2 load</source>
+        <translation>bis zu %1 % unter der Last „%2“</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>A run is the difference of two readings, taken by the thread that is measured. Of its CPU time, taking and publishing readings was %1 (meter_cpu)</source>
+        <translation>Ein Lauf ist die Differenz zweier Ablesungen durch den gemessenen Thread. Ablesen und Bekanntgeben machten von dessen CPU-Zeit %1 aus (meter_cpu)</translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation>bis zu %1</translation>
+    </message>
+    <message>
+        <source>%1 (1 run)</source>
+        <translation>%1 (1 Lauf)</translation>
+    </message>
+    <message>
+        <source>%1 (%2 runs)</source>
+        <translation>%1 (%2 Läufe)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 runs were disturbed, so that their figures are noisier and may be wrong: %3</source>
+        <translation>%1 von %2 Läufen wurden gestört; ihre Werte streuen stärker und können falsch sein: %3</translation>
+    </message>
+    <message>
+        <source>was not found beside this program or in PATH</source>
+        <translation>wurde weder neben diesem Programm noch in PATH gefunden</translation>
+    </message>
+    <message>
+        <source>%1 could not be started: %2</source>
+        <translation>%1 konnte nicht gestartet werden: %2</translation>
+    </message>
+    <message>
+        <source>it was killed or crashed</source>
+        <translation>abgestürzt oder gewaltsam beendet</translation>
+    </message>
+    <message>
+        <source>exit status %1</source>
+        <translation>Exit-Status %1</translation>
+    </message>
+    <message>
+        <source>%1 ended by itself: %2</source>
+        <translation>%1 hat sich von selbst beendet: %2</translation>
+    </message>
+    <message>
+        <source>%1 ended by itself: %2 (%3)</source>
+        <translation>%1 hat sich von selbst beendet: %2 (%3)</translation>
+    </message>
+    <message>
+        <source>the generator of the load did not count its sends</source>
+        <translation>der Lastgenerator hat nicht gezählt, was er gesendet hat</translation>
+    </message>
+    <message>
+        <source>the generator missed %1 % of its sends</source>
+        <translation>der Lastgenerator hat %1 % seiner Sendungen ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1 % of the line&apos;s rate</source>
+        <translation>%1 % der Rate der Leitung</translation>
+    </message>
+    <message>
+        <source>%1 % of the station&apos;s core</source>
+        <translation>%1 % des Kerns der Station</translation>
+    </message>
+    <message>
+        <source>%1 % of the agent&apos;s core</source>
+        <translation>%1 % des Kerns des Agenten</translation>
+    </message>
+    <message>
+        <source>not saturated: nothing reached %1 % (%2)</source>
+        <translation>nicht gesättigt: nichts erreichte %1 % (%2)</translation>
+    </message>
+    <message>
+        <source>the other end does not allow plain MAVLink</source>
+        <translation>die Gegenseite lässt ungeschütztes MAVLink nicht zu</translation>
+    </message>
+    <message>
+        <source>the other end does not allow inline framing</source>
+        <translation>die Gegenseite lässt die Inline-Rahmung nicht zu</translation>
+    </message>
+    <message>
+        <source>the vehicle&apos;s payloads could not be decrypted; is its key another one?</source>
+        <translation>die Nutzdaten des Fahrzeugs ließen sich nicht entschlüsseln; hat es einen anderen Schlüssel?</translation>
+    </message>
+    <message>
+        <source>This sweep is incomplete: it %1</source>
+        <translation>Diese Messreihe ist unvollständig: sie %1</translation>
+    </message>
+    <message>
+        <source>another suite came into use during the run</source>
+        <translation>während des Laufs kam eine andere Chiffre in Gebrauch</translation>
+    </message>
+    <message>
+        <source>the link fell silent</source>
+        <translation>die Verbindung verstummte</translation>
+    </message>
+    <message>
+        <source>the vehicle fell silent during the run</source>
+        <translation>das Fahrzeug verstummte während des Laufs</translation>
+    </message>
+    <message>
+        <source>the session did not last through the run</source>
+        <translation>die Sitzung hielt nicht bis zum Ende des Laufs</translation>
+    </message>
+    <message>
+        <source>the other end did not take this suite</source>
+        <translation>die Gegenseite hat diese Chiffre nicht angenommen</translation>
+    </message>
+    <message>
+        <source>the switch was not confirmed in time, %1 times</source>
+        <translation>der Wechsel wurde %1-mal nicht rechtzeitig bestätigt</translation>
+    </message>
+    <message>
+        <source>another switch took the place of this one, %1 times</source>
+        <translation>ein anderer Wechsel kam diesem %1-mal zuvor</translation>
+    </message>
+    <message>
+        <source>the station ended</source>
+        <translation>die Station wurde beendet</translation>
+    </message>
+    <message>
+        <source>no sealed session with a vehicle came up</source>
+        <translation>es kam keine versiegelte Sitzung mit einem Fahrzeug zustande</translation>
+    </message>
+    <message>
+        <source>no vehicle was heard in plain MAVLink; do both ends allow it?</source>
+        <translation>in ungeschütztem MAVLink war kein Fahrzeug zu hören; lassen es beide Seiten zu?</translation>
+    </message>
+    <message>
+        <source>only the sweep&apos;s own simulator encrypts payloads with a bare cipher</source>
+        <translation>nur der eigene Simulator der Messreihe verschlüsselt Nutzdaten mit einer Chiffre ohne Rahmung</translation>
+    </message>
+    <message>
+        <source>given up after %1 runs in a row that failed; the last one: %2</source>
+        <translation>nach %1 fehlgeschlagenen Läufen in Folge aufgegeben; der letzte: %2</translation>
+    </message>
+    <message>
+        <source>was given up or cancelled after its last run</source>
+        <translation>wurde nach dem letzten Lauf aufgegeben oder abgebrochen</translation>
+    </message>
+    <message>
+        <source>ended after %1 of %2 runs</source>
+        <translation>endete nach %1 von %2 Läufen</translation>
+    </message>
+    <message>
+        <source>%1 (%2 load, link %3): %4</source>
+        <translation>%1 (Last „%2“, Verbindung „%3“): %4</translation>
+    </message>
+    <message>
+        <source>%1 (%2 load): %3</source>
+        <translation>%1 (Last „%2“): %3</translation>
+    </message>
+    <message>
+        <source>1 of 1 run failed: %1</source>
+        <translation>1 von 1 Lauf schlug fehl: %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 runs failed: %3</source>
+        <translation>%1 von %2 Läufen schlugen fehl: %3</translation>
+    </message>
+    <message>
+        <source>%1 of %2 runs are not valid and left out of every comparison; the first of them, %3 (%4 load): %5</source>
+        <translation>%1 von %2 Läufen sind nicht gültig und in keinem Vergleich enthalten; der erste davon, %3 (Last „%4“): %5</translation>
+    </message>
+    <message>
+        <source>this is not JSON: %1</source>
+        <translation>kein gültiges JSON: %1</translation>
+    </message>
+    <message>
+        <source>this is not XML: %1</source>
+        <translation>kein gültiges XML: %1</translation>
+    </message>
+    <message>
+        <source>a field&apos;s name (%1)</source>
+        <translation>der Name eines Felds (%1)</translation>
+    </message>
+    <message>
+        <source>one of &gt;= &lt;= &gt; &lt; == !=</source>
+        <translation>eines von &gt;= &lt;= &gt; &lt; == !=</translation>
+    </message>
+    <message>
+        <source>== or !=, since %1 is a text</source>
+        <translation>== oder !=, denn %1 ist ein Text</translation>
+    </message>
+    <message>
+        <source>a value to compare %1 with</source>
+        <translation>ein Wert, mit dem %1 verglichen wird</translation>
+    </message>
+    <message>
+        <source>a number to compare %1 with</source>
+        <translation>eine Zahl, mit der %1 verglichen wird</translation>
+    </message>
+    <message>
+        <source>the end of the condition</source>
+        <translation>das Ende der Bedingung</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>the end of the step</source>
+        <translation>das Ende des Schritts</translation>
+    </message>
+    <message>
+        <source>expected %1, found %2</source>
+        <translation>erwartet: %1; gefunden: %2</translation>
+    </message>
+    <message>
+        <source>step %1: %2</source>
+        <translation>Schritt %1: %2</translation>
+    </message>
+    <message>
+        <source>no PNG and PDF: skyseal-figures is not installed; report.html and the SVG files have the same content</source>
+        <translation>kein PNG und PDF: skyseal-figures ist nicht installiert; report.html und die SVG-Dateien haben denselben Inhalt</translation>
+    </message>
+    <message>
+        <source>PNG and PDF could not be drawn by %1</source>
+        <translation>PNG und PDF konnten von %1 nicht gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>the folder cannot be created</source>
+        <translation>der Ordner kann nicht angelegt werden</translation>
+    </message>
 </context>
 <context>
     <name>Sweep</name>
@@ -1154,6 +1422,10 @@
     <message>
         <source>The demo&apos;s %1 exited: %2</source>
         <translation>%1 der Demo wurde beendet: %2</translation>
+    </message>
+    <message>
+        <source>The demo&apos;s %1 could not be started: %2</source>
+        <translation>%1 der Demo konnte nicht gestartet werden: %2</translation>
     </message>
 </context>
 <context>
@@ -1998,10 +2270,6 @@
         <translation>Hält an und bleibt an der aktuellen Position; ein Flächenflugzeug kreist dort.</translation>
     </message>
     <message>
-        <source>Start</source>
-        <translation>Mission starten</translation>
-    </message>
-    <message>
         <source>Starts or continues the mission.</source>
         <translation>Startet die Mission oder setzt sie fort.</translation>
     </message>
@@ -2418,6 +2686,10 @@ Sollte dies das Fahrzeug von %3 sein, Abbrechen wählen: Dessen versiegelte Verb
     <message>
         <source>Skyseal diagnostics</source>
         <translation>Skyseal-Diagnose</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written as a picture: %2</source>
+        <translation>%1 kann nicht als Bild geschrieben werden: %2</translation>
     </message>
 </context>
 <context>
@@ -4614,10 +4886,6 @@ Fingerabdruck %3</translation>
         <translation>Mission speichern</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>Sending %1 items…</source>
         <translation>%1 Punkte werden gesendet…</translation>
     </message>
@@ -4660,6 +4928,10 @@ Fingerabdruck %3</translation>
     <message>
         <source>There are no items to save</source>
         <translation>Es gibt keine Punkte zum Speichern</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2</source>
+        <translation>%1 kann nicht gelesen werden: %2</translation>
     </message>
 </context>
 <context>
@@ -5572,12 +5844,12 @@ mit PSK</translation>
 <context>
     <name>skyseal::ui::Preflight</name>
     <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>the checklist, which cannot be read</source>
         <translation>die Checkliste, die sich nicht lesen lässt</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2</source>
+        <translation>%1 kann nicht gelesen werden: %2</translation>
     </message>
 </context>
 <context>
@@ -7655,6 +7927,10 @@ Ein Klick öffnet die Verbindungen.</translation>
     <message>
         <source>the map has no tile server</source>
         <translation>die Karte hat keinen Kachelserver</translation>
+    </message>
+    <message>
+        <source>no tile could be downloaded: %1</source>
+        <translation>es konnte keine Kachel geladen werden: %1</translation>
     </message>
 </context>
 <context>
