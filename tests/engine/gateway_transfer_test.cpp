@@ -1,6 +1,7 @@
-// Fences, rally points, files and flight logs through the gateway, as a station that knows nothing of sealing transfers them,
-// while the suite of the sealed link changes five times a second.
+// Missions, fences, rally points, parameters, files and flight logs through the gateway, as a station that knows nothing of
+// sealing transfers them, while the suite of the sealed link changes five times a second.
 #include "core/channel/policy.h"
+#include "core/mavlink/messages.h"
 #include "core/vehicle/request.h"
 #include "tests/engine/served_flight.h"
 #include "tests/support/test_runner.h"
@@ -9,6 +10,7 @@
 #include <QtTest/QTest>
 
 #include <algorithm>
+#include <span>
 
 using namespace skyseal;
 using namespace skyseal::test;
@@ -58,6 +60,13 @@ struct TransferFlight : ServedFlight
         const auto results = ground.ears->all<vehicle::MissionResult>();
         return std::ranges::any_of(results, [id](const auto &result) { return result.id == id && result.ok; });
     }
+    /// How many messages of a kind the client has received from the vehicle since it inspects them.
+    std::uint64_t received(std::uint32_t messageId) const
+    {
+        const auto &rows = client.ears->snapshot->inspector;
+        const auto row = std::ranges::find(rows, messageId, &engine::InspectorRow::messageId);
+        return row == rows.end() ? 0 : row->count;
+    }
     std::size_t switches() const
     {
         const auto done = ground.ears->all<channel::SwitchDone>();
@@ -85,17 +94,30 @@ vehicle::MissionItem itemAt(std::uint16_t command, float size, double north, dou
 {
     vehicle::MissionItem item;
     item.command = command;
-    item.frame = command == mavlink::MAV_CMD_NAV_RALLY_POINT ? mavlink::MAV_FRAME_GLOBAL_RELATIVE_ALT
-                                                             : mavlink::MAV_FRAME_GLOBAL;
+    const bool hasHeight = command < mavlink::MAV_CMD_NAV_FENCE_RETURN_POINT || command == mavlink::MAV_CMD_NAV_RALLY_POINT;
+    item.frame = hasHeight ? mavlink::MAV_FRAME_GLOBAL_RELATIVE_ALT : mavlink::MAV_FRAME_GLOBAL;
     item.parameters[0] = size;
     item.latitude = -35.363261 + north;
     item.longitude = 149.165230 + east;
-    item.altitude = command == mavlink::MAV_CMD_NAV_RALLY_POINT ? 30.f : 0.f;
+    item.altitude = hasHeight ? 30.f : 0.f;
     return item;
+}
+
+/// A take-off, some legs and a landing, after the place of home.
+std::vector<vehicle::MissionItem> someMission()
+{
+    std::vector<vehicle::MissionItem> out{itemAt(mavlink::MAV_CMD_NAV_WAYPOINT, 0, 0, 0),
+                                          itemAt(mavlink::MAV_CMD_NAV_TAKEOFF, 0, 0, 0)};
+    for (int leg = 0; leg < 50; ++leg)
+        out.push_back(itemAt(mavlink::MAV_CMD_NAV_WAYPOINT, float(leg % 4), 0.0001 * leg, -0.0002 * leg));
+    out.push_back(itemAt(mavlink::MAV_CMD_NAV_LAND, 0, 0.001, 0));
+    return out;
 }
 
 std::vector<vehicle::MissionItem> someItems(MissionType type)
 {
+    if (type == MissionType::Mission)
+        return someMission();
     if (type == MissionType::Rally)
         return {itemAt(mavlink::MAV_CMD_NAV_RALLY_POINT, 0, 0.0005, 0), itemAt(mavlink::MAV_CMD_NAV_RALLY_POINT, 0, 0, 0.0007)};
     constexpr std::uint16_t kVertex = mavlink::MAV_CMD_NAV_FENCE_POLYGON_VERTEX_INCLUSION;
@@ -110,10 +132,21 @@ bool isSame(const vehicle::MissionItem &a, const vehicle::MissionItem &b)
         && std::abs(a.latitude - b.latitude) < 1e-6 && std::abs(a.longitude - b.longitude) < 1e-6;
 }
 
+/// The vehicle has its home as item 0 of a mission, in place of what was written.
+bool isSamePlan(const std::vector<vehicle::MissionItem> &a, const std::vector<vehicle::MissionItem> &b, MissionType type)
+{
+    const std::size_t first = type == MissionType::Mission ? 1 : 0;
+    return a.size() == b.size() && std::ranges::equal(std::span(a).subspan(first), std::span(b).subspan(first), isSame);
+}
+
 std::size_t itemsOf(const sim::SimulatedVehicle &aircraft, MissionType type)
 {
-    return type == MissionType::Rally ? aircraft.autopilot().flight().rallyPoints.items().size()
-                                      : aircraft.autopilot().flight().fence.areas().items().size();
+    switch (type) {
+    case MissionType::Mission: return aircraft.autopilot().modes().mission().mission().size();
+    case MissionType::Fence: return aircraft.autopilot().flight().fence.areas().items().size();
+    case MissionType::Rally: return aircraft.autopilot().flight().rallyPoints.items().size();
+    }
+    return 0;
 }
 
 } // namespace
@@ -127,6 +160,8 @@ private Q_SLOTS:
     void plansAreWrittenAndRead();
     void readerReadsPlans_data() { types(); }
     void readerReadsPlans();
+    void wholeParameterListIsRead_data();
+    void wholeParameterListIsRead();
     void filesAndLogsAreTransferred();
     void readerChangesNothing();
 
@@ -134,6 +169,7 @@ private:
     static void types()
     {
         QTest::addColumn<int>("type");
+        QTest::newRow("mission") << int(MissionType::Mission);
         QTest::newRow("fence") << int(MissionType::Fence);
         QTest::newRow("rally points") << int(MissionType::Rally);
     }
@@ -150,7 +186,7 @@ void GatewayTransferTest::plansAreWrittenAndRead()
     QCOMPARE(itemsOf(*flight.aircraft, kind), items.size());
     const auto read = flight.result<vehicle::MissionResult>(vehicle::ReadMission{kind});
     QVERIFY2(read.ok, read.reason.text().c_str());
-    QVERIFY(std::ranges::equal(*read.items, items, isSame));
+    QVERIFY(isSamePlan(*read.items, items, kind));
     const auto cleared = flight.result<vehicle::MissionResult>(vehicle::ClearMission{kind});
     QVERIFY2(cleared.ok, cleared.reason.text().c_str());
     QCOMPARE(itemsOf(*flight.aircraft, kind), std::size_t(0));
@@ -168,7 +204,50 @@ void GatewayTransferTest::readerReadsPlans()
     EVENTUALLY(flight.gatewayWrote(id));
     const auto read = flight.result<vehicle::MissionResult>(vehicle::ReadMission{kind});
     QVERIFY2(read.ok, read.reason.text().c_str());
-    QVERIFY(std::ranges::equal(*read.items, items, isSame));
+    QVERIFY(isSamePlan(*read.items, items, kind));
+}
+
+void GatewayTransferTest::wholeParameterListIsRead_data()
+{
+    QTest::addColumn<QString>("options");
+    QTest::addColumn<bool>("isFile");
+    QTest::newRow("by messages, a reader") << QString() << false;
+    QTest::newRow("as a file, a client that may use FTP") << QStringLiteral(",write=ftp") << true;
+}
+
+void GatewayTransferTest::wholeParameterListIsRead()
+{
+    QFETCH(QString, options);
+    QFETCH(bool, isFile);
+    TransferFlight flight(options.toStdString());
+    sim::Parameters &own = flight.aircraft->autopilot().parameters();
+    EVENTUALLY_EQUAL(own.integer("SR0_EXTRA3"), 3); // the last change of the gateway's own station
+    QVERIFY(own.set("WPNAV_SPEED", 321) == sim::Parameters::SetResult::Stored);
+    QVERIFY(own.set("ATC_RAT_PIT_P", 0.1234567f) == sim::Parameters::SetResult::Stored);
+    flight.client.station->setInspecting(true);
+    const auto values = [&] { return flight.received(mavlink::ParamValue::kId); };
+    const auto parts = [&] { return flight.received(mavlink::FileTransferProtocol::kId); };
+
+    const std::size_t switchesBefore = flight.switches();
+    const auto read = flight.result<vehicle::ParameterResult>(vehicle::ReadParameters{});
+    QVERIFY2(read.ok, read.reason.text().c_str());
+    QCOMPARE(read.all->size(), own.count());
+    for (const vehicle::Parameter &parameter : *read.all) {
+        const auto index = own.find(parameter.name);
+        QVERIFY2(index.has_value(), parameter.name.c_str());
+        QVERIFY2(static_cast<float>(parameter.value) == own.value(*index), parameter.name.c_str());
+        QCOMPARE(int(parameter.type), int(own.info(*index).type));
+    }
+    if (isFile) {
+        EVENTUALLY(parts() > 10);
+        QVERIFY(values() < 10);
+    } else {
+        EVENTUALLY(values() >= own.count());
+        QCOMPARE(parts(), std::uint64_t(0));
+        QVERIFY(flight.switches() > switchesBefore + 1); // the list takes a second or more
+    }
+    EVENTUALLY(flight.switches() > 5);
+    QCOMPARE(flight.ground.ears->snapshot->channel.rx.lost, std::uint64_t(0));
 }
 
 void GatewayTransferTest::filesAndLogsAreTransferred()
