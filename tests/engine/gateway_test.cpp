@@ -1,17 +1,14 @@
 // Other ground stations behind the gateway of a sealed station, over real sockets.
 #include "core/engine/gateway/gateway.h"
 #include "core/engine/station/snapshot.h"
-#include "core/mavlink/frame_intake.h"
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"
-#include "tests/engine/flown_frames.h"
 #include "tests/engine/served_flight.h"
-#include "tests/support/bare_socket.h"
+#include "tests/engine/udp_end.h"
 #include "tests/support/eventually.h"
 #include "tests/support/heartbeat.h"
 #include "tests/support/test_runner.h"
 
-#include <QtCore/QTimer>
 #include <QtNetwork/QTcpSocket>
 #include <QtNetwork/QUdpSocket>
 #include <QtTest/QSignalSpy>
@@ -28,93 +25,6 @@ std::string contentOf(const QByteArray &bytes)
 {
     return bytes.toStdString();
 }
-
-/// Another ground station, or a vehicle, on UDP.
-class UdpEnd
-{
-public:
-    explicit UdpEnd(quint16 target) : m_target(target)
-    {
-        if (!m_socket.bind(QHostAddress::LocalHost))
-            qFatal("no port");
-        QObject::connect(&m_socket, &QUdpSocket::readyRead, &m_socket, [this] { receive(); });
-    }
-
-    template<typename Message> void send(const Message &message, std::uint8_t systemId = 255)
-    {
-        std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
-        const ByteView frame = mavlink::FrameWriter(systemId, 190).write(message, buffer);
-        m_socket.writeDatagram(reinterpret_cast<const char *>(frame.data()), static_cast<qint64>(frame.size()),
-                               QHostAddress::LocalHost, m_target);
-    }
-
-    quint16 port() const { return m_socket.localPort(); }
-    bool received(const QByteArray &datagram) const { return std::ranges::find(datagrams, datagram) != datagrams.end(); }
-    /// The newest message of a kind that satisfies a condition.
-    template<typename Message, typename Condition> std::optional<Message> newest(Condition condition) const
-    {
-        std::optional<Message> out;
-        for (const QByteArray &datagram : datagrams) {
-            mavlink::scanFrames(
-                ByteView(reinterpret_cast<const std::uint8_t *>(datagram.constData()), std::size_t(datagram.size())),
-                mavlink::Dialect::builtin(), [&](const mavlink::ScanItem &item) {
-                    if (!item.frame || item.frame->messageId() != Message::kId)
-                        return;
-                    const Message message = Message::decode(item.frame->payload());
-                    if (condition(message))
-                        out = message;
-                });
-        }
-        return out;
-    }
-
-    template<typename Message> std::optional<Message> newest() const
-    {
-        return newest<Message>([](const Message &) { return true; });
-    }
-    /// The answer to a command.
-    std::optional<mavlink::CommandAck> answerTo(int command) const
-    {
-        return newest<mavlink::CommandAck>([command](const mavlink::CommandAck &ack) { return ack.command == command; });
-    }
-
-    std::vector<QByteArray> datagrams;
-
-private:
-    void receive()
-    {
-        while (m_socket.hasPendingDatagrams()) {
-            QByteArray datagram(static_cast<qsizetype>(m_socket.pendingDatagramSize()), Qt::Uninitialized);
-            m_socket.readDatagram(datagram.data(), datagram.size());
-            datagrams.push_back(datagram);
-        }
-    }
-
-    QUdpSocket m_socket;
-    const quint16 m_target;
-};
-
-/// Counts the datagrams of a socket and keeps a hash over them.
-struct Counted
-{
-    void drain()
-    {
-        while (const std::size_t arrived = socket.receive()) {
-            for (std::size_t i = 0; i < arrived; ++i)
-                note(socket.received(i));
-        }
-    }
-    void note(ByteView datagram)
-    {
-        ++count;
-        for (const std::uint8_t byte : datagram)
-            hash = (hash ^ byte) * 0x100000001b3; // FNV-1a
-    }
-
-    BareSocket socket;
-    std::uint64_t count = 0;
-    std::uint64_t hash = 0xcbf29ce484222325;
-};
 
 mavlink::CommandLong arm()
 {
@@ -152,7 +62,6 @@ private Q_SLOTS:
     void silentClientsKeepNobodyOut();
     void reconnectingIsReportedOnlySoOften();
     void denialsOfReconnectingClientsAreReportedOnlySoOften();
-    void everyFrameReachesEveryClient();
     void takenPortIsReported();
     void serviceEnds();
 };
@@ -401,70 +310,6 @@ void GatewayTest::denialsOfReconnectingClientsAreReportedOnlySoOften()
     QVERIFY(connected > 0 && denied > 0);
     const engine::ClientsUnreported others = flight.ground.ears->all<engine::ClientsUnreported>()[0];
     QVERIFY(others.clients + others.frames > 0);
-}
-
-/// Ten clients, one of which does not read and one of which is gone, receive a recorded flight again and again, byte for byte.
-/// SKYSEAL_FRAMES of the environment is the number of frames.
-void GatewayTest::everyFrameReachesEveryClient()
-{
-    const int frames = qEnvironmentVariableIsSet("SKYSEAL_FRAMES") ? qEnvironmentVariableIntValue("SKYSEAL_FRAMES") : 20'000;
-    FlightRig rig;
-    Ground ground(gatewayConfig(rig));
-    QUdpSocket gone;
-    QVERIFY(gone.bind(QHostAddress::LocalHost));
-    const quint16 gonePort = gone.localPort();
-    gone.close();
-    ground.station->serve({*engine::ServeConfig::parse("udpin:0"), *engine::ServeConfig::parse("tcpin:0"),
-                           *engine::ServeConfig::parse("udpout:127.0.0.1:" + std::to_string(gonePort))});
-    rig.startAgent(ground.ears->listening());
-    const auto portOfScheme = [&](const char *scheme) -> quint16 {
-        for (const engine::LinkSnapshot &link : ground.ears->snapshot->served) {
-            if (link.url.starts_with(scheme) && link.phase == engine::LinkPhase::Listening)
-                return portOf(link.localAddress);
-        }
-        return 0;
-    };
-    EVENTUALLY(ground.up() && portOfScheme("udpin") != 0 && portOfScheme("tcpin") != 0);
-    QTcpSocket slow;
-    slow.setReadBufferSize(1); // it never reads
-    slow.connectToHost(QHostAddress::LocalHost, portOfScheme("tcpin"));
-    std::array<Counted, 8> clients;
-    const QByteArray heartbeat = clearHeartbeat(255, 190, false);
-    const ByteView hello(reinterpret_cast<const std::uint8_t *>(heartbeat.constData()), std::size_t(heartbeat.size()));
-    const quint16 port = portOfScheme("udpin");
-    const auto greet = [&] { // a silent client is forgotten after a minute
-        for (Counted &client : clients)
-            client.socket.send(port, std::array{hello});
-    };
-    greet();
-    QTimer again;
-    QObject::connect(&again, &QTimer::timeout, &again, greet);
-    again.start(int(engine::Client::kForgetAfter / 6 / std::chrono::milliseconds(1))); // by time: the frames may be slow
-    EVENTUALLY_EQUAL(ground.ears->snapshot->clients.size(), std::size_t(10));
-
-    const FlownFrames flight;
-    QVERIFY2(flight.kinds.size() > 20 && flight.lengths.size() > 20, flight.text().c_str());
-    Counted vehicle;                 // what it sent
-    std::array<ByteView, 128> batch; // fits the receive buffer of every client
-    while (vehicle.count < std::uint64_t(frames)) {
-        for (ByteView &frame : batch) {
-            frame = flight.frames[vehicle.count % flight.frames.size()];
-            vehicle.note(frame);
-        }
-        vehicle.socket.send(portOf(rig.vehicleAddress()), batch);
-        const auto arrived = [&] {
-            for (Counted &client : clients)
-                client.drain();
-            return std::ranges::all_of(clients, [&](const Counted &client) { return client.count >= vehicle.count; });
-        };
-        QVERIFY2(eventually(arrived), std::to_string(vehicle.count).c_str());
-    }
-    for (const Counted &client : clients) {
-        QCOMPARE(client.count, vehicle.count);
-        QCOMPARE(client.hash, vehicle.hash);
-    }
-    qInfo("%llu frames to each of eight clients: %s", static_cast<unsigned long long>(vehicle.count), flight.text().c_str());
-    QCOMPARE(ground.ears->snapshot->channel.rx.lost, std::uint64_t(0));
 }
 
 void GatewayTest::takenPortIsReported()
