@@ -1,5 +1,8 @@
 // skyseal-cli gateway as people and scripts use it: another ground station, one that knows nothing of sealing, flies through
 // it, and skyseal-cli status, switch and revoke act on it while it runs.
+#include "tests/engine/udp_end.h"
+#include "tests/support/addresses.h"
+#include "tests/support/eventually.h"
 #include "tests/support/gateway_flight.h"
 #include "tests/support/notify_socket.h"
 #include "tests/support/test_runner.h"
@@ -12,6 +15,7 @@
 #include <QtNetwork/QUdpSocket>
 #include <QtTest/QTest>
 
+using namespace skyseal;
 using namespace skyseal::test;
 
 namespace {
@@ -52,6 +56,7 @@ class GatewayProgramTest : public QObject
 private Q_SLOTS:
     void anotherStationFliesWhileSuitesAreSwitched();
     void readerSeesAndCommandsNothing();
+    void gatewaySendsNoHeartbeat();
     void metricsAreServed();
     void peerIsRevoked();
     void socketIsOfThisUserAlone();
@@ -110,6 +115,22 @@ void GatewayProgramTest::readerSeesAndCommandsNothing()
     client->skipReceivedEvents();
     const std::vector<QJsonObject> texts = client->events(QStringLiteral("statustext"));
     QVERIFY(std::any_of(texts.begin(), texts.end(), told));
+}
+
+/// A vehicle would take its heartbeats for those of a pilot, and enter no failsafe when the pilot is gone.
+void GatewayProgramTest::gatewaySendsNoHeartbeat()
+{
+    GatewayFlight flight({QStringLiteral("udpin:127.0.0.1:0")});
+    flight.startAgent(loopback("udpin", flight.flight.vehiclePort));
+    UdpEnd vehicle(flight.flight.vehiclePort, mavlink::MAV_COMP_ID_AUTOPILOT1);
+    const auto requests = [&vehicle] {
+        const mavlink::Heartbeat heartbeat{.type = mavlink::MAV_TYPE_QUADROTOR,
+                                           .autopilot = mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA};
+        vehicle.send(heartbeat, 1);
+        return vehicle.all<mavlink::Timesync>().size();
+    };
+    EVENTUALLY(requests() >= 4); // one a second, as often as heartbeats are sent
+    QVERIFY(!vehicle.newest<mavlink::Heartbeat>());
 }
 
 void GatewayProgramTest::metricsAreServed()
