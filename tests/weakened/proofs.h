@@ -133,6 +133,11 @@ inline constexpr Proof kProofs[] = {
     {"ClearAccepted", "attack_flight_test", "blockedHandshakesOpenNoClearWay", "no telemetry without an explicit act"},
     {"NoEncryption", "attack_flight_test", "nothingReadableOnTheWire", "nothing that is known is found on the wire"},
 
+    {"NoTagCheck", "attack_gateway_test", "attackIsCountedAndTheClientNoticesNothing",
+     "each forged and each replayed record is refused and counted"},
+    {"NoReplayWindow", "attack_gateway_test", "attackIsCountedAndTheClientNoticesNothing",
+     "each forged and each replayed record is refused and counted"},
+
     {"NoEncryption", "attack_router_test", "copiesAreSealed", "he gets nothing but what is sealed"},
     {"ClearAccepted", "attack_flight_test", "clearBytesAreNotSearched", "clear bytes are counted and not searched"},
 
