@@ -2,8 +2,8 @@
 // and sets parameters, transfers a mission up and down and flies while the cipher is switched every two seconds. A second one,
 // which may only read, sees the whole flight, and commands nothing.
 //
-// SKYSEAL_MAVPROXY names mavproxy.py, which python3 must be able to run; without it the test is skipped. Without ARDUPILOT_SITL
-// (see Sitl) the rows of ArduCopter are skipped.
+// SKYSEAL_MAVPROXY names mavproxy.py, which python3 must be able to run; without it the test is skipped. README.md, "With
+// ArduPilot SITL", says how to get it from its sources. Without ARDUPILOT_SITL (see Sitl) the rows of ArduCopter are skipped.
 #include "tests/support/eventually.h"
 #include "tests/support/gateway_flight.h"
 #include "tests/support/sitl.h"
