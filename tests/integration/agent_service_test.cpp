@@ -4,10 +4,15 @@
 #include "tests/support/run_program.h"
 #include "tests/support/test_runner.h"
 
+#include <QtCore/QDir>
 #include <QtCore/QFile>
+#include <QtCore/QFileInfo>
+#include <QtCore/QScopeGuard>
+#include <QtNetwork/QTcpServer>
 #include <QtTest/QTest>
 
 #include <csignal>
+#include <unistd.h>
 
 using namespace skyseal::test;
 
@@ -42,6 +47,31 @@ public:
     Flight flight;
 };
 
+RunResult checked(const ConfiguredFlight &configured)
+{
+    return runProgram("skyseal-air", configured.arguments() << QStringLiteral("--check"));
+}
+
+void writePrivate(const QString &path, const QByteArray &content)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly | QIODevice::Truncate) || file.write(content) != content.size()
+        || !file.setPermissions(QFile::ReadOwner | QFile::WriteOwner))
+        qFatal("no file %s", qPrintable(path));
+}
+
+QByteArray contentOfFile(const QString &path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// setpriv(1) and its arguments before the program: the superuser's rights in files are gone, as other users have none.
+QStringList withoutPrivileges()
+{
+    return {QStringLiteral("setpriv"), QStringLiteral("--inh-caps=-all"), QStringLiteral("--bounding-set=-all")};
+}
+
 bool isUp(const QJsonObject &session)
 {
     return session[QLatin1String("state")].toString() == QLatin1String("up");
@@ -63,6 +93,11 @@ private Q_SLOTS:
     void checkFindsNothingWrong();
     void checkSaysWhatIsWrong_data();
     void checkSaysWhatIsWrong();
+    void checkFindsPortsInUse();
+    void checkFindsThatNobodyIsPilot();
+    void checkFindsMissingPermissions_data();
+    void checkFindsMissingPermissions();
+    void checkExplainsTheFirstStart();
 };
 
 void AgentServiceTest::optionsStandInTheFile()
@@ -154,7 +189,7 @@ void AgentServiceTest::agentWithoutItsPortIsNotReady()
 void AgentServiceTest::checkFindsNothingWrong()
 {
     ConfiguredFlight configured;
-    const RunResult result = runProgram("skyseal-air", configured.arguments() << QStringLiteral("--check"));
+    const RunResult result = checked(configured);
     QVERIFY2(result.status == 0, (result.out + result.err).constData());
     QCOMPARE(result.out, QByteArray("the configuration is valid\n"));
 }
@@ -180,9 +215,111 @@ void AgentServiceTest::checkSaysWhatIsWrong()
     QFETCH(QByteArray, said);
     ConfiguredFlight configured;
     configured.configure(line + '\n', line.left(line.indexOf(' ')));
-    const RunResult result = runProgram("skyseal-air", configured.arguments() << QStringLiteral("--check"));
+    const RunResult result = checked(configured);
     QVERIFY2(result.status == 1, result.err.constData());
     QVERIFY2(result.out.contains(said), result.out.constData());
+}
+
+/// Of the agent itself, while it runs, and of a program that accepts connections.
+void AgentServiceTest::checkFindsPortsInUse()
+{
+    ConfiguredFlight configured;
+    const QByteArray reason = "; another program, such as a running agent, may use the port";
+    Program running(QStringLiteral("skyseal-air"), configured.arguments() << QStringLiteral("--json"));
+    QVERIFY2(!running.waitFor(QStringLiteral("stats")).isEmpty(), running.errors().constData());
+    const RunResult datagrams = checked(configured);
+    QCOMPARE(datagrams.status, 1);
+    QVERIFY2(datagrams.out.startsWith("udpin:127.0.0.1:" + QByteArray::number(configured.flight.vehiclePort) + ": ")
+                 && datagrams.out.endsWith(reason + '\n') && datagrams.out.count('\n') == 1,
+             datagrams.out.constData());
+    QCOMPARE(running.terminate(), 0);
+    QCOMPARE(checked(configured).status, 0);
+
+    QTcpServer server;
+    QVERIFY(server.listen(QHostAddress::LocalHost));
+    const QByteArray url = "tcpin:127.0.0.1:" + QByteArray::number(server.serverPort());
+    configured.configure("vehicle = " + url + '\n', "vehicle");
+    const RunResult stream = checked(configured);
+    QCOMPARE(stream.status, 1);
+    QVERIFY2(stream.out.startsWith(url + ": ") && stream.out.endsWith(reason + '\n'), stream.out.constData());
+    server.close();
+    QCOMPARE(checked(configured).status, 0);
+}
+
+void AgentServiceTest::checkFindsThatNobodyIsPilot()
+{
+    ConfiguredFlight configured;
+    const QString peers = configured.flight.path(QStringLiteral("air.peers"));
+    QByteArray list = contentOfFile(peers);
+    QVERIFY2(list.contains(" pilot "), list.constData());
+    writePrivate(peers, list.replace(" pilot ", " observer "));
+    const RunResult result = checked(configured);
+    QCOMPARE(result.status, 1);
+    QCOMPARE(result.out, peers.toUtf8() + ": no station is a pilot, so none can command the vehicle\n");
+}
+
+void AgentServiceTest::checkFindsMissingPermissions_data()
+{
+    QTest::addColumn<QByteArray>("line"); // FOLDER is that of the flight; in FOLDER/locked nothing can be written
+    QTest::addColumn<QByteArray>("said");
+    QTest::newRow("device") << QByteArray("vehicle = serial:FOLDER/device:57600")
+                            << QByteArray("FOLDER/device: this user has no permission to open it; add the user to the group "
+                                          "dialout\n");
+    QTest::newRow("list of peers") << QByteArray("peers = FOLDER/locked/air.peers")
+                                   << QByteArray("FOLDER/locked is not writable, but holds the handshake counters and the list "
+                                                 "of peers\n");
+    QTest::newRow("signing key") << QByteArray("vehicle-signing = FOLDER/locked/vehicle.signing")
+                                 << QByteArray("FOLDER/locked is not writable, but holds the timestamp of the signatures\n");
+}
+
+void AgentServiceTest::checkFindsMissingPermissions()
+{
+    QFETCH(QByteArray, line);
+    QFETCH(QByteArray, said);
+    const bool isSuperuser = ::geteuid() == 0;
+    const QStringList bare = withoutPrivileges();
+    if (isSuperuser && runToItsEnd(bare[0], bare.mid(1) << QStringLiteral("/bin/true")).status != 0)
+        QSKIP("the superuser cannot give up privileges here (setpriv)");
+    ConfiguredFlight configured;
+    const QString locked = configured.flight.path(QStringLiteral("locked"));
+    const QString device = configured.flight.path(QStringLiteral("device"));
+    QVERIFY(QDir().mkdir(locked));
+    writePrivate(device, {});
+    writePrivate(locked + QStringLiteral("/air.peers"), contentOfFile(configured.flight.path(QStringLiteral("air.peers"))));
+    writePrivate(locked + QStringLiteral("/vehicle.signing"), QByteArray(64, '5'));
+    QVERIFY(QFile::setPermissions(device, QFile::Permissions())
+            && QFile::setPermissions(locked, QFile::ReadOwner | QFile::ExeOwner));
+    const auto unlock = qScopeGuard(
+        [&] { QFile::setPermissions(locked, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner); });
+    const QByteArray folder = QFileInfo(locked).path().toUtf8();
+    configured.configure(QByteArray(line).replace("FOLDER", folder) + '\n', line.left(line.indexOf(' ')));
+    QStringList arguments = configured.arguments() << QStringLiteral("--check");
+    QString program = QStringLiteral(SKYSEAL_BIN_DIR "/skyseal-air");
+    if (isSuperuser) {
+        arguments = bare.mid(1) << program << arguments;
+        program = bare[0];
+    }
+    const RunResult result = runToItsEnd(program, arguments);
+    QVERIFY2(result.status == 1, (result.out + result.err).constData());
+    QCOMPARE(result.out, said.replace("FOLDER", folder));
+}
+
+/// Without a known station the configuration is valid, since the first one is paired with the running agent.
+void AgentServiceTest::checkExplainsTheFirstStart()
+{
+    ConfiguredFlight configured;
+    const QString peers = configured.flight.path(QStringLiteral("air.peers"));
+    const QByteArray advice = "no station is known yet, start the agent and pair one with skyseal-air --pair --identity "
+        + configured.flight.path(QStringLiteral("air.key")).toUtf8();
+    writePrivate(peers, "# nobody yet\n");
+    const RunResult empty = checked(configured);
+    QVERIFY2(empty.status == 0, (empty.out + empty.err).constData());
+    QVERIFY2(empty.err.contains(peers.toUtf8() + ": " + advice), empty.err.constData());
+    QVERIFY(QFile::remove(peers));
+    const RunResult missing = checked(configured);
+    QVERIFY2(missing.status == 0, (missing.out + missing.err).constData());
+    QVERIFY2(missing.err.contains(peers.toUtf8() + ": the start creates it; " + advice), missing.err.constData());
+    QVERIFY(!QFile::exists(peers)); // by the start, not by the check
 }
 
 SKYSEAL_TEST(AgentServiceTest)
