@@ -16,15 +16,26 @@ namespace skyseal::test {
 class VehicleCommands
 {
 public:
-    /// Starts the simulator and the agent; false if there are no keys.
-    bool start()
+    /// Starts the simulator and the agent; false if there are no keys. `impairment`: options of skyseal-cli impair, which then
+    /// relays between the agent and the station.
+    bool start(const QStringList &impairment = {})
     {
         if (!m_flight.ready())
             return false;
+        const quint16 ground = impairment.isEmpty() ? m_flight.groundPort : freeUdpPort();
+        if (!impairment.isEmpty()) {
+            const QStringList ends{QStringLiteral("impair"), QStringLiteral("--listen"),
+                                   QStringLiteral("udpin:127.0.0.1:%1").arg(ground), QStringLiteral("--to"),
+                                   QStringLiteral("udpout:127.0.0.1:%1").arg(m_flight.groundPort)};
+            m_relay = std::make_unique<Program>(QStringLiteral("skyseal-cli"), ends + impairment);
+        }
         m_sim = std::make_unique<Program>(QStringLiteral("skyseal-sim"), m_flight.simArguments());
-        m_air = std::make_unique<Program>(QStringLiteral("skyseal-air"), m_flight.airArguments());
+        m_air = std::make_unique<Program>(QStringLiteral("skyseal-air"), m_flight.airArguments(ground));
         return true;
     }
+
+    /// Null without impairment.
+    Program *relay() { return m_relay.get(); }
 
     QString path(const QString &name) const { return m_flight.path(name); }
 
@@ -58,7 +69,7 @@ public:
 
 private:
     Flight m_flight;
-    std::unique_ptr<Program> m_sim, m_air;
+    std::unique_ptr<Program> m_relay, m_sim, m_air;
 };
 
 /// The JSON objects of this kind on standard output.
