@@ -10,6 +10,7 @@
 #include <QtTest/QTest>
 
 #include <memory>
+#include <set>
 
 using namespace skyseal::test;
 
@@ -47,6 +48,21 @@ QStringList onReadOnlyRoot(const QString &folder, const QString &program, const 
     + arguments;
 }
 
+/// Lists the vehicles of an agent in the stations' list of peers: without, a peer may have only a few.
+bool listVehicles(const QString &peers, int vehicles)
+{
+    QByteArrayList systems;
+    for (int id = 1; id <= vehicles; ++id)
+        systems << QByteArray::number(id);
+    QFile file(peers);
+    if (!file.open(QIODevice::ReadWrite))
+        return false;
+    QByteArray list = file.readAll();
+    const bool isOpen = list.contains(" any ");
+    list.replace(" any ", ' ' + systems.join(',') + ' ');
+    return isOpen && file.resize(0) && file.seek(0) && file.write(list) == list.size();
+}
+
 } // namespace
 
 class AgentHostTest : public QObject
@@ -54,18 +70,29 @@ class AgentHostTest : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void memoryAfterAFlight_data();
     void memoryAfterAFlight();
     void readOnlyRoot();
 };
 
-/// Four stations, of which one flies while it switches the suites.
+void AgentHostTest::memoryAfterAFlight_data()
+{
+    QTest::addColumn<int>("stations");
+    QTest::addColumn<int>("vehicles");
+    QTest::newRow("4 stations, one vehicle") << 4 << 1;
+    QTest::newRow("8 stations, 20 vehicles") << 8 << 20;
+}
+
+/// One of the stations flies while it switches the suites.
 void AgentHostTest::memoryAfterAFlight()
 {
+    QFETCH(int, stations);
+    QFETCH(int, vehicles);
     Flight flight;
-    QVERIFY(flight.ready());
+    QVERIFY(flight.ready() && listVehicles(flight.path(QStringLiteral("ground.peers")), vehicles));
     QStringList arguments = flight.airArguments();
     std::vector<std::unique_ptr<Program>> observers;
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 1; i < stations; ++i) {
         const quint16 port = freeUdpPort();
         arguments << QStringLiteral("--ground") << QStringLiteral("udpout:127.0.0.1:%1").arg(port);
         const QString key = flight.path(QStringLiteral("observer%1.key").arg(i));
@@ -86,7 +113,7 @@ void AgentHostTest::memoryAfterAFlight()
         monitor[monitor.indexOf(QStringLiteral("--identity")) + 1] = key;
         observers.push_back(std::make_unique<Program>(QStringLiteral("skyseal-cli"), monitor));
     }
-    Program sim(QStringLiteral("skyseal-sim"), flight.simArguments());
+    Program sim(QStringLiteral("skyseal-sim"), flight.simArguments({QStringLiteral("--vehicles"), QString::number(vehicles)}));
     Program air(QStringLiteral("skyseal-air"), arguments);
     Program pilot(
         QStringLiteral("skyseal-cli"),
@@ -97,6 +124,10 @@ void AgentHostTest::memoryAfterAFlight()
     for (const auto &observer : observers)
         QVERIFY2(!observer->waitFor(QStringLiteral("session"), stateIs("up")).isEmpty(), observer->errors().constData());
     QVERIFY2(pilot.waitForExit(2 * kDeadlineMs) == 0, pilot.errors().constData());
+    std::set<int> heard;
+    for (const QJsonObject &vehicle : pilot.events(QStringLiteral("vehicle")))
+        heard.insert(vehicle[QLatin1String("sysid")].toInt());
+    QCOMPARE(heard.size(), std::size_t(vehicles));
     const qint64 peak = statusKilobytes(air.pid(), "VmHWM");
     qInfo("VmHWM %lld kB", peak);
     QVERIFY(peak > 0);
