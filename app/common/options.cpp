@@ -148,8 +148,9 @@ std::optional<int> Options::parse(const QStringList &arguments)
     if (m_parser.isSet(QStringLiteral("help"))) {
         QString help = m_parser.helpText();
         const QString program = QCoreApplication::arguments().value(0);
-        if (!program.isEmpty())
-            help.replace(program, m_name);
+        // Only in the line of usage: if the program was started by its name alone, other lines may have the same word.
+        if (const qsizetype at = help.indexOf(program); !program.isEmpty() && at >= 0)
+            help.replace(at, program.size(), m_name);
         std::fputs(help.toUtf8().constData(), stdout);
         return kDone;
     }

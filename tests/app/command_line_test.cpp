@@ -16,6 +16,7 @@ class CommandLineTest : public QObject
 private Q_SLOTS:
     void helpAndVersion_data();
     void helpAndVersion();
+    void helpNamesOtherCommandsAsTheyAre();
     void usageErrors_data();
     void usageErrors();
     void cannotOpen_data();
@@ -61,6 +62,15 @@ void CommandLineTest::helpAndVersion()
     QCOMPARE(result.status, 0);
     QVERIFY2(result.out.contains(expected.toUtf8()), result.out.constData());
     QVERIFY2(!result.out.contains("\xc3\xa2\xc2\x80"), result.out.constData()); // UTF-8 that was encoded once more
+}
+
+/// Started by its name alone, the program's name is a word of its texts as well.
+void CommandLineTest::helpNamesOtherCommandsAsTheyAre()
+{
+    const RunResult help = runInShell("PATH=${1%/*}:$PATH; exec skyseal-cli gateway --help", "skyseal-cli", {});
+    QCOMPARE(help.status, 0);
+    QVERIFY2(help.out.startsWith("Usage: skyseal-cli gateway [options]"), help.out.constData());
+    QVERIFY2(help.out.contains("skyseal-cli status"), help.out.constData());
 }
 
 void CommandLineTest::usageErrors_data()
