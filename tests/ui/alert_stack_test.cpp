@@ -6,6 +6,7 @@
 #include "ui/alerts/alert_stack.h"
 #include "ui/flight/vehicle_commands.h"
 #include "ui/map/map_view.h"
+#include "window_hands.h"
 #include "window_rig.h"
 
 #include <QtGui/QAction>
@@ -252,6 +253,20 @@ private Q_SLOTS:
         QTest::keyClick(dismissButton(0), Qt::Key_Escape);
         QVERIFY(m_stack->isHidden());
         QVERIFY(map->hasFocus());
+    }
+
+    void shortcutGoesToTheAlertsAfterAMenu()
+    {
+        openWindow();
+        showAge(1, 0.1);
+        showAge(2, 4.2);
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get(), test::kDeadlineMs));
+        find<MapView>("map")->setFocus();
+        WindowHands(*m_window).choose("menuView", "actionZoomIn");
+        m_window->activateWindow(); // a menu takes that from the window on this platform, unlike on X11: see x11_test
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get(), test::kDeadlineMs));
+        QTest::keyClick(m_window->windowHandle(), Qt::Key_A, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(dismissButton(0)->hasFocus());
     }
 
     void onlyModesFromElsewhereAreAlerts()

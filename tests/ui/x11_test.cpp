@@ -3,15 +3,20 @@
 // are kept in the folder that SKYSEAL_PICTURES names.
 #include "ui/flight/hold_button.h"
 #include "ui/held_keys.h"
+#include "scripted_snapshots.h"
 #include "window_rig.h"
 
 #include <QtCore/QDir>
 #include <QtCore/QProcess>
 #include <QtCore/QStandardPaths>
+#include <QtGui/QAction>
 #include <QtGui/QScreen>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
+#include <QtWidgets/QMenu>
+#include <QtWidgets/QMenuBar>
+#include <QtWidgets/QToolButton>
 
 #include <csignal>
 #include <sys/prctl.h>
@@ -48,6 +53,7 @@ private Q_SLOTS:
     void cleanup();
     void programOpensItsWindows();
     void heldSpaceCommandsNothingElsewhere();
+    void alertsAreReachedAfterAMenu();
     void demoFlies();
 
 private:
@@ -210,6 +216,41 @@ void X11Test::heldSpaceCommandsNothingElsewhere()
     EVENTUALLY_EQUAL(m_station->commands.size(), std::size_t(1));
     QVERIFY(repeats());
     QCOMPARE(m_station->commands.size(), std::size_t(1));
+}
+
+/// By the first key after a choice from a menu, whether that was by the mouse or by keys.
+void X11Test::alertsAreReachedAfterAMenu()
+{
+    setUp();
+    engine::Snapshot lost = sealedSnapshot(1);
+    m_station->show(lost);
+    lost.time = 2;
+    lost.vehicles.front().state.messageAge = 4.2;
+    m_station->show(lost);
+    EVENTUALLY(m_window->isActiveWindow());
+    const auto *dismiss = find<QToolButton>("alertDismiss0");
+    QVERIFY(dismiss->isVisible());
+    const auto clickAt = [this](const QWidget &on, const QPoint &at) {
+        const QPoint place = on.mapToGlobal(at);
+        xdo({QStringLiteral("mousemove"), QString::number(place.x()), QString::number(place.y()), QStringLiteral("click"),
+             QStringLiteral("1")});
+    };
+    auto *menu = find<QMenu>("menuView");
+    for (const bool byMouse : {true, false}) {
+        find<QWidget>("map")->setFocus();
+        if (byMouse)
+            clickAt(*m_window->menuBar(), m_window->menuBar()->actionGeometry(menu->menuAction()).center());
+        else
+            key("alt+i");
+        EVENTUALLY(menu->isVisible());
+        if (byMouse)
+            clickAt(*menu, menu->actionGeometry(find<QAction>("actionZoomIn")).center());
+        else
+            key("i");
+        EVENTUALLY(!menu->isVisible());
+        key("ctrl+shift+a");
+        EVENTUALLY(dismiss->hasFocus());
+    }
 }
 
 /// The flight over the real sealed link, in the windows of this server.
