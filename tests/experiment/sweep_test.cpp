@@ -604,7 +604,7 @@ void SweepTest::cancelKeepsWhatThereIs()
     QByteArray out;
     while (events(out, "run").isEmpty() && process.waitForReadyRead(kDeadlineMs))
         out += process.readAllStandardOutput();
-    QVERIFY(!events(out, "run").isEmpty());
+    QVERIFY2(!events(out, "run").isEmpty(), (out + process.readAllStandardError()).constData());
     process.terminate();
     QVERIFY(process.waitForFinished(kDeadlineMs));
     QCOMPARE(process.exitStatus(), QProcess::NormalExit);
