@@ -12,31 +12,16 @@
 #include "core/keys/public_key_text.h"
 #include "core/link/steady_now.h"
 
-#include <utility>
-
 namespace skyseal::app {
-
-static constexpr int kSummaryWaitMs = 1000; ///< longest wait at the end for a reader that is slow
 
 AgentReport::AgentReport(bool json) : m_json(json) {}
 
 void AgentReport::say(const std::string &json, const std::string &sentence, unsigned severity)
 {
     if (m_json && !json.empty())
-        print(json);
+        m_output.print(json);
     else if (!m_json && !sentence.empty() && hasRoom(stderr))
         remark(sentence, severity);
-}
-
-void AgentReport::print(const std::string &json)
-{
-    if (!hasRoom(stdout)) {
-        ++m_unread;
-        return;
-    }
-    if (m_unread > 0 && hasRoom(stderr))
-        remark(format("%u lines of JSON were dropped because the reader did not keep up", std::exchange(m_unread, 0u)));
-    printLine(json);
 }
 
 void AgentReport::notify(const engine::AgentEvent &event)
@@ -93,14 +78,14 @@ void AgentReport::stats(const engine::AgentSnapshot &snapshot, double time)
 {
     sayRepeatedRefusals(steadyNow());
     if (m_json)
-        print(engine::agentStatsEvent("stats", snapshot, time));
+        m_output.print(engine::agentStatsEvent("stats", snapshot, time));
 }
 
 void AgentReport::summary(const engine::AgentSnapshot &snapshot, double time)
 {
     sayRepeatedRefusals(kNever);
-    if (m_json && hasRoom(stdout, kSummaryWaitMs))
-        printLine(engine::agentStatsEvent("summary", snapshot, time));
+    if (m_json)
+        m_output.printLast(engine::agentStatsEvent("summary", snapshot, time));
 }
 
 } // namespace skyseal::app

@@ -1,6 +1,7 @@
 // Output of the agent: one JSON object a line on stdout with --json, sentences for people on stderr otherwise. Main thread.
 #pragma once
 
+#include "app/common/output.h"
 #include "app/common/pairing_status.h"
 #include "core/engine/agent/agent_core.h"
 #include "core/engine/agent/repeated_refusals.h"
@@ -25,13 +26,12 @@ public:
 private:
     void say(const std::string &json, const std::string &sentence, unsigned severity = mavlink::MAV_SEVERITY_NOTICE);
     void sayRepeatedRefusals(TimePoint now);
-    void print(const std::string &json);
     std::string jsonOf(const engine::AgentEvent &event) const;
 
     const bool m_json;
     engine::PeerNames m_peers;
     engine::RepeatedRefusals m_refusals; ///< of the sentences; JSON has every event
-    unsigned m_unread = 0;               ///< lines of JSON that were left out since the last one that was printed
+    UnblockedOutput m_output;            ///< of JSON
 };
 
 } // namespace skyseal::app

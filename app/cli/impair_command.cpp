@@ -36,9 +36,10 @@ void declare(Options &options)
         "drops",
         "With --json: print a line for each datagram that is dropped, with the number of all datagrams, records and "
         "clear frames dropped so far.");
-    options.addFlag("datagrams",
-                    "With --json: print a line for each received datagram, with its fate and its "
-                    "unencrypted content, and one for each copy that is sent.");
+    options.addFlag(
+        "datagrams",
+        "With --json: print a line for each received datagram, with its fate and its unencrypted content, and one for each copy "
+        "that is sent. The relay waits for a reader that does not keep up; without this option, it drops lines instead.");
 }
 
 impair::ImpairmentSettings readSettings(Options &options)
@@ -74,19 +75,21 @@ using Elapsed = std::function<std::chrono::milliseconds()>;
 
 enum class LogLevel : std::uint8_t { None, Drops, All };
 
-/// Keeps the account of all datagrams, and prints a line for those that the level selects.
-void logDatagrams(link::Impairer &impairer, engine::RelayAccount &account, LogLevel level, const Elapsed &elapsed)
+/// Keeps the account of all datagrams, and prints a line for those that the level selects: a log of all is whole, while each
+/// line of a dropped datagram has the sums so far, so that a later one makes up for it.
+void logDatagrams(link::Impairer &impairer, engine::RelayAccount &account, LogLevel level, const Elapsed &elapsed,
+                  UnblockedOutput &output)
 {
-    impairer.setLog(
-        [&account, level, elapsed](Direction direction, TimePoint, const impair::Treatment &treatment, ByteView datagram) {
-            const engine::DatagramContents contents = engine::contentsOf(datagram);
-            engine::RelayLosses &losses = account[static_cast<std::size_t>(direction)];
-            losses.add(treatment, contents);
-            if (level == LogLevel::All)
-                printLine(engine::arrivalJson(direction, elapsed(), treatment, contents));
-            else if (level == LogLevel::Drops && treatment.dropped())
-                printLine(engine::dropJson(direction, elapsed(), treatment, losses));
-        });
+    impairer.setLog([&account, level, elapsed, &output](Direction direction, TimePoint, const impair::Treatment &treatment,
+                                                        ByteView datagram) {
+        const engine::DatagramContents contents = engine::contentsOf(datagram);
+        engine::RelayLosses &losses = account[static_cast<std::size_t>(direction)];
+        losses.add(treatment, contents);
+        if (level == LogLevel::All)
+            printLine(engine::arrivalJson(direction, elapsed(), treatment, contents));
+        else if (level == LogLevel::Drops && treatment.dropped())
+            output.print(engine::dropJson(direction, elapsed(), treatment, losses));
+    });
     if (level == LogLevel::All) {
         impairer.setDeliveryLog([elapsed](Direction direction, TimePoint, std::uint64_t sequence) {
             printLine(engine::deliveryJson(direction, elapsed(), sequence));
@@ -117,10 +120,11 @@ int runImpair(const QStringList &arguments)
     QElapsedTimer clock;
     clock.start();
     const auto elapsed = [&clock] { return std::chrono::milliseconds(clock.elapsed()); };
-    const auto report = [&](const char *event) { printLine(engine::statsJson(event, impairer, account, elapsed())); };
+    UnblockedOutput output;
+    const auto statsLine = [&](const char *event) { return engine::statsJson(event, impairer, account, elapsed()); };
     const LogLevel level = options.has("datagrams") ? LogLevel::All : options.has("drops") ? LogLevel::Drops : LogLevel::None;
     if (json)
-        logDatagrams(impairer, account, level, elapsed);
+        logDatagrams(impairer, account, level, elapsed, output);
     int status = kDone;
     QObject::connect(&impairer, &link::Impairer::linkStateChanged, qApp, [&](link::Link &link) {
         if (link.state() == link::LinkState::Failed) {
@@ -130,7 +134,12 @@ int runImpair(const QStringList &arguments)
         }
     });
     QTimer everySecond;
-    QObject::connect(&everySecond, &QTimer::timeout, qApp, [&] { report("stats"); });
+    QObject::connect(&everySecond, &QTimer::timeout, qApp, [&] {
+        if (level == LogLevel::All)
+            printLine(statsLine("stats"));
+        else
+            output.print(statsLine("stats"));
+    });
     StopSignals signals;
     QObject::connect(&signals, &StopSignals::stopRequested, qApp, [] { QCoreApplication::exit(kDone); });
     if (options.has("duration"))
@@ -145,7 +154,7 @@ int runImpair(const QStringList &arguments)
     });
     QCoreApplication::exec();
     if (status == kDone && json)
-        report("summary");
+        output.printLast(statsLine("summary"));
     else if (status == kDone)
         remark(summaryText(impairer));
     impairer.close();

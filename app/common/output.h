@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstring>
 #include <string>
+#include <utility>
 
 #include <poll.h>
 
@@ -62,6 +63,35 @@ inline void remark(const std::string &line)
 {
     std::fprintf(stderr, "%s\n", printable(line).c_str());
 }
+
+/// Lines on stdout for a reader that may be slower than they come, or may not read at all: those for which there is no room are
+/// dropped, and their number is said on stderr. Main thread.
+class UnblockedOutput
+{
+public:
+    void print(const std::string &line)
+    {
+        if (!hasRoom(stdout)) {
+            ++m_dropped;
+            return;
+        }
+        if (m_dropped > 0 && hasRoom(stderr))
+            std::fprintf(stderr, "%u lines of JSON were dropped because the reader did not keep up\n",
+                         std::exchange(m_dropped, 0U));
+        printLine(line);
+    }
+
+    /// Waits a moment for a reader that is slow.
+    void printLast(const std::string &line)
+    {
+        constexpr int kWaitMs = 1000;
+        if (hasRoom(stdout, kWaitMs))
+            printLine(line);
+    }
+
+private:
+    unsigned m_dropped = 0; ///< since the last line that was printed
+};
 
 /// At the end of a command that prints its result: its exit status, or kCannotOpen and a remark if stdout did not take all, as
 /// on a full disk. Not if the reader has closed the pipe, as `head` does.
