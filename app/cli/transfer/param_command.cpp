@@ -207,7 +207,8 @@ int runSave(const QString &name, const QStringList &arguments)
                                                    : vehicle::parameterText(all);
             std::string problem = writeWhole(file, text);
             if (problem.empty())
-                remark(file.toStdString() + ": " + counted(all.size(), "parameter"));
+                reportTransfer(settings.json, "downloaded", "parameters", all.size(),
+                               file.toStdString() + ": " + counted(all.size(), "parameter"));
             return problem;
         });
     });

@@ -26,16 +26,6 @@ std::shared_ptr<VehicleTask> planTask(const TaskSettings &settings, vehicle::Req
         settings, std::move(request), [take = std::move(take)](const MissionResult &result) { return take(*result.items); });
 }
 
-/// A sentence for people or an event for machines, of a transfer that has succeeded.
-void reportDone(bool json, const char *event, std::size_t items, const std::string &sentence)
-{
-    if (!json)
-        return remark(sentence);
-    JsonWriter out;
-    out.beginObject().field("event", event).field("items", std::uint64_t(items)).endObject();
-    printLine(out.text());
-}
-
 void show(const MissionItem &item, bool json)
 {
     if (!json) {
@@ -85,8 +75,8 @@ int runDownload(const QString &name, const QStringList &arguments, MissionType t
         return planTask(settings, vehicle::ReadMission{type}, [=](const Items &items) {
             std::string problem = writeWhole(file, vehicle::missionText(items));
             if (problem.empty())
-                reportDone(settings.json, "downloaded", items.size(),
-                           file.toStdString() + ": " + counted(items.size(), "item"));
+                reportTransfer(settings.json, "downloaded", "items", items.size(),
+                               file.toStdString() + ": " + counted(items.size(), "item"));
             return problem;
         });
     });
@@ -110,7 +100,8 @@ int runUpload(const QString &name, const QStringList &arguments, MissionType typ
         return kCannotOpen;
     return runTransfer(name, options, [&](const TaskSettings &settings) {
         return planTask(settings, vehicle::WriteMission{*items, type}, [settings](const Items &written) {
-            reportDone(settings.json, "uploaded", written.size(), counted(written.size(), "item") + " accepted by the vehicle");
+            reportTransfer(settings.json, "uploaded", "items", written.size(),
+                           counted(written.size(), "item") + " accepted by the vehicle");
             return std::string();
         });
     });
@@ -125,7 +116,7 @@ int runClear(const QString &name, const QStringList &arguments, MissionType type
     options.arguments(0, 0);
     return runTransfer(name, options, [&](const TaskSettings &settings) {
         return planTask(settings, vehicle::ClearMission{type}, [settings](const Items &) {
-            reportDone(settings.json, "cleared", 0, "cleared");
+            reportTransfer(settings.json, "cleared", "items", 0, "cleared");
             return std::string();
         });
     });

@@ -6,6 +6,7 @@
 #include "app/cli/station_run.h"
 #include "app/common/exit_status.h"
 #include "app/common/output.h"
+#include "core/base/json_writer.h"
 #include "core/base/save_file.h"
 
 #include <QtCore/QFile>
@@ -116,6 +117,15 @@ std::optional<int> checkTarget(const QString &program, const Options &options, c
         return std::nullopt;
     complain(program, out.error().text());
     return kCannotOpen;
+}
+
+void reportTransfer(bool json, const char *event, const char *kind, std::size_t count, const std::string &sentence)
+{
+    if (!json)
+        return remark(sentence);
+    JsonWriter out;
+    out.beginObject().field("event", event).field(kind, std::uint64_t(count)).endObject();
+    printLine(out.text());
 }
 
 } // namespace skyseal::app

@@ -44,5 +44,7 @@ template<typename Parse> auto parseFile(const QString &program, const QString &f
 std::string writeWhole(const QString &file, std::string_view content);
 /// Before a transfer: an exit status if the usage is wrong, or the file to be written cannot be, which is said.
 std::optional<int> checkTarget(const QString &program, const Options &options, const QString &file);
+/// A sentence for people, or for machines an event with the number of things of a kind, of a transfer that has succeeded.
+void reportTransfer(bool json, const char *event, const char *kind, std::size_t count, const std::string &sentence);
 
 } // namespace skyseal::app
