@@ -21,14 +21,6 @@ using namespace skyseal::test;
 
 namespace {
 
-engine::StationConfig clientConfig()
-{
-    engine::StationConfig config;
-    config.secure = engine::SecureMode::Off;
-    config.record = false;
-    return config;
-}
-
 /// A flight behind a gateway with an attacker between agent and gateway, and a client that is a whole ground station.
 struct AttackedGateway
 {
@@ -44,7 +36,7 @@ struct AttackedGateway
         };
         if (!eventually(isServed))
             qFatal("no vehicle behind the gateway");
-        client = std::make_unique<Ground>(clientConfig(), urlOf("udpout:" + ground.ears->snapshot->served[0].localAddress));
+        client = std::make_unique<Ground>(plainConfig(), urlOf("udpout:" + ground.ears->snapshot->served[0].localAddress));
         if (!eventually([this] { return !client->ears->snapshot->vehicles.empty(); }))
             qFatal("the client sees no vehicle");
     }

@@ -18,14 +18,6 @@ using vehicle::MissionType;
 
 namespace {
 
-engine::StationConfig plainConfig()
-{
-    engine::StationConfig config;
-    config.secure = engine::SecureMode::Off;
-    config.record = false;
-    return config;
-}
-
 /// A flight behind a gateway, and a client of it that is a whole ground station.
 struct TransferFlight : ServedFlight
 {

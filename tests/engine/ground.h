@@ -8,6 +8,15 @@
 
 namespace skyseal::test {
 
+/// Of a station that knows nothing of sealing.
+inline engine::StationConfig plainConfig()
+{
+    engine::StationConfig config;
+    config.secure = engine::SecureMode::Off;
+    config.record = false;
+    return config;
+}
+
 struct Ground
 {
     explicit Ground(engine::StationConfig config) : Ground(std::move(config), urlOf("udpin:127.0.0.1:0"))

@@ -142,11 +142,8 @@ void PlainStationTest::noVehicleNeedsApprovalWithoutPeers()
 
 void PlainStationTest::takenPortIsNamed()
 {
-    engine::StationConfig config;
-    config.secure = engine::SecureMode::Off;
-    config.record = false;
-    auto first = engine::Station::create(config);
-    auto second = engine::Station::create(config);
+    auto first = engine::Station::create(plainConfig());
+    auto second = engine::Station::create(plainConfig());
     StationEars firstEars(**first), secondEars(**second);
     (*first)->addLink(urlOf("udpin:127.0.0.1:0"));
     EVENTUALLY(!firstEars.listening().empty());
@@ -181,14 +178,6 @@ int gcsHeartbeats(QUdpSocket &socket)
     return out;
 }
 
-engine::StationConfig offConfig()
-{
-    engine::StationConfig config;
-    config.secure = engine::SecureMode::Off;
-    config.record = false;
-    return config;
-}
-
 /// An engine that listens on a port of its own.
 struct ListeningCore
 {
@@ -202,7 +191,7 @@ struct ListeningCore
 
     engine::LinkSnapshot link;
     std::shared_ptr<const engine::Snapshot> newest;
-    engine::StationCore core{offConfig(),
+    engine::StationCore core{plainConfig(),
                              nullptr,
                              {[this](const auto &snapshot) { newest = snapshot; },
                               [this](const engine::Event &event) {
@@ -217,7 +206,7 @@ void PlainStationTest::heartbeatStopsIfTheReaderHangs()
 {
     QUdpSocket remote;
     QVERIFY(remote.bind(QHostAddress::LocalHost, 0));
-    engine::StationCore core(offConfig(), nullptr, {[](const auto &) {}, [](const auto &) {}});
+    engine::StationCore core(plainConfig(), nullptr, {[](const auto &) {}, [](const auto &) {}});
     core.addLink(LinkId{1}, urlOf("udpout:127.0.0.1:" + std::to_string(remote.localPort())));
     int heard = 0;
     QVERIFY(eventually([&] { return (heard += gcsHeartbeats(remote)) >= 2; }));
