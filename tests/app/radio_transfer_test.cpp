@@ -22,19 +22,19 @@ QByteArray planItem(int sequence, int frame, int command, double firstParameter,
 }
 
 /// A mission (home first), a fence (a polygon and a circle) or rally points, as an ArduCopter keeps them.
-QByteArray planFile(const QString &kind)
+QByteArray planFile(const QString &kind, int items)
 {
     QByteArray out("QGC WPL 110\n");
     if (kind == QLatin1String("mission")) {
         out += planItem(0, 0, 16, 0, 488);
-        for (int i = 1; i < 20; ++i)
+        for (int i = 1; i < items; ++i)
             out += planItem(i, 3, 16, i % 3, 15 + i);
     } else if (kind == QLatin1String("fence")) {
-        for (int i = 0; i < 11; ++i)
-            out += planItem(i, 0, 5001, 11, 0);
-        out += planItem(11, 0, 5004, 30, 0);
+        for (int i = 0; i < items - 1; ++i)
+            out += planItem(i, 0, 5001, items - 1, 0);
+        out += planItem(items - 1, 0, 5004, 30, 0);
     } else {
-        for (int i = 0; i < 6; ++i)
+        for (int i = 0; i < items; ++i)
             out += planItem(i, 3, 5100, 0, 20 + i);
     }
     return out;
@@ -99,15 +99,17 @@ void RadioTransferTest::initTestCase()
 void RadioTransferTest::plansComeBack_data()
 {
     QTest::addColumn<QString>("kind");
-    for (const char *kind : {"mission", "fence", "rally"})
-        QTest::newRow(kind) << QString::fromLatin1(kind);
+    QTest::addColumn<int>("count");
+    QTest::newRow("mission") << QStringLiteral("mission") << 20;
+    QTest::newRow("fence") << QStringLiteral("fence") << 12;
+    QTest::newRow("rally") << QStringLiteral("rally") << 6;
 }
 
 void RadioTransferTest::plansComeBack()
 {
     QFETCH(QString, kind);
-    const QByteArray plan = planFile(kind);
-    const int count = static_cast<int>(plan.count('\n')) - 1;
+    QFETCH(int, count);
+    const QByteArray plan = planFile(kind, count);
     const QString counted = QString::number(count) + QStringLiteral(" items");
     const QString sent = m_far.write("sent.plan", plan), back = m_far.path(QStringLiteral("back.plan"));
 
@@ -143,23 +145,31 @@ void RadioTransferTest::progressIsShown_data()
 {
     QTest::addColumn<QString>("command");
     QTest::addColumn<QString>("file"); // "in": the plan to send, "out": the file to write, or none
-    const auto row = [](const char *command, const char *file) {
-        QTest::newRow(command) << QString::fromLatin1(command) << QString::fromLatin1(file);
+    QTest::addColumn<int>("items");    // of the plan; 0: none
+    const auto row = [](const char *command, const char *file, int items = 0) {
+        QTest::newRow(command) << QString::fromLatin1(command) << QString::fromLatin1(file) << items;
     };
     row("param list", "");
     row("logs get 1", "out"); // before the fence, which may keep the vehicle from arming
     row("ftp get /big", "out");
-    row("mission upload", "in");
-    row("mission download", "out");
-    row("fence upload", "in");
+    // Each item of an upload takes a round trip. A download takes one for the first 8 items, one for the next 16 or so, and
+    // one for the rest.
+    constexpr int kUp = 6, kDown = 30;
+    row("mission upload", "in", kUp);
+    row("mission download", "out", kDown);
+    row("fence upload", "in", kUp);
+    row("fence download", "out", kDown);
+    row("rally upload", "in", kUp);
+    row("rally download", "out", kDown);
 }
 
 void RadioTransferTest::progressIsShown()
 {
     QFETCH(QString, command);
     QFETCH(QString, file);
+    QFETCH(int, items);
     const QString kind = command.section(QLatin1Char(' '), 0, 0);
-    const QString plan = m_far.write("progress.plan", planFile(kind)), out = m_far.path(QStringLiteral("progress.out"));
+    const QString plan = m_far.write("progress.plan", planFile(kind, items)), out = m_far.path(QStringLiteral("progress.out"));
     if (command.endsWith(QLatin1String(" download")))
         QCOMPARE(m_far.run(kind + QStringLiteral(" upload"), {plan}).status, 0);
     if (kind == QLatin1String("logs")) {
@@ -182,8 +192,9 @@ void RadioTransferTest::progressIsShown()
     QVERIFY2(lines.hasNext(), people.err.constData());
     for (int before = 0; lines.hasNext();) {
         const QRegularExpressionMatch match = lines.next();
-        const int done = match.captured(1).toInt();
-        QVERIFY2(done > before && done <= match.captured(2).toInt(), people.err.constData());
+        const int done = match.captured(1).toInt(), total = match.captured(2).toInt();
+        QVERIFY2(done > before && done <= total, people.err.constData());
+        QVERIFY2(items == 0 || total == items, people.err.constData());
         before = done;
     }
 
@@ -193,9 +204,10 @@ void RadioTransferTest::progressIsShown()
     QVERIFY2(!events.empty(), script.out.constData());
     int before = 0;
     for (const QJsonObject &event : events) {
-        const int done = event[QLatin1String("done")].toInt();
+        const int done = event[QLatin1String("done")].toInt(), total = event[QLatin1String("total")].toInt();
         QCOMPARE(event[QLatin1String("sysid")].toInt(), 1);
-        QVERIFY2(done > before && done <= event[QLatin1String("total")].toInt(), script.out.constData());
+        QVERIFY2(done > before && done <= total, script.out.constData());
+        QVERIFY2(items == 0 || total == items, script.out.constData());
         before = done;
     }
     QVERIFY2(!line.match(QString::fromUtf8(script.err)).hasMatch(), script.err.constData());
@@ -235,7 +247,7 @@ void RadioTransferTest::lossCostsNoError()
     QCOMPARE(loaded.out.count('\n'), qsizetype(2)); // these two have their old values again, and no other differed
 
     const QString kind = QStringLiteral("mission");
-    const QByteArray plan = planFile(kind);
+    const QByteArray plan = planFile(kind, 20);
     const QString back = radio.path(QStringLiteral("back.plan"));
     for (const QStringList &transfer : {QStringList{QStringLiteral("mission upload"), radio.write("sent.plan", plan)},
                                         QStringList{QStringLiteral("mission download"), back}}) {
