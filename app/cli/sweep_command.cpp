@@ -116,15 +116,11 @@ int carryOut(Sweep &sweep, const SweepOptions &options, const experiment::Settin
             idleMeter->finish();
     });
     QObject::connect(&signals, &StopSignals::stopRequested, &sweep, &Sweep::cancel);
-    if (options.flight.exists()) {
-        signals.takeReload(); // a terminal that is closed
-        QObject::connect(&signals, &StopSignals::reloadRequested, &sweep, &Sweep::cancel);
-        for (const auto stop : {&StopSignals::stopRequested, &StopSignals::reloadRequested})
-            QObject::connect(&signals, stop, qApp, [] {
-                remark("the vehicle is brought down first; a second signal ends the sweep at once and leaves the vehicle "
-                       "in the air");
-            });
-    }
+    if (options.flight.exists())
+        QObject::connect(&signals, &StopSignals::stopRequested, qApp, [] {
+            remark("the vehicle is brought down first; a second signal ends the sweep at once and leaves the vehicle in the "
+                   "air");
+        });
     if (options.json)
         QObject::connect(&sweep, &Sweep::runBegan, qApp, [&](const experiment::Run &run) {
             printLine(experiment::beginEvent(options.plan, run, sweep.results().samples.size()));

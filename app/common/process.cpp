@@ -36,15 +36,24 @@ std::atomic<int> g_stopPipe{-1};
 
 constexpr char kStop = 's', kReload = 'r';
 
+/// A terminal that is closed may send SIGHUP more than once: the shell does, and the system.
 extern "C" void handleStop(int number)
 {
     static_cast<void>(!write(g_stopPipe, &kStop, 1));
-    std::signal(number, SIG_DFL); // a second signal ends the process
+    if (number != SIGHUP)
+        std::signal(number, SIG_DFL); // a second signal ends the process
 }
 
 extern "C" void handleReload(int)
 {
     static_cast<void>(!write(g_stopPipe, &kReload, 1)); // if the pipe is full, a reload is due anyway
+}
+
+/// Not if the program was started to ignore it, as by nohup(1).
+void replaceHangup(void (*handler)(int))
+{
+    if (std::signal(SIGHUP, handler) == SIG_IGN)
+        std::signal(SIGHUP, SIG_IGN);
 }
 
 } // namespace
@@ -83,6 +92,7 @@ StopSignals::StopSignals(QObject *parent) : QObject(parent)
     });
     std::signal(SIGINT, handleStop);
     std::signal(SIGTERM, handleStop);
+    replaceHangup(handleStop);
     std::signal(SIGPIPE, SIG_IGN); // a closed pipe is an error of write(), not the end of the process
 }
 
@@ -93,7 +103,7 @@ void StopSignals::takeReload()
 
 StopSignals::~StopSignals()
 {
-    std::signal(SIGHUP, SIG_DFL);
+    replaceHangup(SIG_DFL);
     std::signal(SIGINT, SIG_DFL);
     std::signal(SIGTERM, SIG_DFL);
     g_stopPipe = -1;

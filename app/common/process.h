@@ -10,7 +10,8 @@ namespace skyseal::app {
 /// reading its /proc files, takes CAP_SYS_PTRACE.
 void protectKeysInMemory();
 
-/// Converts SIGINT and SIGTERM into a Qt signal; a second one ends the process at once. SIGHUP as well, where it is asked for.
+/// Converts SIGINT, SIGTERM and SIGHUP (a terminal that is closed) into a Qt signal; a second SIGINT or SIGTERM ends the process
+/// at once. SIGHUP stays ignored in a program that was started so.
 class StopSignals : public QObject
 {
     Q_OBJECT
@@ -19,7 +20,7 @@ public:
     explicit StopSignals(QObject *parent = nullptr);
     ~StopSignals() override;
 
-    /// From now on SIGHUP does not end the process.
+    /// From now on SIGHUP is a request to read the configuration again.
     void takeReload();
 
 Q_SIGNALS:

@@ -15,6 +15,8 @@
 #include <QtNetwork/QUdpSocket>
 #include <QtTest/QTest>
 
+#include <csignal>
+
 using namespace skyseal;
 using namespace skyseal::test;
 
@@ -64,6 +66,8 @@ private Q_SLOTS:
     void withoutAGatewayNothingAnswers();
     void managerHearsOfReadinessAndLife();
     void managerHearsNothingWhileTheReceiverHangs();
+    void closedTerminalEndsTheGateway();
+    void gatewayOutlivesItsTerminal();
     void takenPortEndsTheGateway();
     void openMetricsAreWarnedOf();
     void openServiceIsWarnedOf_data();
@@ -244,6 +248,37 @@ void GatewayProgramTest::managerHearsNothingWhileTheReceiverHangs()
     QVERIFY(!QTest::qWaitFor([&] { return manager.count("WATCHDOG=1") > before + 1; }, 2500)); // one was on its way
     QCOMPARE(flight.control({QStringLiteral("status")}).status, 0);                            // the main thread answers
     QVERIFY(flight.gateway->running());
+}
+
+/// In order: the agent hears of it.
+void GatewayProgramTest::closedTerminalEndsTheGateway()
+{
+    GatewayFlight flight({QStringLiteral("udpin:0")});
+    flight.startAgent(loopback("udpin", flight.flight.vehiclePort));
+    QVERIFY2(flight.waitForSession(), flight.gateway->errors().constData());
+    QCOMPARE(::kill(static_cast<pid_t>(flight.gateway->pid()), SIGHUP), 0);
+    QCOMPARE(flight.gateway->waitForExit(), 0);
+    const auto isClosed = [](const QJsonObject &session) {
+        return session[QLatin1String("reason")].toString() == QLatin1String("peer-closed");
+    };
+    QVERIFY2(!flight.air->waitFor(QStringLiteral("session"), isClosed).isEmpty(), flight.air->errors().constData());
+}
+
+/// As nohup(1) starts it.
+void GatewayProgramTest::gatewayOutlivesItsTerminal()
+{
+    Flight flight;
+    QVERIFY(flight.ready());
+    Program gateway(QStringLiteral("/bin/sh"),
+                    QStringList{QStringLiteral("-c"), QStringLiteral("trap '' HUP; exec \"$@\""), QStringLiteral("sh"),
+                                QStringLiteral(SKYSEAL_BIN_DIR "/skyseal-cli")}
+                        + gatewayArguments(flight, QStringLiteral("udpin:0")) + QStringList{QStringLiteral("--json")});
+    QVERIFY2(!gateway.waitFor(QStringLiteral("stats")).isEmpty(), gateway.errors().constData());
+    QCOMPARE(::kill(static_cast<pid_t>(gateway.pid()), SIGHUP), 0);
+    gateway.skipReceivedEvents();
+    for (int second = 0; second < 2; ++second)
+        QVERIFY2(!gateway.waitFor(QStringLiteral("stats")).isEmpty(), gateway.errors().constData());
+    QCOMPARE(gateway.terminate(), 0);
 }
 
 void GatewayProgramTest::takenPortEndsTheGateway()
