@@ -85,6 +85,23 @@ SigningSetup readSigning(Options &options)
     return out;
 }
 
+/// Such an agent would talk to itself, and not to the vehicle or the station that is meant.
+void refuseOwnPorts(Options &options, const link::LinkUrl &vehicle, const std::vector<engine::GroundLink> &grounds)
+{
+    const auto refuse = [&options](const char *option, const link::LinkUrl &url, const char *ownOption,
+                                   const link::LinkUrl &own) {
+        if (url.reaches(own))
+            options.fail(std::string("--") + option + " '" + url.toText() + "': the agent itself listens there, with --"
+                         + ownOption + " " + own.toText());
+    };
+    for (const engine::GroundLink &ground : grounds) {
+        refuse("ground", ground.url, "vehicle", vehicle);
+        refuse("vehicle", vehicle, "ground", ground.url);
+        for (const engine::GroundLink &other : grounds)
+            refuse("ground", ground.url, "ground", other.url);
+    }
+}
+
 bool isSecure(crypto::SuiteId suite)
 {
     return !crypto::suiteInfo(suite).research && suite != crypto::SuiteId::None;
@@ -161,6 +178,7 @@ std::optional<AgentSetup> readAgent(Options &options)
         options.fail("--allow-plain: plain MAVLink requires a --ground that connects to the station, other than udpin");
     if (!vehicle || grounds.empty())
         return std::nullopt;
+    refuseOwnPorts(options, *vehicle, grounds);
     return AgentSetup{{*vehicle, std::move(grounds), std::move(policy), options.has("allow-plain"), freshness},
                       std::move(keys),
                       std::move(signing)};

@@ -49,6 +49,22 @@ std::vector<engine::ServeConfig> readServed(Options &options)
     return out;
 }
 
+/// Such a link would serve the gateway itself, and not the station that is meant.
+void refuseOwnPorts(Options &options, const std::vector<link::LinkUrl> &links, const std::vector<engine::ServeConfig> &served)
+{
+    for (const engine::ServeConfig &config : served) {
+        const auto refuse = [&](const char *option, const link::LinkUrl &own) {
+            if (config.url.reaches(own))
+                options.fail("--serve '" + config.url.toText() + "': the gateway itself listens there, with --" + option + " "
+                             + own.toText() + "; the station needs another port");
+        };
+        for (const link::LinkUrl &own : links)
+            refuse("link", own);
+        for (const engine::ServeConfig &own : served)
+            refuse("serve", own.url);
+    }
+}
+
 /// Clients are not authenticated: every program that reaches the port is served.
 void warnOfOpenLinks(const QString &program, const std::vector<engine::ServeConfig> &served)
 {
@@ -83,6 +99,7 @@ int runGateway(const QStringList &arguments)
     readKeys(options, run.config);
     readRecording(options, run.config);
     run.plan.serve = readServed(options);
+    refuseOwnPorts(options, run.links, run.plan.serve);
     if (options.has("control"))
         run.control = readControl(options);
     if (options.has("metrics"))

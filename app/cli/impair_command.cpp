@@ -109,6 +109,8 @@ int runImpair(const QStringList &arguments)
     options.arguments(0, 0);
     const auto listen = options.url("listen");
     const auto to = options.url("to");
+    if (listen && to && to->reaches(*listen))
+        options.fail("--to '" + to->toText() + "': the relay itself listens there, with --listen " + listen->toText());
     const impair::ImpairmentSettings settings = readSettings(options);
     const double duration = options.has("duration") ? options.number("duration", 0, 1e6) : 0;
     if (const auto status = options.finish())

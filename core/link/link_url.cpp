@@ -198,6 +198,23 @@ LinkTraits LinkUrl::traits() const
     return out;
 }
 
+/// nullopt for a host name.
+static std::optional<Address> literalAddress(const LinkUrl &url)
+{
+    return parseHost(url.host() == "localhost" ? LinkUrl::kLoopback : std::string_view(url.host()), url.port());
+}
+
+bool LinkUrl::reaches(const LinkUrl &listening) const
+{
+    if (isListening() || !listening.isListening() || traits().isStream != listening.traits().isStream)
+        return false;
+    const auto target = literalAddress(*this), bound = literalAddress(listening);
+    if (!target || !bound || target->port != bound->port || isIpv4(*target) != isIpv4(*bound))
+        return false;
+    const auto isLocal = [](const Address &address) { return isAnyAddress(address) || toQt(address).isLoopback(); };
+    return target->ip == bound->ip || ((isAnyAddress(*target) || isAnyAddress(*bound)) && isLocal(*target) && isLocal(*bound));
+}
+
 std::string LinkUrl::toText() const
 {
     const std::string scheme = std::string(m_type->scheme) + ':';

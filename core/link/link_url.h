@@ -34,6 +34,8 @@ public:
     const LinkType &type() const { return *m_type; }
     LinkTraits traits() const;
     bool isListening() const { return m_type->traits.isListening; }
+    /// Whether what this link sends arrives at `listening`, a link of the same machine. Of host names, only localhost is known.
+    bool reaches(const LinkUrl &listening) const;
     /// Name or address without brackets; empty unless the target is HostPort.
     const std::string &host() const { return m_host; }
     std::uint16_t port() const { return m_port; }

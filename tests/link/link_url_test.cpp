@@ -20,6 +20,8 @@ private Q_SLOTS:
     void traits_data();
     void traits();
     void recordingIsReplayed();
+    void reachesTheOwnPort_data();
+    void reachesTheOwnPort();
     void refuses_data();
     void refuses();
     void canonicalTextParsesBack();
@@ -105,6 +107,42 @@ void LinkUrlTest::recordingIsReplayed()
     const auto url = LinkUrl::parse(LinkUrl::ofRecording("/tmp/a flight.tlog"));
     QVERIFY(url && url->traits().isRecording);
     QCOMPARE(url->path(), std::string("/tmp/a flight.tlog"));
+}
+
+void LinkUrlTest::reachesTheOwnPort_data()
+{
+    QTest::addColumn<std::string>("sending");
+    QTest::addColumn<std::string>("listening");
+    QTest::addColumn<bool>("reaches");
+    const auto row = [](const char *sending, const char *listening, bool reaches) {
+        QTest::addRow("%s, %s", sending, listening) << std::string(sending) << std::string(listening) << reaches;
+    };
+    row("udpout:127.0.0.1:14550", "udpin:0.0.0.0:14550", true);
+    row("udpout:localhost:14550", "udpin:127.0.0.1:14550", true);
+    row("udpout:0.0.0.0:14550", "udpin:127.0.0.1:14550", true);
+    row("udpout:10.1.0.9:14550", "udpin:10.1.0.9:14550", true);
+    row("udpout:[::1]:14550", "udpin:[::]:14550", true);
+    row("tcp:127.0.0.1:5760", "tcpin:0.0.0.0:5760", true);
+    row("udpout:127.0.0.1:14551", "udpin:0.0.0.0:14550", false);
+    row("udpout:10.1.0.9:14550", "udpin:0.0.0.0:14550", false); // perhaps of another machine
+    row("udpout:127.0.0.1:14550", "udpin:10.1.0.9:14550", false);
+    row("udpout:0.0.0.0:14550", "udpin:10.1.0.9:14550", false);
+    row("udpout:127.0.0.1:14550", "udpin:127.0.0.2:14550", false);
+    row("udpout:127.0.0.1:14550", "udpin:[::]:14550", false);
+    row("udpout:planner:14550", "udpin:0.0.0.0:14550", false);
+    row("udpout:127.0.0.1:14550", "tcpin:0.0.0.0:14550", false);
+    row("udpout:127.0.0.1:14550", "udpout:127.0.0.1:14550", false);
+    row("udpin:127.0.0.1:14550", "udpin:127.0.0.1:14550", false);
+    row("udpout:127.0.0.1:14550", "serial:/dev/ttyUSB0:57600", false);
+    row("serial:/dev/ttyUSB0:57600", "udpin:127.0.0.1:14550", false);
+}
+
+void LinkUrlTest::reachesTheOwnPort()
+{
+    QFETCH(std::string, sending);
+    QFETCH(std::string, listening);
+    QFETCH(bool, reaches);
+    QCOMPARE(LinkUrl::parse(sending)->reaches(*LinkUrl::parse(listening)), reaches);
 }
 
 void LinkUrlTest::refuses_data()
