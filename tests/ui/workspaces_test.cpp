@@ -7,6 +7,7 @@
 #include "window_rig.h"
 
 #include <QtGui/QAction>
+#include <QtGui/QImage>
 #include <QtTest/QTest>
 #include <QtWidgets/QAbstractButton>
 #include <QtWidgets/QApplication>
@@ -157,6 +158,20 @@ private Q_SLOTS:
         EVENTUALLY(profile->accessibleDescription().contains(QStringLiteral("highest 60.0 m")));
     }
 
+    /// A dock alone has its name above it; of several behind each other, each tab has it.
+    void noTitleRepeatsItsTab()
+    {
+        QVERIFY(hasTitle("dockFlight"));
+        press(2);
+        EVENTUALLY(isInFront("dockParameters") && isInFront("dockMessages"));
+        QVERIFY(!hasTitle("dockParameters") && !hasTitle("dockMessages"));
+        find<QDockWidget>("dockInspector")->close();
+        EVENTUALLY(hasTitle("dockParameters"));
+        find<QAction>("view_dockInspector")->trigger();
+        EVENTUALLY(isInFront("dockInspector"));
+        EVENTUALLY(!hasTitle("dockInspector"));
+    }
+
     void countersHaveTheirRoomFromTheStart()
     {
         m_window->resize(800, 700); // the width is shared out before anything is sealed
@@ -183,6 +198,22 @@ private:
     void press(std::size_t workspace)
     {
         QTest::keyClick(m_window.get(), static_cast<Qt::Key>(Qt::Key_1 + static_cast<int>(workspace)), Qt::ControlModifier);
+    }
+
+    bool isInFront(const char *dock) const { return !find<QDockWidget>(dock)->visibleRegion().isEmpty(); }
+
+    /// Whether something is written above the panel, left of the buttons.
+    bool hasTitle(const char *id) const
+    {
+        constexpr int kFrame = 4;
+        auto *dock = find<QDockWidget>(id);
+        const QRect bar(kFrame, kFrame, dock->width() / 2, dock->widget()->y() - 2 * kFrame);
+        const QImage picture = dock->grab(bar).toImage();
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 0; x < picture.width(); ++x)
+                if (picture.pixel(x, y) != picture.pixel(0, y))
+                    return true;
+        return false;
     }
 
     /// Docks that are open, in front of their tabs or behind; in the order of the table.

@@ -2,6 +2,7 @@
 
 #include "ui/dock_panel.h"
 #include "ui/fitting_scroll.h"
+#include "ui/window/panel_dock.h"
 #include "ui/window/panel_table.h"
 #include "ui/window/window_actions.h"
 
@@ -38,7 +39,7 @@ WindowDocks::WindowDocks(QMainWindow &window, const PanelContext &context)
 
 void WindowDocks::add(const PanelRow &row, const PanelContext &context)
 {
-    auto *dock = new QDockWidget(tr(row.title), &m_window);
+    auto *dock = new PanelDock(tr(row.title), &m_window);
     dock->setObjectName(QLatin1String(row.id));
     dock->setAccessibleName(dock->windowTitle());
     DockPanel *panel = row.make(context, &m_window);
