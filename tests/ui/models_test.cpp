@@ -1,6 +1,7 @@
 // Item models under QAbstractItemModelTester while they are filled, changed and emptied, and the content of their cells. The
 // models of peers, shortcuts, sweeps and vehicles are tested beside their panels.
 #include "core/engine/text/event_text.h"
+#include "core/mavlink/enums.h"
 #include "scripted_snapshots.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
@@ -292,13 +293,44 @@ private Q_SLOTS:
     {
         MissionModel model;
         QAbstractItemModelTester tester(&model, kFatal);
-        model.setMission(plainSnapshot(0).vehicles.front().mission, 2);
+        const auto mission = plainSnapshot(0).vehicles.front().mission;
+        model.setMission(mission, 2, true);
         QCOMPARE(model.rowCount(), 5);
         QCOMPARE(cell(model, 0, MissionModel::Command), QStringLiteral("home"));
         QVERIFY(cell(model, 1, MissionModel::Command).startsWith(QStringLiteral("WAYPOINT")));
         QVERIFY(cell(model, 2, MissionModel::Command).contains(QStringLiteral("now")));
-        model.setMission(nullptr, -1);
+        model.setMission(mission, 0, false); // PX4 keeps home elsewhere, and flies to the first item
+        QCOMPARE(cell(model, 0, MissionModel::Command), QStringLiteral("WAYPOINT (now)"));
+        model.setMission(nullptr, -1, false);
         QCOMPARE(model.rowCount(), 0);
+    }
+
+    void itemsWithoutAPlaceShowNone_data()
+    {
+        QTest::addColumn<int>("command");
+        QTest::addColumn<bool>("placed");
+        QTest::addColumn<float>("altitude");
+        QTest::addColumn<QString>("shown"); // latitude and altitude
+        const QString none = QString(QChar(0x2013));
+        QTest::newRow("waypoint") << int(mavlink::MAV_CMD_NAV_WAYPOINT) << true << 0.f << QStringLiteral("47.5000000 0.0 m");
+        QTest::newRow("take-off here") << int(mavlink::MAV_CMD_NAV_TAKEOFF) << false << 20.f
+                                       << none + QStringLiteral(" 20.0 m");
+        QTest::newRow("return") << int(mavlink::MAV_CMD_NAV_RETURN_TO_LAUNCH) << false << 0.f << none + QLatin1Char(' ') + none;
+        QTest::newRow("jump") << int(mavlink::MAV_CMD_DO_JUMP) << false << 0.f << none + QLatin1Char(' ') + none;
+        QTest::newRow("camera, whose last parameter is no altitude")
+            << int(mavlink::MAV_CMD_DO_DIGICAM_CONTROL) << false << 1.f << none + QLatin1Char(' ') + none;
+    }
+    void itemsWithoutAPlaceShowNone()
+    {
+        QFETCH(int, command);
+        QFETCH(bool, placed);
+        QFETCH(float, altitude);
+        vehicle::MissionItem item{.command = static_cast<std::uint16_t>(command), .altitude = altitude};
+        if (placed)
+            item.latitude = 47.5;
+        MissionModel model;
+        model.setMission(std::make_shared<const std::vector<vehicle::MissionItem>>(1, item), -1, false);
+        QTEST(cell(model, 0, MissionModel::Latitude) + QLatin1Char(' ') + cell(model, 0, MissionModel::Altitude), "shown");
     }
 
     void clientsShowTheirRights()

@@ -2,7 +2,8 @@
 
 #include "core/engine/station/vehicle_snapshot.h"
 #include "core/mavlink/enums.h"
-#include "ui/map/mission_route.h"
+#include "core/vehicle/mission_place.h"
+#include "ui/tiles/mercator.h"
 
 #include <cmath>
 

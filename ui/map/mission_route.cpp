@@ -1,6 +1,7 @@
 #include "ui/map/mission_route.h"
 
 #include "core/mavlink/enums.h"
+#include "core/vehicle/mission_place.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,19 +15,6 @@ using namespace mavlink;
 using Loiter = RouteStop::Loiter;
 
 constexpr double kUnknownAltitude = std::numeric_limits<double>::quiet_NaN();
-
-bool isGlobal(std::uint8_t frame)
-{
-    switch (frame) {
-    case MAV_FRAME_GLOBAL:
-    case MAV_FRAME_GLOBAL_RELATIVE_ALT:
-    case MAV_FRAME_GLOBAL_INT:
-    case MAV_FRAME_GLOBAL_RELATIVE_ALT_INT:
-    case MAV_FRAME_GLOBAL_TERRAIN_ALT:
-    case MAV_FRAME_GLOBAL_TERRAIN_ALT_INT: return true;
-    default: return false;
-    }
-}
 
 /// Commands that the vehicle executes at or on the way to a place; the others below MAV_CMD_NAV_LAST change nothing of the
 /// route.
@@ -124,12 +112,6 @@ void bendSplines(std::vector<RouteStop> &stops)
 }
 
 } // namespace
-
-bool hasPlace(const vehicle::MissionItem &item)
-{
-    return isGlobal(item.frame) && std::isfinite(item.latitude) && std::isfinite(item.longitude)
-        && (item.latitude != 0 || item.longitude != 0);
-}
 
 const RouteStop *MissionRoute::stopOf(int sequence) const
 {

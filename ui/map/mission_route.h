@@ -53,9 +53,6 @@ struct MissionRoute
     const RouteStop *stopOf(int sequence) const;
 };
 
-/// Whether the item names a place on the globe.
-bool hasPlace(const vehicle::MissionItem &item);
-
 /// `home` is where take-offs without a place begin and returns to launch end. With `firstIsHome`, item 0 is home and no stop,
 /// as ArduPilot keeps it.
 MissionRoute routeOf(const std::vector<vehicle::MissionItem> &items, std::optional<QPointF> home, bool firstIsHome);

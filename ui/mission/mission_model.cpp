@@ -1,6 +1,7 @@
 #include "ui/mission/mission_model.h"
 
 #include "core/mavlink/dialect.h"
+#include "core/vehicle/mission_place.h"
 #include "ui/text/units.h"
 #include "ui/text/vehicle_text.h"
 
@@ -23,12 +24,13 @@ QString commandName(std::uint16_t command)
 
 } // namespace
 
-void MissionModel::setMission(const Mission &mission, int current)
+void MissionModel::setMission(const Mission &mission, int current, bool firstIsHome)
 {
-    if (mission != m_mission) {
+    if (mission != m_mission || firstIsHome != m_firstIsHome) {
         beginResetModel();
         m_mission = mission;
         m_current = current;
+        m_firstIsHome = firstIsHome;
         endResetModel();
     } else if (current != m_current) {
         m_current = current;
@@ -72,12 +74,13 @@ QVariant MissionModel::data(const QModelIndex &index, int role) const
     switch (index.column()) {
     case Number: return item.sequence;
     case Command: {
-        const QString name = item.sequence == 0 ? tr("home") : commandName(item.command);
+        const QString name = m_firstIsHome && item.sequence == 0 ? tr("home") : commandName(item.command);
         return isCurrent ? tr("%1 (now)").arg(name) : name;
     }
-    case Latitude: return number(item.latitude, 7);
-    case Longitude: return number(item.longitude, 7);
-    case Altitude: return altitudeFigure(static_cast<double>(item.altitude), m_units).text();
+    case Latitude: return vehicle::hasPlace(item) ? number(item.latitude, 7) : dash();
+    case Longitude: return vehicle::hasPlace(item) ? number(item.longitude, 7) : dash();
+    case Altitude:
+        return vehicle::hasAltitude(item) ? altitudeFigure(static_cast<double>(item.altitude), m_units).text() : dash();
     default: return {};
     }
 }

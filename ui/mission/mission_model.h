@@ -21,8 +21,8 @@ public:
 
     using QAbstractTableModel::QAbstractTableModel;
 
-    /// `current` is the item that the vehicle flies to, −1 for none.
-    void setMission(const Mission &mission, int current);
+    /// `current` is the item that the vehicle flies to, −1 for none. With `firstIsHome`, item 0 is home and not flown.
+    void setMission(const Mission &mission, int current, bool firstIsHome);
 
     void setUnits(UnitSystem units);
 
@@ -34,6 +34,7 @@ public:
 private:
     Mission m_mission;
     int m_current = -1;
+    bool m_firstIsHome = false;
     UnitSystem m_units = UnitSystem::Metric;
 };
 

@@ -170,7 +170,11 @@ void MissionPanel::showViewState(const ViewState &view)
                                       : tr("The mission has not been read from the vehicle.");
     if (m_empty->text() != why)
         m_empty->setText(why);
-    m_model.setMission(m_mission, view.vehicle ? view.vehicle->state.missionCurrent : -1);
+    if (view.vehicle)
+        m_model.setMission(m_mission, view.vehicle->state.missionCurrent,
+                           vehicle::keepsHomeFirst(view.vehicle->state.autopilot));
+    else
+        m_model.setMission(nullptr, -1, false);
 }
 
 /// Where there are several vehicles, says which one is read and written.
