@@ -44,7 +44,7 @@ std::vector<engine::ServeConfig> readServed(Options &options)
         if (config)
             out.push_back(std::move(*config));
         else
-            options.fail("--serve '" + text + "': " + config.error());
+            options.fail("--serve '" + text + "': " + config.error().text());
     }
     return out;
 }

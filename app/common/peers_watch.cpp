@@ -158,7 +158,7 @@ void PeersWatch::checkDisk()
     if (m_slow || !m_lookBegan.hasExpired(std::chrono::milliseconds(kSlow).count()))
         return;
     m_slow = true;
-    Q_EMIT refused(QString::fromStdString(InputError{"the disk does not answer", m_file.toStdString()}.text()));
+    Q_EMIT refused(InputError{sentence("Reason", "the disk does not answer"), m_file.toStdString()}.reason());
 }
 
 void PeersWatch::take(Found found)
@@ -179,7 +179,7 @@ void PeersWatch::take(Found found)
     if (!found.list)
         return;
     if (!*found.list) {
-        Q_EMIT refused(QString::fromStdString(found.list->error().text()));
+        Q_EMIT refused(found.list->error().reason());
         return;
     }
     keys::UsablePeers &list = **found.list;
@@ -257,7 +257,7 @@ void reportPeers(const PeersWatch &watch, bool json)
         if (hasRoom(json ? stdout : stderr))
             json ? static_cast<void>(printLine(peersWatchEvent(failed))) : remark(peersWatchText(failed));
     });
-    QObject::connect(&watch, &PeersWatch::refused, &watch, [say](const QString &problem) { say(problem.toStdString()); });
+    QObject::connect(&watch, &PeersWatch::refused, &watch, [say](const Reason &problem) { say(problem.text()); });
 }
 
 } // namespace skyseal::app

@@ -47,8 +47,8 @@ public:
 Q_SIGNALS:
     /// Another list was applied.
     void reloaded(const skyseal::keys::PeersInForce &peers);
-    /// `problem`: a sentence for the user. Reading is tried again each second; another change or problem is reported again.
-    void refused(const QString &problem);
+    /// Reading is tried again each second; another change or problem is reported again.
+    void refused(const skyseal::Reason &problem);
     /// The system does not notify of changes: they take effect up to a second later. `false`: it does again.
     void notificationFailed(bool failed);
 

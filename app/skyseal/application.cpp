@@ -90,9 +90,10 @@ void Application::useKeys(const engine::KeyPaths &keys)
         m_keyring.touched();
         reportLeftOutPeers(peers);
     });
-    connect(m_peersWatch.get(), &PeersWatch::refused, this, [this](const QString &problem) {
+    connect(m_peersWatch.get(), &PeersWatch::refused, this, [this](const Reason &problem) {
         m_keyring.touched();
-        m_window->reportProblem(tr("The list of peers cannot be used; the previous list stays in force: %1").arg(problem));
+        m_window->reportProblem(
+            tr("The list of peers cannot be used; the previous list stays in force: %1").arg(engine::reasonText(problem)));
     });
     connect(m_peersWatch.get(), &PeersWatch::notificationFailed, this, [this](bool failed) {
         if (failed)

@@ -211,11 +211,14 @@ void PeersWatchTest::hangingDiskStopsNothing()
     const QString path = folder.filePath(QStringLiteral("peers"));
     write(path, "one");
     int applied = 0;
-    QString problem;
+    Reason problem;
     auto watch = std::make_unique<PeersWatch>(path.toStdString(), read, [&](const auto &) { ++applied; });
-    QObject::connect(watch.get(), &PeersWatch::refused, watch.get(), [&](const QString &text) { problem = text; });
-    EVENTUALLY(!problem.isEmpty());
-    QVERIFY2(problem.endsWith(QStringLiteral("peers: the disk does not answer")), qPrintable(problem));
+    QObject::connect(watch.get(), &PeersWatch::refused, watch.get(), [&](const Reason &why) { problem = why; });
+    EVENTUALLY(!problem.empty());
+    QVERIFY2(problem.text().ends_with("peers: the disk does not answer"), problem.text().c_str());
+    const std::string marked = problem.text(
+        [](const Sentence &sentence) { return "<" + std::string(sentence.english()) + ">"; });
+    QVERIFY2(marked.ends_with("<the disk does not answer>>"), marked.c_str()); // the window translates it
     watch.reset();
     QCOMPARE(applied, 0);
     {

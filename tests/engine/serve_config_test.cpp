@@ -91,7 +91,7 @@ void ServeConfigTest::listensOnLoopbackUnlessAnAddressIsGiven()
 void ServeConfigTest::optionsMayHaveLists()
 {
     const auto config = ServeConfig::parse("tcpin:5760,write=mission,param,name=Planner,sysid=250,251,from=10.1.0.0/16");
-    QVERIFY2(config, config ? "" : config.error().c_str());
+    QVERIFY2(config, config ? "" : config.error().text().c_str());
     QCOMPARE(config->write.toText(), std::string("mission,param"));
     QCOMPARE(config->name, std::string("Planner"));
     QVERIFY(config->maySpeakAs(250) && config->maySpeakAs(251) && !config->maySpeakAs(255));
@@ -174,7 +174,8 @@ void ServeConfigTest::errorsNameTheInvalidPart()
     QFETCH(QString, named);
     const auto config = ServeConfig::parse(text.toStdString());
     QVERIFY(!config);
-    QVERIFY2(QString::fromStdString(config.error()).contains(named), config.error().c_str());
+    const std::string said = config.error().text();
+    QVERIFY2(QString::fromStdString(said).contains(named), said.c_str());
 }
 
 SKYSEAL_TEST_APPLESS(ServeConfigTest)

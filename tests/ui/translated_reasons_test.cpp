@@ -18,6 +18,8 @@
 #include <QtCore/QTranslator>
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
+#include <QtWidgets/QCheckBox>
+#include <QtWidgets/QComboBox>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
 
@@ -107,6 +109,36 @@ private Q_SLOTS:
         QVERIFY(list && list->problems.size() == 1);
         const QString said = engine::reasonText(list->problems.front().reason());
         QVERIFY2(said.contains(QStringLiteral("‹expected ‹one of >= <= > < == !=›, found '3'›")), qPrintable(said));
+    }
+
+    void ofAddressesForOthers_data()
+    {
+        QTest::addColumn<QString>("typed");
+        QTest::addColumn<QString>("said");
+        const auto row = [](const char *typed, const char *said) {
+            QTest::newRow(typed) << QString::fromLatin1(typed) << QString::fromUtf8(said);
+        };
+        row("serial:/dev/ttyUSB0:57600", "‹'serial': clients are served over UDP or TCP›");
+        row("udpin:14550,all", "‹'all': OPTION=VALUE is expected›");
+        row("udpin:14550,reed=all", "‹'reed': write, from, sysid or name is expected›");
+        row("udpin:14550,write=rc,write=ftp", "‹write is given twice›");
+        row("udpin:14550,write=missions", "‹write='missions': none, all, or mission, param, command, ftp and rc are expected›");
+        row("udpin:14550,sysid=0", "‹sysid='0': a system ID from 1 to 255 is expected›");
+        row("udpin:14550,from=10.1.0.0/33", "‹from='10.1.0.0/33': ADDRESS/PREFIX is expected›");
+        row("udpin:14550,name=", "‹name='': a name of printable characters is expected›");
+        row("tcp:10.1.0.9:5760,from=10.1.0.0/16", "‹from=: 'tcp' serves the host of its URL alone");
+    }
+    void ofAddressesForOthers()
+    {
+        QFETCH(QString, typed);
+        QFETCH(QString, said);
+        find<QCheckBox>("serveOn")->click();
+        auto *address = find<QComboBox>("serveUrl")->lineEdit();
+        address->selectAll();
+        QTest::keyClicks(address, typed);
+        QTest::keyClick(address, Qt::Key_Return);
+        const QString shown = find<QLabel>("serveState")->text();
+        QVERIFY2(shown.contains(said), qPrintable(shown));
     }
 
     void ofWhatIsTyped()

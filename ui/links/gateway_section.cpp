@@ -291,7 +291,7 @@ void GatewaySection::serve()
         auto config = engine::ServeConfig::parse(address.toStdString(), engine::WriteRights::all());
         if (!config) {
             m_station.serve({});
-            showState(tr("%1: %2").arg(address, fromStd(config.error())), colors.alarm);
+            showState(tr("%1: %2").arg(address, reasonText(config.error())), colors.alarm);
             return;
         }
         if (!m_serving.write)

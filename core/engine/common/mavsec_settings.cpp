@@ -35,7 +35,7 @@ Result<Key32, InputError> readKeyFile(const std::string &path)
         key = mavsecKeyFromHex(trimmed(asText(*bytes)));
     sodium_memzero(bytes->data(), bytes->size());
     if (!key)
-        return tl::unexpected(InputError{"a key is 32 bytes, or 64 hex digits", path});
+        return tl::unexpected(InputError{sentence("Reason", "a key is 32 bytes, or 64 hex digits"), path});
     return std::move(*key);
 }
 
@@ -66,10 +66,10 @@ Result<MavsecCipher, InputError> makeMavsecCipher(const MavsecSettings &settings
     const std::size_t length = MavsecCipher::nonceLength(settings.kind);
     const auto nonce = settings.nonceHex.empty() ? MavsecCipher::publishedNonce(settings.kind) : fromHex(settings.nonceHex);
     if (!nonce || nonce->size() != length)
-        return tl::unexpected(InputError{std::to_string(2 * length) + " hex digits are expected as nonce", {}});
+        return tl::unexpected(InputError{sentence("Reason", "%1 hex digits are expected as nonce")(2 * length), {}});
     auto cipher = MavsecCipher::make(settings.kind, key, *nonce, settings.counter, settings.work);
     if (!cipher)
-        return tl::unexpected(InputError{"the library refuses the cipher", {}});
+        return tl::unexpected(InputError{sentence("Reason", "the library refuses the cipher"), {}});
     return std::move(*cipher);
 }
 

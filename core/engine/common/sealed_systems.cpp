@@ -27,7 +27,8 @@ Result<SealedSystems, InputError> readSealedSystems(const std::string &path)
         const auto key = blank == std::string::npos ? std::nullopt : fromHex(std::string_view(line).substr(blank + 1));
         if (error != std::errc() || end != line.data() + blank || system > 255 || !key
             || key->size() != channel::PublicKey{}.size())
-            return tl::unexpected(InputError{"a system ID and a public key in hex are expected", path, number, 1});
+            return tl::unexpected(
+                InputError{sentence("Reason", "a system ID and a public key in hex are expected"), path, number, 1});
         channel::PublicKey peer{};
         std::copy(key->begin(), key->end(), peer.begin());
         out[peer].set(system);

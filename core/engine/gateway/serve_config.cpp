@@ -12,7 +12,7 @@ namespace skyseal::engine {
 
 namespace {
 
-Result<std::bitset<256>, std::string> parseSystems(std::string_view text)
+Result<std::bitset<256>, Reason> parseSystems(std::string_view text)
 {
     std::bitset<256> out;
     while (true) {
@@ -21,7 +21,7 @@ Result<std::bitset<256>, std::string> parseSystems(std::string_view text)
         unsigned id = 0;
         const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), id);
         if (error != std::errc() || end != number.data() + number.size() || id < 1 || id > 255)
-            return tl::unexpected("'" + std::string(number) + "': a system ID from 1 to 255 is expected");
+            return tl::unexpected(sentence("Reason", "sysid='%1': a system ID from 1 to 255 is expected")(std::string(number)));
         out.set(id);
         if (comma == std::string_view::npos)
             return out;
@@ -29,35 +29,35 @@ Result<std::bitset<256>, std::string> parseSystems(std::string_view text)
     }
 }
 
-Result<void, std::string> setOption(ServeConfig &config, std::string_view name, std::string_view value)
+Result<void, Reason> setOption(ServeConfig &config, std::string_view name, std::string_view value)
 {
-    const auto wrong = [name](const std::string &problem) { return tl::unexpected(std::string(name) + "=" + problem); };
     if (name == "write") {
         auto rights = WriteRights::parse(value);
         if (!rights)
-            return wrong(rights.error());
+            return tl::unexpected(rights.error());
         config.write = *rights;
     } else if (name == "sysid") {
         auto systems = parseSystems(value);
         if (!systems)
-            return wrong(systems.error());
+            return tl::unexpected(systems.error());
         config.systems = *systems;
     } else if (name == "from") {
         config.from = QHostAddress::parseSubnet(QString::fromUtf8(value.data(), static_cast<qsizetype>(value.size())));
         if (config.from->second < 0)
-            return wrong("'" + std::string(value) + "': ADDRESS/PREFIX is expected");
+            return tl::unexpected(sentence("Reason", "from='%1': ADDRESS/PREFIX is expected")(std::string(value)));
     } else if (name == "name") {
         if (value.empty() || !isPrintable(value))
-            return wrong("'" + printable(value) + "': a name of printable characters is expected");
+            return tl::unexpected(
+                sentence("Reason", "name='%1': a name of printable characters is expected")(printable(value)));
         config.name = value;
     } else {
-        return tl::unexpected("'" + std::string(name) + "': write, from, sysid or name is expected");
+        return tl::unexpected(sentence("Reason", "'%1': write, from, sysid or name is expected")(std::string(name)));
     }
     return {};
 }
 
 /// The options after the URL. A part without "=" continues the list of the previous option.
-Result<std::map<std::string, std::string>, std::string> splitOptions(std::string_view text)
+Result<std::map<std::string, std::string>, Reason> splitOptions(std::string_view text)
 {
     std::map<std::string, std::string> out;
     std::string *last = nullptr;
@@ -68,12 +68,12 @@ Result<std::map<std::string, std::string>, std::string> splitOptions(std::string
         if (equals != std::string_view::npos) {
             const auto [option, isNew] = out.emplace(part.substr(0, equals), part.substr(equals + 1));
             if (!isNew)
-                return tl::unexpected(option->first + " is given twice");
+                return tl::unexpected(sentence("Reason", "%1 is given twice")(option->first));
             last = &option->second;
         } else if (last) {
             last->append(",").append(part);
         } else {
-            return tl::unexpected("'" + std::string(part) + "': OPTION=VALUE is expected");
+            return tl::unexpected(sentence("Reason", "'%1': OPTION=VALUE is expected")(std::string(part)));
         }
         if (comma == std::string_view::npos)
             return out;
@@ -89,14 +89,14 @@ bool isLoopback(const std::string &host)
 
 } // namespace
 
-Result<ServeConfig, std::string> ServeConfig::parse(std::string_view text, const WriteRights &unnamed)
+Result<ServeConfig, Reason> ServeConfig::parse(std::string_view text, const WriteRights &unnamed)
 {
     const std::size_t comma = text.find(',');
     auto url = link::LinkUrl::parse(text.substr(0, comma), link::LinkUrl::kLoopback);
     if (!url)
-        return tl::unexpected(url.error().message.text());
+        return tl::unexpected(url.error().message);
     if (url->type().target != link::LinkTarget::HostPort)
-        return tl::unexpected("'" + std::string(url->type().scheme) + "': clients are served over UDP or TCP");
+        return tl::unexpected(sentence("Reason", "'%1': clients are served over UDP or TCP")(std::string(url->type().scheme)));
     ServeConfig out{.url = std::move(*url), .write = unnamed};
     if (comma != std::string_view::npos) {
         const auto options = splitOptions(text.substr(comma + 1));
@@ -108,8 +108,9 @@ Result<ServeConfig, std::string> ServeConfig::parse(std::string_view text, const
         }
     }
     if (out.from && !out.url.isListening())
-        return tl::unexpected("from=: '" + std::string(out.url.type().scheme)
-                              + "' serves the host of its URL alone; from= is for links that listen (udpin, tcpin)");
+        return tl::unexpected(
+            sentence("Reason", "from=: '%1' serves the host of its URL alone; from= is for links that listen (udpin, tcpin)")(
+                std::string(out.url.type().scheme)));
     if (out.name.empty())
         out.name = out.url.toText();
     return out;

@@ -18,7 +18,7 @@ struct ServeConfig
     /// "URL[,OPTION=VALUE…]": write=none|all|CLASS,…; from=ADDRESS/PREFIX (listening links only); sysid=ID,…; name=NAME. A
     /// listening link without a host listens on the loopback interface. `unnamed`: the rights where write= is missing. The
     /// error names the invalid part.
-    static Result<ServeConfig, std::string> parse(std::string_view text, const WriteRights &unnamed = {});
+    static Result<ServeConfig, Reason> parse(std::string_view text, const WriteRights &unnamed = {});
 
     /// Whether a client with this address is accepted.
     bool isFrom(const Address &remote) const;

@@ -96,7 +96,7 @@ WriteRights WriteRights::all()
     return out;
 }
 
-Result<WriteRights, std::string> WriteRights::parse(std::string_view text)
+Result<WriteRights, Reason> WriteRights::parse(std::string_view text)
 {
     if (text == "all")
         return all();
@@ -114,8 +114,8 @@ Result<WriteRights, std::string> WriteRights::parse(std::string_view text)
             }
         }
         if (!known)
-            return tl::unexpected("'" + std::string(name)
-                                  + "': none, all, or mission, param, command, ftp and rc are expected");
+            return tl::unexpected(sentence(
+                "Reason", "write='%1': none, all, or mission, param, command, ftp and rc are expected")(std::string(name)));
         if (comma == std::string_view::npos)
             return out;
         text.remove_prefix(comma + 1);

@@ -33,7 +33,7 @@ public:
     /// Every message, including those of no class and of unknown dialects.
     static WriteRights all();
     /// "none", "all", or names of classes separated by commas.
-    static Result<WriteRights, std::string> parse(std::string_view text);
+    static Result<WriteRights, Reason> parse(std::string_view text);
 
     bool mayWrite(const mavlink::ScanItem &item) const;
     /// Whether the client may write at all. Only then its heartbeat is forwarded.
