@@ -18,6 +18,7 @@
 #include <QtWidgets/QDialogButtonBox>
 #include <QtWidgets/QDockWidget>
 #include <QtWidgets/QLabel>
+#include <QtWidgets/QLineEdit>
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QScrollBar>
 #include <QtWidgets/QTreeView>
@@ -47,6 +48,66 @@ private Q_SLOTS:
         m_station->show(sealedSnapshot(1));
         for (const char *name : {"parameterEmpty", "messagesEmpty", "linksEmpty"})
             QVERIFY2(!shown(name), name);
+    }
+
+    void filterThatHidesEverythingSaysSo_data()
+    {
+        QTest::addColumn<QByteArray>("dock");
+        QTest::addColumn<QByteArray>("filter");
+        QTest::addColumn<QByteArray>("list");
+        QTest::addColumn<QByteArray>("text");
+        const auto row = [](const char *dock, const char *filter, const char *list, const char *text) {
+            QTest::newRow(dock) << QByteArray(dock) << QByteArray(filter) << QByteArray(list) << QByteArray(text);
+        };
+        row("dockMessages", "messageFilter", "messageView", "messagesEmpty");
+        row("dockParameters", "parameterFilter", "parameterView", "parameterEmpty");
+        row("dockInspector", "inspectorFilter", "inspectorList", "inspectorEmpty");
+    }
+    void filterThatHidesEverythingSaysSo()
+    {
+        QFETCH(QByteArray, dock);
+        QFETCH(QByteArray, filter);
+        QFETCH(QByteArray, list);
+        QFETCH(QByteArray, text);
+        find<QAction>(("view_" + dock).constData())->trigger();
+        EVENTUALLY(!isBehind(dock.constData()));
+        say(3);
+        double time = 0;
+        const auto *rows = find<QTreeView>(list.constData())->model();
+        const auto arrived = [&] {
+            m_station->show(sealedSnapshot(++time));
+            return rows->rowCount() > 0;
+        };
+        EVENTUALLY(arrived());
+        const auto *said = find<QLabel>(text.constData());
+        QVERIFY(!said->isVisible());
+        auto *typed = find<QLineEdit>(filter.constData());
+        QTest::keyClicks(typed, QStringLiteral("zzz"));
+        EVENTUALLY(said->isVisible());
+        QCOMPARE(rows->rowCount(), 0);
+        QCOMPARE(said->text(), QStringLiteral("Nothing matches the filter."));
+        typed->clear();
+        QVERIFY(!said->isVisible());
+        QVERIFY(rows->rowCount() > 0);
+    }
+
+    /// The fields of a message beside the list of the types.
+    void inspectorSaysHowToSeeFields()
+    {
+        const auto *said = find<QLabel>("fieldsEmpty");
+        QVERIFY(said->isVisibleTo(said->parentWidget()));
+        find<QAction>("view_dockInspector")->trigger();
+        EVENTUALLY(!isBehind("dockInspector"));
+        auto *list = find<QTreeView>("inspectorList");
+        double time = 0;
+        const auto arrived = [&] {
+            m_station->show(sealedSnapshot(++time));
+            return list->model()->rowCount() > 0;
+        };
+        EVENTUALLY(arrived());
+        list->setFocus();
+        QTest::keyClick(list, Qt::Key_Home);
+        EVENTUALLY(!said->isVisibleTo(said->parentWidget()));
     }
 
     void messagesFollowTheNewest()
@@ -146,7 +207,7 @@ private Q_SLOTS:
     {
         const auto *why = find<QLabel>("missionEmpty");
         bringToFront("dockMission");
-        QCOMPARE(why->text(), QStringLiteral("No vehicle."));
+        QVERIFY(why->text().startsWith(QStringLiteral("No vehicle. Its mission is listed here")));
         engine::Snapshot snapshot = sealedSnapshot(1);
         snapshot.vehicles.front().mission = nullptr;
         m_station->show(snapshot);

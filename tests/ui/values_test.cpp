@@ -89,6 +89,15 @@ private Q_SLOTS:
                  qPrintable(about));
     }
 
+    void wordsThatNoNameHasAreSaid()
+    {
+        openEditorByKeys();
+        const auto *said = editor()->findChild<QLabel *>(QStringLiteral("editorFoundEmpty"));
+        QVERIFY(!said->isVisible());
+        QTest::keyClicks(editor()->findChild<QLineEdit *>(QStringLiteral("editorFind")), QStringLiteral("zzz"));
+        QVERIFY(said->isVisible() && said->text().contains(QStringLiteral("these words")));
+    }
+
     void sourceWithoutAUnitTakesOne()
     {
         openEditorByKeys();

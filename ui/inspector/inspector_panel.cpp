@@ -52,6 +52,7 @@ InspectorPanel::InspectorPanel(StationInterface &station, QWidget *parent)
     new EmptyText(*m_list, m_messages, tr("Each type of message is listed here once it arrives."), "inspectorEmpty");
     m_detail = makeView(&m_fields, tr("Fields of the selected message"), this);
     m_detail->setObjectName(QStringLiteral("inspectorFields"));
+    new EmptyText(*m_detail, m_fields, tr("Select a type of message to see its fields."), "fieldsEmpty");
     const QFontMetrics metrics(font());
     const auto room = [&](const char *sample) { return metrics.horizontalAdvance(QLatin1String(sample)) + 3 * kGrid; };
     m_list->header()->setStretchLastSection(true);

@@ -36,9 +36,10 @@ void ProfilePanel::showViewState(const ViewState &view)
     const auto mission = view.vehicle ? view.vehicle->mission : nullptr;
     if (!mission || mission->empty()) {
         m_mission.reset();
-        m_empty->setText(!view.vehicle ? tr("No vehicle.")
-                             : mission ? tr("The vehicle has no mission.")
-                                       : tr("The mission has not been read from the vehicle."));
+        m_empty->setText(!view.vehicle ? tr("No vehicle. The altitudes of its mission are drawn here once it has been read.")
+                             : mission ? tr("The vehicle has no mission. Send a file in the panel Mission to write one.")
+                                       : tr("The mission has not been read yet: choose Read from the vehicle in the panel "
+                                            "Mission."));
         m_pages->setCurrentWidget(m_empty);
         return;
     }

@@ -165,9 +165,9 @@ void MissionPanel::showViewState(const ViewState &view)
     m_save->setEnabled(hasItems);
     m_save->setToolTip(hasItems ? QString() : tr("There are no items to save"));
     m_pages->setCurrentIndex(hasItems ? 1 : 0);
-    const QString why = !view.vehicle ? tr("No vehicle.")
+    const QString why = !view.vehicle ? tr("No vehicle. Its mission is listed here once it has been read.")
         : m_mission                   ? tr("The vehicle has no mission. Send a file to write one.")
-                                      : tr("The mission has not been read from the vehicle.");
+                                      : tr("The mission has not been read yet: choose Read from the vehicle.");
     if (m_empty->text() != why)
         m_empty->setText(why);
     if (view.vehicle)

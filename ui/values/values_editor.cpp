@@ -1,5 +1,6 @@
 #include "ui/values/values_editor.h"
 
+#include "ui/empty_text.h"
 #include "ui/list_keys.h"
 #include "ui/theme/form_pieces.h"
 #include "ui/theme/grid.h"
@@ -168,6 +169,7 @@ QWidget *ValuesEditor::makeFinder()
     label->setBuddy(m_find);
     m_found = named(new QTreeView(box), "editorFound", tr("Matching values"));
     m_found->setModel(m_sources);
+    new EmptyText(*m_found, *m_sources, tr("No value has these words in its name."), "editorFoundEmpty");
     m_found->setRootIsDecorated(false);
     m_found->setUniformRowHeights(true);
     m_found->setFocusPolicy(Qt::NoFocus); // the arrows move the selection while one types
