@@ -52,8 +52,10 @@ DiagnosticsTools::DiagnosticsTools(QWidget *parent) : QWidget(parent), m_groups(
     auto *menu = new QMenu(m_save);
     QAction *csv = menu->addAction(tr("Samples shown, as &CSV…"), this, &DiagnosticsTools::csvRequested);
     csv->setObjectName(QStringLiteral("chartCsv"));
+    csv->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_F11);
     QAction *picture = menu->addAction(tr("&Picture as PNG or SVG…"), this, &DiagnosticsTools::pictureRequested);
     picture->setObjectName(QStringLiteral("chartPicture"));
+    picture->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_F12);
     m_save->setMenu(menu);
 
     auto *row = new QHBoxLayout(this);
@@ -81,7 +83,8 @@ DiagnosticsTools::DiagnosticsTools(QWidget *parent) : QWidget(parent), m_groups(
     addActions({pressAction(*m_freeze, Qt::CTRL | Qt::Key_F9),
                 stepSpan("chartShorter", tr("Shorter time range"), Qt::CTRL | Qt::Key_F10, 1),
                 stepSpan("chartLonger", tr("Longer time range"), Qt::CTRL | Qt::Key_F11, -1),
-                focusAction(*m_view, tr("Choose the view")), focusAction(*m_group, tr("Choose the quantities")), csv, picture});
+                focusAction(*m_view, tr("Choose the view"), Qt::CTRL | Qt::Key_B),
+                focusAction(*m_group, tr("Choose the quantities"), Qt::ALT | Qt::SHIFT | Qt::Key_Q), csv, picture});
 }
 
 QComboBox *DiagnosticsTools::addChoice(const char *objectName, const QString &accessible)

@@ -75,7 +75,7 @@ InspectorPanel::InspectorPanel(StationInterface &station, QWidget *parent)
     column->addWidget(wanted);
     column->addWidget(split, 1);
     connect(m_list->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &InspectorPanel::showFields);
-    addAction(focusAction(*wanted, tr("Find a message type")));
+    addAction(focusAction(*wanted, tr("Find a message type"), Qt::ALT | Qt::SHIFT | Qt::Key_I));
 }
 
 void InspectorPanel::showViewState(const ViewState &view)

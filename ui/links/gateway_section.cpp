@@ -199,8 +199,10 @@ GatewaySection::GatewaySection(StationInterface &station, QWidget *parent) : QWi
     connect(m_classes, &RightsMenu::rightsChosen, this, &GatewaySection::chooseRights);
     m_classes->menuAction()->setObjectName(QStringLiteral("menuServeClasses"));
     m_classes->setTitle(m_classesButton->accessibleName());
-    addActions({pressAction(*m_on), focusAction(*m_url, tr("Change the address for other stations")),
-                focusAction(*m_rights, tr("Change the rights of other stations")), m_classes->menuAction()});
+    addActions({pressAction(*m_on, Qt::CTRL | Qt::SHIFT | Qt::Key_F2),
+                focusAction(*m_url, tr("Change the address for other stations"), Qt::CTRL | Qt::SHIFT | Qt::Key_F3),
+                focusAction(*m_rights, tr("Change the rights of other stations"), Qt::CTRL | Qt::SHIFT | Qt::Key_F4),
+                m_classes->menuAction()});
     allowClasses(false);
     showState(tr("off"), stateColors(palette()).dim);
 }

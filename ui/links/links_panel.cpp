@@ -63,7 +63,7 @@ LinksPanel::LinksPanel(StationInterface &station, QWidget *parent) : DockPanel(p
     connect(m_view->selectionModel(), &QItemSelectionModel::currentChanged, this, allow);
     connect(&m_model, &LinkModel::modelReset, this, allow);
     allow();
-    addAction(pressAction(*m_remove));
+    addAction(pressAction(*m_remove, Qt::ALT | Qt::SHIFT | Qt::Key_X));
     addActions(m_gateway->actions());
 }
 

@@ -42,7 +42,7 @@ ProblemBanner::ProblemBanner(QWidget *parent) : QFrame(parent)
         if (m_remedy)
             m_remedy();
     });
-    addActions({pressAction(*m_act), pressAction(*m_close)});
+    addActions({pressAction(*m_act, Qt::ALT | Qt::SHIFT | Qt::Key_Y), pressAction(*m_close, Qt::ALT | Qt::SHIFT | Qt::Key_W)});
     hide();
 }
 

@@ -73,7 +73,7 @@ LogsPanel::LogsPanel(StationInterface &station, const QString &folder, QWidget *
     connect(m_record, &QCheckBox::clicked, this, [this](bool on) { m_station.setRecording(on); });
     connect(open, &QPushButton::clicked, this, [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(m_folder)); });
     connect(replay, &QPushButton::clicked, this, &LogsPanel::replayRequested);
-    addActions({pressAction(*m_record), pressAction(*open)});
+    addActions({pressAction(*m_record, Qt::CTRL | Qt::Key_T), pressAction(*open, Qt::CTRL | Qt::SHIFT | Qt::Key_F5)});
     showViewState({});
 }
 

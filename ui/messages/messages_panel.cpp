@@ -79,7 +79,9 @@ MessagesPanel::MessagesPanel(QWidget *parent) : DockPanel(parent)
     clear->setObjectName(QStringLiteral("messageClear"));
     clear->setAccessibleName(tr("Clear the messages"));
     connect(clear, &QPushButton::clicked, &m_model, &MessageModel::clear);
-    addActions({focusAction(*wanted, tr("Find a message"), QKeySequence::Find), pressAction(*copyButton), pressAction(*clear)});
+    addActions({focusAction(*wanted, tr("Find a message"), QKeySequence::Find),
+                pressAction(*copyButton, Qt::ALT | Qt::SHIFT | Qt::Key_O),
+                pressAction(*clear, Qt::ALT | Qt::SHIFT | Qt::Key_K)});
 
     auto *tools = new QHBoxLayout;
     tools->setSpacing(kGrid);

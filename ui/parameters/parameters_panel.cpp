@@ -88,7 +88,8 @@ ParametersPanel::ParametersPanel(StationInterface &station, QWidget *parent) : D
             m_model.written({name.toStdString(), value}, false, m_disabledReason);
     });
     connect(&station, &StationInterface::eventOccurred, this, &ParametersPanel::handleEvent);
-    addActions({pressAction(*m_fetch, Qt::CTRL | Qt::Key_F7), focusAction(*wanted, tr("Find a parameter"))});
+    addActions({pressAction(*m_fetch, Qt::CTRL | Qt::Key_F7),
+                focusAction(*wanted, tr("Find a parameter"), Qt::ALT | Qt::SHIFT | Qt::Key_T)});
     showViewState({});
 }
 

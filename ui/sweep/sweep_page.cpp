@@ -108,7 +108,8 @@ SweepPage::SweepPage(QWidget *parent)
     setStatus(tr("No sweep yet. A sweep measures the cost of each suite in turn."));
     showStatus();
     setPossible(false);
-    addActions({pressAction(*m_cancel), pressAction(*m_save)});
+    addActions(
+        {pressAction(*m_cancel, Qt::CTRL | Qt::SHIFT | Qt::Key_F9), pressAction(*m_save, Qt::CTRL | Qt::SHIFT | Qt::Key_F8)});
 }
 
 SweepPage::~SweepPage() = default;

@@ -61,11 +61,11 @@ void MapMenu::makePlaceActions()
         return m_map.pointedPlace().value_or(mercator::unproject(viewport.toMetres(middle)));
     };
     const std::pair<const char *, QKeySequence> chosen[] = {{"mapGoHere", Qt::CTRL | Qt::Key_G},
-                                                            {"mapAddWaypoint", {}},
-                                                            {"mapPointAt", {}},
-                                                            {"mapStopPointing", {}},
-                                                            {"mapSetHome", {}},
-                                                            {"mapMeasure", {}},
+                                                            {"mapAddWaypoint", Qt::ALT | Qt::SHIFT | Qt::Key_A},
+                                                            {"mapPointAt", Qt::ALT | Qt::SHIFT | Qt::Key_C},
+                                                            {"mapStopPointing", Qt::ALT | Qt::SHIFT | Qt::Key_N},
+                                                            {"mapSetHome", Qt::ALT | Qt::SHIFT | Qt::Key_H},
+                                                            {"mapMeasure", Qt::ALT | Qt::SHIFT | Qt::Key_G},
                                                             {"mapCopy", Qt::CTRL | Qt::SHIFT | Qt::Key_C}};
     MenuItems items;
     for (MenuItem &item : itemsFor(place())) {

@@ -216,7 +216,8 @@ Menu viewMenu(const MenuTargets &on)
     items.push_back({});
     for (QAction *action : on.docks.viewActions())
         items.push_back({.action = action});
-    const auto resetLayout = [on] { on.workspaces.reset(); };
+    const auto reset = [on] { on.workspaces.reset(); };
+    const QKeySequence resets = Qt::ALT | Qt::SHIFT | Qt::Key_R;
     const MenuItems others{
         {},
         {.id = QStringLiteral("actionFollow"),
@@ -260,7 +261,7 @@ Menu viewMenu(const MenuTargets &on)
          .trigger = [on] { on.dialogs.openRegion(on.map); },
          .shortcut = Qt::CTRL | Qt::SHIFT | Qt::Key_F},
         {},
-        {.id = QStringLiteral("actionResetView"), .text = Text::tr("&Reset the layout"), .trigger = resetLayout},
+        {.id = QStringLiteral("actionResetView"), .text = Text::tr("&Reset the layout"), .trigger = reset, .shortcut = resets},
         {.id = QStringLiteral("actionFullScreen"),
          .text = Text::tr("F&ull screen"),
          .trigger = [on] { on.window.setWindowState(on.window.windowState() ^ Qt::WindowFullScreen); },
@@ -285,12 +286,14 @@ Menu toolsMenu(const MenuTargets &on)
         items.push_back({.id = QStringLiteral("actionDemo"),
                          .text = Text::tr("Start the &demo"),
                          .trigger = on.startDemo,
+                         .shortcut = Qt::CTRL | Qt::Key_D,
                          .disabledReason = [on] {
                              return on.inDemo() ? Text::tr("The demo is running") : demoDisabledReason(on.selection.view());
                          }});
         items.push_back({.id = QStringLiteral("actionEndDemo"),
                          .text = Text::tr("&End the demo"),
                          .trigger = on.endDemo,
+                         .shortcut = Qt::ALT | Qt::SHIFT | Qt::Key_E,
                          .disabledReason = [on] { return on.inDemo() ? QString() : Text::tr("No demo is running"); }});
     }
     return {QStringLiteral("menuTools"), Text::tr("&Tools"), std::move(items)};
@@ -298,7 +301,7 @@ Menu toolsMenu(const MenuTargets &on)
 
 Menu helpMenu(const MenuTargets &on)
 {
-    const auto page = [&on](const char *id, const QString &text, const char *name, const QKeySequence &keys = {}) {
+    const auto page = [&on](const char *id, const QString &text, const char *name, const QKeySequence &keys) {
         return MenuItem{.id = QLatin1String(id),
                         .text = text,
                         .trigger = [on, name] { on.dialogs.openHelp(QLatin1String(name)); },
@@ -308,19 +311,20 @@ Menu helpMenu(const MenuTargets &on)
             Text::tr("&Help"),
             {page("actionHelp", Text::tr("&First steps"), "start", QKeySequence::HelpContents),
              {},
-             page("actionHelpFly", Text::tr("&Fly workspace"), "fly"),
-             page("actionHelpPlan", Text::tr("&Plan workspace"), "plan"),
-             page("actionHelpVehicle", Text::tr("Ve&hicle workspace"), "vehicle"),
-             page("actionHelpLab", Text::tr("&Lab workspace"), "lab"),
+             page("actionHelpFly", Text::tr("&Fly workspace"), "fly", Qt::ALT | Qt::SHIFT | Qt::Key_F),
+             page("actionHelpPlan", Text::tr("&Plan workspace"), "plan", Qt::ALT | Qt::SHIFT | Qt::Key_P),
+             page("actionHelpVehicle", Text::tr("Ve&hicle workspace"), "vehicle", Qt::ALT | Qt::SHIFT | Qt::Key_V),
+             page("actionHelpLab", Text::tr("&Lab workspace"), "lab", Qt::ALT | Qt::SHIFT | Qt::Key_L),
              {},
-             page("actionHelpSealing", Text::tr("&Sealing a link"), "sealing"),
-             page("actionHelpMap", Text::tr("The &map"), "map"),
-             page("actionHelpValues", Text::tr("&Values"), "values"),
-             page("actionHelpDiagnostics", Text::tr("&Diagnostics"), "diagnostics"),
+             page("actionHelpSealing", Text::tr("&Sealing a link"), "sealing", Qt::ALT | Qt::SHIFT | Qt::Key_S),
+             page("actionHelpMap", Text::tr("The &map"), "map", Qt::ALT | Qt::SHIFT | Qt::Key_M),
+             page("actionHelpValues", Text::tr("&Values"), "values", Qt::ALT | Qt::SHIFT | Qt::Key_U),
+             page("actionHelpDiagnostics", Text::tr("&Diagnostics"), "diagnostics", Qt::ALT | Qt::SHIFT | Qt::Key_D),
              {},
-             {.id = QStringLiteral("actionAbout"), .text = Text::tr("&About Skyseal"), .trigger = [on] {
-                  on.dialogs.openAbout(on.version);
-              }}}};
+             {.id = QStringLiteral("actionAbout"),
+              .text = Text::tr("&About Skyseal"),
+              .trigger = [on] { on.dialogs.openAbout(on.version); },
+              .shortcut = Qt::ALT | Qt::SHIFT | Qt::Key_B}}};
 }
 
 } // namespace
