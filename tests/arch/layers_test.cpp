@@ -136,6 +136,7 @@ private Q_SLOTS:
     void agentDoesNotKnowTheStation();
     void linkTypesAreKnownToTheLinksOnly();
     void protocolHasNoQt();
+    void dialogsKeepNobodyFromTheWindow();
     void secretsAreComparedInConstantTime();
     void filesStaySmall();
     void linesStayShort();
@@ -304,6 +305,21 @@ void LayersTest::protocolHasNoQt()
             continue;
         for (const QString &line : file.lines)
             QVERIFY2(!kQt.match(line).hasMatch(), qPrintable(file.path + QStringLiteral(": ") + line));
+    }
+}
+
+/// A modal dialog, and each function of Qt that shows one, would keep the pilot from Land and RTL: ui/modeless.h shows them.
+void LayersTest::dialogsKeepNobodyFromTheWindow()
+{
+    static const QRegularExpression kModal(QStringLiteral(
+        "([Dd]ialog|[Bb]ox|question)\\w*(\\.|->)(exec|open)\\(\\)|setModal\\(true|setWindowModality|"
+        "QMessageBox::(question|warning|information|critical|about)\\w*\\(|QFileDialog::get|QInputDialog|QColorDialog|"
+        "QFontDialog|QProgressDialog"));
+    QVERIFY(kModal.match(QStringLiteral("    dialog.exec();")).hasMatch());
+    QVERIFY(kModal.match(QStringLiteral("    QMessageBox::warning(this, title, text);")).hasMatch());
+    for (const SourceFile &file : sources({QStringLiteral("ui"), QStringLiteral("app")})) {
+        for (const QString &line : file.lines)
+            QVERIFY2(!kModal.match(line).hasMatch(), qPrintable(file.path + QStringLiteral(": ") + line));
     }
 }
 

@@ -1,6 +1,8 @@
 // No dialog keeps the pilot from Land and RTL: each is opened as an operator does, and the window commands beside it.
 #include "fake_keyring.h"
+#include "fake_pairing.h"
 #include "fake_sweep.h"
+#include "gallery_dialogs.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/flight/hold_button.h"
@@ -76,6 +78,23 @@ private Q_SLOTS:
         EVENTUALLY_EQUAL(m_station->commands.size(), std::size_t(1));
         QTest::mouseRelease(land, Qt::LeftButton);
         QCOMPARE(openDialogs(), 1);
+    }
+
+    void noDialogIsModal_data()
+    {
+        QTest::addColumn<QString>("state");
+        for (const QString &state : dialogStates()) // of each class: see accessible_names_test
+            QTest::newRow(qPrintable(state)) << state;
+    }
+    void noDialogIsModal()
+    {
+        QFETCH(QString, state);
+        FakePairing pairing;
+        fillKeyring(*m_keyring);
+        const std::unique_ptr<QWidget> dialog(openDialog(state, *m_window, *m_keyring, pairing));
+        QVERIFY(dialog->isVisible());
+        QVERIFY(!dialog->isModal());
+        QVERIFY(!QApplication::activeModalWidget());
     }
 
     void fileIsReplacedOnlyIfConfirmed()
