@@ -249,7 +249,7 @@ struct Cost
     double signedPercent = 0, sealedPercent = 0; ///< more bytes than plain
 };
 
-Cost measure(Carrier carrier, crypto::SuiteId suite, bool company)
+Cost measure(Carrier carrier, crypto::SuiteId suite, bool coalesced)
 {
     Downlink link(carrier, suite);
     waitForSession(link);
@@ -262,7 +262,7 @@ Cost measure(Carrier carrier, crypto::SuiteId suite, bool company)
         for (; next < frames.size() && frames[next].at <= link.now; ++next) {
             plain += frames[next].bytes.size();
             link.driver().queue(link.now, link.session(), frames[next].bytes);
-            if (!company)
+            if (!coalesced)
                 link.driver().flushAll(link.now);
         }
         link.turn();
