@@ -124,9 +124,12 @@ private Q_SLOTS:
     void failureToWriteIsToldBeside()
     {
         find<QAction>("chartCsv")->trigger();
-        nameFile(m_folder->filePath(QStringLiteral("no such folder/samples.csv")));
+        nameFile(m_folder->filePath(QStringLiteral("no <b>such</b> folder/samples.csv")));
         EVENTUALLY(m_window->findChild<QMessageBox *>());
         QVERIFY(!QApplication::activeModalWidget());
+        const auto *box = m_window->findChild<QMessageBox *>();
+        QVERIFY2(box->text().contains(QStringLiteral("<b>such</b>")), qPrintable(box->text()));
+        QCOMPARE(box->textFormat(), Qt::PlainText);
     }
 
     void missingFileIsToldBeside()

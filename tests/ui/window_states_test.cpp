@@ -434,6 +434,7 @@ private Q_SLOTS:
         m_station->notify(engine::LinkChanged{link});
         QVERIFY(find<QWidget>("problemBanner")->isVisible());
         QCOMPARE(find<QLabel>("problemText")->text(), QStringLiteral("UDP port 14550 is in use")); // said once
+        QCOMPARE(find<QLabel>("problemText")->textFormat(), Qt::PlainText);
         auto *remedy = find<QPushButton>("problemRemedy");
         QVERIFY(remedy->text().contains(QStringLiteral("14551")));
         QTest::mouseClick(remedy, Qt::LeftButton);

@@ -327,6 +327,7 @@ void DiagnosticsPanel::askAndSave(const QString &title, const QString &name, con
             return;
         auto *box = new QMessageBox(QMessageBox::Warning, title, problem, QMessageBox::Ok, this);
         box->setAttribute(Qt::WA_DeleteOnClose);
+        box->setTextFormat(Qt::PlainText); // with the name of the file
         showModeless(*box);
     };
     askFile(*this, {.title = title, .kinds = filter, .start = name, .use = FileQuestion::Use::Write}, write);

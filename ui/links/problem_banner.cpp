@@ -23,6 +23,7 @@ ProblemBanner::ProblemBanner(QWidget *parent) : QFrame(parent)
     m_icon->setFixedSize(16, 16);
     m_text = new QLabel(this);
     m_text->setObjectName(QStringLiteral("problemText"));
+    m_text->setTextFormat(Qt::PlainText); // problems contain names of files, devices and peers
     m_text->setWordWrap(true);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_act = new QPushButton(this);

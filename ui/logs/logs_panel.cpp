@@ -35,6 +35,8 @@ LogsPanel::LogsPanel(StationInterface &station, const QString &folder, QWidget *
     m_file->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_file->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_problem = new QLabel(this);
+    for (QLabel *label : {m_file, m_problem}) // with the names of files
+        label->setTextFormat(Qt::PlainText);
     m_problem->setWordWrap(true);
 
     auto *grid = new QGridLayout(this);
