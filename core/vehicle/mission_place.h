@@ -36,4 +36,18 @@ inline bool hasAltitude(const MissionItem &item)
     return std::isfinite(item.altitude) && (hasPlace(item) || (navigates && item.altitude != 0));
 }
 
+enum class AltitudeReference : std::uint8_t { Home, SeaLevel, Terrain };
+
+/// The reference of the altitude of an item in this MAV_FRAME.
+constexpr AltitudeReference altitudeReferenceOf(std::uint8_t frame)
+{
+    switch (frame) {
+    case mavlink::MAV_FRAME_GLOBAL:
+    case mavlink::MAV_FRAME_GLOBAL_INT: return AltitudeReference::SeaLevel;
+    case mavlink::MAV_FRAME_GLOBAL_TERRAIN_ALT:
+    case mavlink::MAV_FRAME_GLOBAL_TERRAIN_ALT_INT: return AltitudeReference::Terrain;
+    default: return AltitudeReference::Home;
+    }
+}
+
 } // namespace skyseal::vehicle

@@ -333,6 +333,20 @@ private Q_SLOTS:
         QTEST(cell(model, 0, MissionModel::Latitude) + QLatin1Char(' ') + cell(model, 0, MissionModel::Altitude), "shown");
     }
 
+    /// Altitudes above home stand alone.
+    void altitudesNameTheirReference()
+    {
+        std::vector<vehicle::MissionItem> items(3, {.latitude = 47.5, .longitude = 8.5, .altitude = 584});
+        items[0].frame = mavlink::MAV_FRAME_GLOBAL;
+        items[1].frame = mavlink::MAV_FRAME_GLOBAL_RELATIVE_ALT;
+        items[2].frame = mavlink::MAV_FRAME_GLOBAL_TERRAIN_ALT;
+        MissionModel model;
+        model.setMission(std::make_shared<const std::vector<vehicle::MissionItem>>(items), -1, true);
+        QCOMPARE(cell(model, 0, MissionModel::Altitude), QStringLiteral("584.0 m MSL"));
+        QCOMPARE(cell(model, 1, MissionModel::Altitude), QStringLiteral("584.0 m"));
+        QCOMPARE(cell(model, 2, MissionModel::Altitude), QStringLiteral("584.0 m above ground"));
+    }
+
     void clientsShowTheirRights()
     {
         ClientModel model;

@@ -1,7 +1,6 @@
 #include "ui/map/mission_route.h"
 
 #include "core/mavlink/enums.h"
-#include "core/vehicle/mission_place.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,17 +44,6 @@ double finite(float value)
 int whole(float value)
 {
     return static_cast<int>(std::clamp(finite(value), -1.0, 65535.0));
-}
-
-RouteStop::Reference referenceOf(std::uint8_t frame)
-{
-    switch (frame) {
-    case MAV_FRAME_GLOBAL:
-    case MAV_FRAME_GLOBAL_INT: return RouteStop::Reference::SeaLevel;
-    case MAV_FRAME_GLOBAL_TERRAIN_ALT:
-    case MAV_FRAME_GLOBAL_TERRAIN_ALT_INT: return RouteStop::Reference::Terrain;
-    default: return RouteStop::Reference::Home;
-    }
 }
 
 void describeLoiter(RouteStop &stop, const vehicle::MissionItem &item)
@@ -156,7 +144,7 @@ MissionRoute routeOf(const std::vector<vehicle::MissionItem> &items, std::option
                        .sequence = item.sequence,
                        .spline = item.command == MAV_CMD_NAV_SPLINE_WAYPOINT};
         stop.altitude = static_cast<double>(item.altitude);
-        stop.reference = referenceOf(item.frame);
+        stop.reference = vehicle::altitudeReferenceOf(item.frame);
         describeLoiter(stop, item);
         route.stops.push_back(stop);
     }

@@ -2,7 +2,7 @@
 // ArduPilot's reading of the MAV_CMD_NAV_* commands. https://mavlink.io/en/messages/common.html#mav_commands
 #pragma once
 
-#include "core/vehicle/mission.h"
+#include "core/vehicle/mission_place.h"
 #include "ui/tiles/mercator.h"
 
 #include <QtCore/QPointF>
@@ -16,8 +16,7 @@ namespace skyseal::ui {
 struct RouteStop
 {
     enum class Loiter : std::uint8_t { None, Unlimited, Turns, Time, ToAltitude };
-    /// Reference of an altitude.
-    enum class Reference : std::uint8_t { Home, SeaLevel, Terrain };
+    using Reference = vehicle::AltitudeReference;
 
     QPointF at;
     int sequence = 0;                        ///< of its item; -1: the place where the route begins, or home at its end

@@ -79,10 +79,20 @@ QVariant MissionModel::data(const QModelIndex &index, int role) const
     }
     case Latitude: return vehicle::hasPlace(item) ? number(item.latitude, 7) : dash();
     case Longitude: return vehicle::hasPlace(item) ? number(item.longitude, 7) : dash();
-    case Altitude:
-        return vehicle::hasAltitude(item) ? altitudeFigure(static_cast<double>(item.altitude), m_units).text() : dash();
+    case Altitude: return vehicle::hasAltitude(item) ? altitudeText(item) : dash();
     default: return {};
     }
+}
+
+QString MissionModel::altitudeText(const vehicle::MissionItem &item) const
+{
+    QString altitude = altitudeFigure(static_cast<double>(item.altitude), m_units).text();
+    switch (vehicle::altitudeReferenceOf(item.frame)) {
+    case vehicle::AltitudeReference::SeaLevel: return tr("%1 MSL").arg(altitude);
+    case vehicle::AltitudeReference::Terrain: return tr("%1 above ground").arg(altitude);
+    case vehicle::AltitudeReference::Home: break;
+    }
+    return altitude;
 }
 
 QVariant MissionModel::headerData(int section, Qt::Orientation orientation, int role) const

@@ -32,6 +32,9 @@ public:
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
+    /// With its reference, unless that is home.
+    QString altitudeText(const vehicle::MissionItem &item) const;
+
     Mission m_mission;
     int m_current = -1;
     bool m_firstIsHome = false;

@@ -57,6 +57,7 @@ MissionPanel::MissionPanel(StationInterface &station, QWidget *parent)
     view->header()->setStretchLastSection(false);
     view->header()->resizeSection(MissionModel::Number, 6 * kGrid);
     view->header()->setSectionResizeMode(MissionModel::Command, QHeaderView::Stretch);
+    view->header()->setSectionResizeMode(MissionModel::Altitude, QHeaderView::ResizeToContents);
     m_empty = new QLabel(m_pages);
     m_empty->setObjectName(QStringLiteral("missionEmpty"));
     m_empty->setWordWrap(true);
