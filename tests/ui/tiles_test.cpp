@@ -1,9 +1,10 @@
 // Map tiles from servers and files: who is asked for what, what is kept, and that hostile answers and files stay within limits.
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
+#include "sqlite_file.h"
 #include "tile_server.h"
-#include "ui/tiles/mbtiles_file.h"
 #include "ui/tiles/mbtiles_writer.h"
+#include "ui/tiles/tile_file.h"
 #include "ui/tiles/tile_image.h"
 #include "ui/tiles/tile_loader.h"
 #include "ui/tiles/tile_template.h"
@@ -12,8 +13,6 @@
 #include <QtCore/QTemporaryDir>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
-
-#include <sqlite3.h>
 
 using namespace skyseal;
 using namespace skyseal::ui;
@@ -77,16 +76,6 @@ QByteArray headerOf(quint32 width, quint32 height)
     for (int i = 0; i < 4; ++i)
         out[29 + i] = static_cast<char>(crc >> (24 - 8 * i));
     return out;
-}
-
-QString fileOf(const QString &path, const QByteArray &sql)
-{
-    sqlite3 *database = nullptr;
-    sqlite3_open(QFile::encodeName(path).constData(), &database);
-    if (sqlite3_exec(database, sql.constData(), nullptr, nullptr, nullptr) != SQLITE_OK)
-        qFatal("%s", sqlite3_errmsg(database));
-    sqlite3_close(database);
-    return path;
 }
 
 } // namespace
@@ -176,7 +165,7 @@ private Q_SLOTS:
             QVERIFY((*writer)->finish({{QStringLiteral("attribution"), QStringLiteral("<a href='x'>&copy; us</a>")},
                                        {QStringLiteral("maxzoom"), QStringLiteral("2")}}));
         }
-        auto file = MbtilesFile::open(path);
+        auto file = TileFile::open(path);
         QVERIFY2(file.has_value(), file ? "" : qPrintable(file.error()));
         QCOMPARE(file->facts().attribution, QStringLiteral("© us"));
         QCOMPARE(file->facts().deepest, 2);
@@ -189,6 +178,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<QByteArray>("sql");
         QTest::newRow("no tiles") << QByteArray("CREATE TABLE other (a)");
+        QTest::newRow("GeoPackage of shapes") << QByteArray("CREATE TABLE gpkg_contents (table_name, data_type, identifier)");
         QTest::newRow("vector tiles") << QByteArray("CREATE TABLE tiles (zoom_level, tile_column, tile_row, tile_data);"
                                                     "CREATE TABLE metadata (name, value);"
                                                     "INSERT INTO metadata VALUES ('format', 'pbf')");
@@ -196,13 +186,13 @@ private Q_SLOTS:
     void wrongFilesAreRefused()
     {
         QFETCH(QByteArray, sql);
-        const auto file = MbtilesFile::open(fileOf(m_folder->filePath(QStringLiteral("b.mbtiles")), sql));
+        const auto file = TileFile::open(sqliteFile(m_folder->filePath(QStringLiteral("b.mbtiles")), sql));
         QVERIFY(!file.has_value() && !file.error().isEmpty());
-        QVERIFY(!MbtilesFile::open(m_folder->filePath(QStringLiteral("none.mbtiles"))).has_value());
+        QVERIFY(!TileFile::open(m_folder->filePath(QStringLiteral("none.mbtiles"))).has_value());
         QFile text(m_folder->filePath(QStringLiteral("text.mbtiles")));
         QVERIFY(text.open(QIODevice::WriteOnly) && text.write(QByteArray(5000, 'a')) == 5000);
         text.close();
-        QVERIFY(!MbtilesFile::open(text.fileName()).has_value());
+        QVERIFY(!TileFile::open(text.fileName()).has_value());
     }
 
     /// "tiles" may be a view, and so a program.
@@ -222,7 +212,8 @@ private Q_SLOTS:
     void hostileFilesStayWithinLimits()
     {
         QFETCH(QByteArray, tiles);
-        auto file = MbtilesFile::open(fileOf(m_folder->filePath(QStringLiteral("c.mbtiles")), "CREATE VIEW tiles AS " + tiles));
+        auto file = TileFile::open(
+            sqliteFile(m_folder->filePath(QStringLiteral("c.mbtiles")), "CREATE VIEW tiles AS " + tiles));
         if (!file)
             return; // refused at once
         QVERIFY(!file->tile({0, 0, 0}).has_value());
@@ -379,7 +370,7 @@ private Q_SLOTS:
         QCOMPARE(heard.ends[0].progress.done, qint64(21));
         QCOMPARE(QSet<QString>(server.paths.cbegin(), server.paths.cend()).size(), 21);
         QVERIFY(server.mostOpen <= 2);
-        auto file = MbtilesFile::open(path);
+        auto file = TileFile::open(path);
         QVERIFY(file.has_value());
         QCOMPARE(file->facts().attribution, QStringLiteral("© nobody"));
         QCOMPARE(**file->tile({2, 3, 1}), tileBytes(Qt::cyan));

@@ -3,7 +3,7 @@
 #include "ui/modeless.h"
 #include "ui/theme/form_pieces.h"
 #include "ui/theme/grid.h"
-#include "ui/tiles/mbtiles_file.h"
+#include "ui/tiles/tile_file.h"
 #include "ui/tiles/tile_template.h"
 
 #include <QtWidgets/QDialogButtonBox>
@@ -25,7 +25,8 @@ MapSourceDialog::MapSourceDialog(const MapSource &source, QWidget *parent) : QDi
     m_none = named(new QRadioButton(tr("&No imagery: lines of latitude and longitude"), this), "mapSourceNone",
                    tr("No imagery"));
     m_server = named(new QRadioButton(tr("A tile &server"), this), "mapSourceServer", tr("A tile server"));
-    m_file = named(new QRadioButton(tr("An &MBTiles file on this computer"), this), "mapSourceFile", tr("An MBTiles file"));
+    m_file = named(new QRadioButton(tr("A &file on this computer (MBTiles or GeoPackage)"), this), "mapSourceFile",
+                   tr("A file of map tiles"));
     m_serverForm = makeServer();
     m_fileForm = makeFile();
     m_state = new QLabel(this);
@@ -87,8 +88,8 @@ QWidget *MapSourceDialog::makeFile()
     auto *box = new QWidget(this);
     auto *row = new QHBoxLayout(box);
     row->setContentsMargins(3 * kGrid, 0, 0, kGrid);
-    m_path = named(new QLineEdit(m_start.file, box), "mapSourcePath", tr("MBTiles file"));
-    auto *browseButton = named(new QPushButton(tr("&Browse…"), box), "mapSourceBrowse", tr("Browse for an MBTiles file"));
+    m_path = named(new QLineEdit(m_start.file, box), "mapSourcePath", tr("File of map tiles"));
+    auto *browseButton = named(new QPushButton(tr("&Browse…"), box), "mapSourceBrowse", tr("Browse for a file of map tiles"));
     browseButton->setAutoDefault(false);
     connect(browseButton, &QPushButton::clicked, this, &MapSourceDialog::browse);
     row->addWidget(m_path, 1);
@@ -98,7 +99,8 @@ QWidget *MapSourceDialog::makeFile()
 
 void MapSourceDialog::browse()
 {
-    auto *dialog = new QFileDialog(this, tr("MBTiles file"), m_path->text(), tr("MBTiles (*.mbtiles);;All files (*)"));
+    auto *dialog = new QFileDialog(this, tr("File of map tiles"), m_path->text(),
+                                   tr("Map tiles (*.mbtiles *.gpkg);;All files (*)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, m_path, &QLineEdit::setText);
@@ -114,7 +116,7 @@ QString MapSourceDialog::problem() const
     if (m_file->isChecked()) {
         if (m_path->text().isEmpty())
             return tr("No file is chosen");
-        const auto file = MbtilesFile::open(m_path->text());
+        const auto file = TileFile::open(m_path->text());
         return file ? QString() : file.error();
     }
     return {};

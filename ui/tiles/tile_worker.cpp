@@ -53,7 +53,7 @@ void TileWorker::setSource(int number, const MapSource &source)
         endRegion({{}, tr("the source of the map was changed"), m_region->progress()});
     drop([](const Running &) { return true; });
     if (source.kind == MapSource::Kind::File) {
-        auto file = MbtilesFile::open(source.file);
+        auto file = TileFile::open(source.file);
         if (!file)
             return reportProblem(file.error());
         m_file.emplace(std::move(*file));

@@ -1,11 +1,11 @@
-// Loads and decodes tiles in a thread of its own, from a server or from an MBTiles file, and fetches regions. Nothing is
+// Loads and decodes tiles in a thread of its own, from a server or from a file, and fetches regions. Nothing is
 // requested of a server before setSource() names it.
 #pragma once
 
 #include "ui/settings.h"
-#include "ui/tiles/mbtiles_file.h"
 #include "ui/tiles/region_fetch.h"
 #include "ui/tiles/tile_config.h"
+#include "ui/tiles/tile_file.h"
 #include "ui/tiles/tile_template.h"
 
 #include <QtCore/QHash>
@@ -77,7 +77,7 @@ private:
     TileConfig m_config;
     MapSource m_source;
     int m_number = 0;
-    std::optional<MbtilesFile> m_file;
+    std::optional<TileFile> m_file;
     std::optional<TileTemplate> m_server;
     QNetworkAccessManager *m_network = nullptr; ///< made for the first server
     QList<TileId> m_wanted;
