@@ -1,4 +1,4 @@
-// Follows two recipes of core/README.md, with the examples in tests/arch/recipes: the files that a recipe adds and edits go to
+// Follows six recipes of core/README.md, with the examples in tests/arch/recipes: the files that a recipe adds and edits go to
 // a folder that the compiler searches before the source tree, and every file that they concern must compile. The number of
 // edited files is the cost of adding one more, and the recipe must name each of them.
 #include "tests/support/test_runner.h"
@@ -79,6 +79,8 @@ public:
             const QString &argument = command[i];
             if (argument == q("-o") || argument == q("-c") || argument == q("-include"))
                 ++i; // neither an output nor precompiled headers, which contain the unchanged tree
+            else if (argument.startsWith(q("-D"))) // splitCommand() leaves the backslashes before the quotes of a text
+                arguments << QString(argument).replace(QLatin1Char('\\'), QLatin1Char('"'));
             else if (argument != q("-Winvalid-pch") && argument != q("-fpch-preprocess"))
                 arguments << argument;
         }
@@ -161,6 +163,10 @@ private Q_SLOTS:
     void microProtocolTakesSevenEdits();
     void eventWithoutATextDoesNotCompile();
     void cipherSuiteTakesOneEdit();
+    void linkTypeTakesTwoEdits();
+    void dockPanelTakesThreeEdits();
+    void chartedQuantityTakesOneEdit();
+    void commandTakesThreeEdits();
 };
 
 void RecipesTest::microProtocolTakesSevenEdits()
@@ -197,6 +203,68 @@ void RecipesTest::cipherSuiteTakesOneEdit()
     checkThatRecipeNames(recipe("a cipher suite"), tree.edited());
     QCOMPARE(tree.errorsIn(q("core/crypto/suites/dummy.cpp"), q("core/crypto/suites/rc4.cpp")), QString());
     QCOMPARE(tree.errorsIn(q("core/crypto/suite.cpp")), QString());
+}
+
+void RecipesTest::linkTypeTakesTwoEdits()
+{
+    ChangedTree tree;
+    tree.add(q("core/link/dummy_link.h"));
+    tree.add(q("core/link/dummy_link.cpp"));
+    tree.insert(q("core/link/link_type.cpp"), "#include \"core/link/tlog_link.h\"\n", "#include \"core/link/dummy_link.h\"\n");
+    tree.insert(
+        q("core/link/link_type.cpp"), "constexpr LinkType kTypes[] = {\n",
+        "    {\"dummy\", LinkTarget::HostPort, {.hasOneRemote = true}, \"Dummy\", \"An example.\", make<DummyLink>},\n");
+    tree.insert(q("core/link/CMakeLists.txt"), "tlog_link.cpp", " dummy_link.cpp");
+    QCOMPARE(tree.edited().size(), 2);
+    checkThatRecipeNames(recipe("a link type"), tree.edited());
+    QCOMPARE(tree.errorsIn(q("core/link/dummy_link.cpp"), q("core/link/tlog_link.cpp")), QString());
+    QCOMPARE(tree.errorsIn(q("core/link/link_type.cpp")), QString());
+}
+
+void RecipesTest::dockPanelTakesThreeEdits()
+{
+    ChangedTree tree;
+    tree.add(q("ui/dummy/dummy_panel.h"));
+    tree.add(q("ui/dummy/dummy_panel.cpp"));
+    tree.insert(q("ui/window/panel_table.cpp"), "#include \"ui/charts/diagnostics_panel.h\"\n",
+                "#include \"ui/dummy/dummy_panel.h\"\n");
+    tree.insert(q("ui/window/panel_table.cpp"), "constexpr PanelRow kPanels[] = {\n",
+                "    {\"dockDummy\", \"Dummy\", {kHidden, kHidden, kHidden, kRight}, make<DummyPanel>},\n");
+    tree.insert(q("ui/CMakeLists.txt"), "dialogs/settings_dialog.cpp", " dummy/dummy_panel.cpp");
+    tree.insert(q("tests/arch/layers_test.cpp"), "        {QStringLiteral(\"logs\"), kBottom},\n",
+                "        {QStringLiteral(\"dummy\"), kBottom},\n");
+    QCOMPARE(tree.edited().size(), 3);
+    checkThatRecipeNames(recipe("a dock panel"), tree.edited());
+    QCOMPARE(tree.errorsIn(q("ui/dummy/dummy_panel.cpp"), q("ui/messages/messages_panel.cpp")), QString());
+    QCOMPARE(tree.errorsIn(q("ui/window/panel_table.cpp")), QString());
+}
+
+/// Of a value that each sample has already.
+void RecipesTest::chartedQuantityTakesOneEdit()
+{
+    ChangedTree tree;
+    tree.insert(q("ui/charts/quantities.cpp"), "std::vector<Quantity> rates()\n{\n    return {\n",
+                "        {.key = \"dummy\", .title = Text::tr(\"Dummy\"), .unit = Text::tr(\"frames/s\"),\n"
+                "         .note = Text::tr(\"An example.\"), .group = QuantityGroupId::Rates,\n"
+                "         .lines = {{{}, Stroke::Solid, {\"dummy_per_s\", read<&MetricsSample::openedFramesPerSecond>}}}},\n");
+    QCOMPARE(tree.edited().size(), 1);
+    checkThatRecipeNames(recipe("a charted quantity"), tree.edited());
+    QCOMPARE(tree.errorsIn(q("ui/charts/quantities.cpp")), QString());
+}
+
+void RecipesTest::commandTakesThreeEdits()
+{
+    ChangedTree tree;
+    tree.add(q("app/cli/dummy_command.cpp"));
+    tree.insert(q("app/cli/commands.h"), "int runSelfTest(const QStringList &arguments);\n",
+                "int runDummy(const QStringList &arguments);\n");
+    tree.insert(q("app/cli/main.cpp"), "constexpr Command kCommands[] = {\n",
+                "    {\"dummy\", \"is an example\", runDummy},\n");
+    tree.insert(q("app/cli/CMakeLists.txt"), "decode_command.cpp", " dummy_command.cpp");
+    QCOMPARE(tree.edited().size(), 3);
+    checkThatRecipeNames(recipe("a command of the command line"), tree.edited());
+    QCOMPARE(tree.errorsIn(q("app/cli/dummy_command.cpp"), q("app/cli/decode_command.cpp")), QString());
+    QCOMPARE(tree.errorsIn(q("app/cli/main.cpp")), QString());
 }
 
 SKYSEAL_TEST_APPLESS(RecipesTest)
