@@ -11,6 +11,7 @@
 #include "ui/language.h"
 #include "ui/result_label.h"
 #include "ui/flight/hold_button.h"
+#include "ui/flight/horizon.h"
 #include "ui/flight/tape.h"
 #include "ui/flight/vehicle_commands.h"
 #include "ui/window/main_window.h"
@@ -205,6 +206,31 @@ private Q_SLOTS:
             QPainter painter(&image);
             paintVerticalTape(painter, image.rect(), value, 2, 11, 1, true, style);
             paintCompassTape(painter, image.rect(), value, style);
+        }
+    }
+
+    /// Roll, heading and pitch, each in its third of the band above the compass.
+    void horizonWritesItsNumbers()
+    {
+        constexpr int kTape = 52, kCompass = 24, kRow = 20, kThird = 69;
+        Horizon horizon;
+        horizon.resize(2 * kTape + 3 * kThird, 320);
+        const auto numbers = [&](const HorizonValues &values) {
+            horizon.showValues(values);
+            return horizon.grab(QRect(kTape, horizon.height() - kCompass - kRow, 3 * kThird, kRow)).toImage();
+        };
+        const HorizonValues values{.roll = 0, .pitch = -60, .heading = 10}; // nothing but ground behind the numbers
+        const QImage before = numbers(values);
+        HorizonValues changed[] = {values, values, values};
+        changed[0].roll = 7;
+        changed[1].heading = 200;
+        changed[2].pitch = -67;
+        for (int i = 0; i < 3; ++i) {
+            const QImage after = numbers(changed[i]);
+            for (int third = 0; third < 3; ++third) {
+                const QRect place(third * kThird, 0, kThird, kRow);
+                QCOMPARE(after.copy(place) != before.copy(place), i == third);
+            }
         }
     }
 
