@@ -1,5 +1,6 @@
 // The checklist before a flight: ticked by mouse, keys or the values of the vehicle, remembered for each vehicle, asked about
 // before Arm, and open again after the flight.
+#include "confirm_question.h"
 #include "scripted_snapshots.h"
 #include "tests/support/test_runner.h"
 #include "ui/flight/hold_button.h"
@@ -141,6 +142,27 @@ private Q_SLOTS:
         QVERIFY(!m_window->findChild<QMessageBox *>(QStringLiteral("confirmCommand")));
         QCOMPARE(m_station->commands.size(), std::size_t(2));
         QVERIFY(std::holds_alternative<vehicle::Arm>(m_station->commands[1].second));
+    }
+
+    /// Holding Arm must not do nothing because another question is open, perhaps behind the window.
+    void questionToArmTakesThePlaceOfAnother()
+    {
+        m_station->show(landed(1));
+        openList();
+        choose(write("Propellers tight\nArea clear\n"));
+        find<QAction>("actionLand")->trigger();
+        QVERIFY(test::shownQuestion(*m_window)->text().contains(QStringLiteral("Land")));
+        const auto asked = [this] {
+            const auto *box = test::shownQuestion(*m_window);
+            return box && box->text().contains(QStringLiteral("checklist")) ? box->informativeText() : QString();
+        };
+        holdArm();
+        EVENTUALLY(asked().contains(QStringLiteral("Propellers tight")));
+        clickBox(0); // the question says what is open when it was asked last
+        holdArm();
+        EVENTUALLY(!asked().isEmpty() && !asked().contains(QStringLiteral("Propellers tight")));
+        QVERIFY(asked().contains(QStringLiteral("Area clear")));
+        QVERIFY(m_station->commands.empty());
     }
 
     void ticksEndWithTheFlight()

@@ -17,15 +17,16 @@ struct Text
 };
 
 const QString kQuestion = QStringLiteral("confirmCommand");
+constexpr const char *kVehicle = "skyseal_vehicle"; ///< property of a question: the system ID of its vehicle
 
-/// The open question with this text, which comes to the front; null if there is none. One about something else is closed as if
-/// the answer were no: the newest is what the operator wants.
-QMessageBox *openQuestion(const QWidget &window, const QString &text)
+/// The open question with this text about this vehicle, which comes to the front; null if there is none. One about something
+/// else is closed as if the answer were no: the newest is what the operator wants.
+QMessageBox *openQuestion(const QWidget &window, const QString &text, std::uint8_t systemId)
 {
     for (QMessageBox *box : window.findChildren<QMessageBox *>(kQuestion)) {
         if (box->isHidden()) // closed, and about to be deleted
             continue;
-        if (box->text() == text) {
+        if (box->text() == text && box->property(kVehicle).toInt() == systemId) {
             showModeless(*box);
             return box;
         }
@@ -41,14 +42,18 @@ QMessageBox *confirmCommand(VehicleCommands &commands, const vehicle::VehicleCom
 {
     const std::uint8_t systemId = commands.systemId();
     const QString text = commands.isOneOfSeveral() ? Text::tr("Vehicle %1: %2").arg(systemId).arg(question) : question;
-    if (QMessageBox *open = openQuestion(*window, text)) // as by a key that is held
+    if (QMessageBox *open = openQuestion(*window, text, systemId)) { // as by a key that is held
+        open->setInformativeText(details);
         return open;
-    return askToConfirm({.objectName = kQuestion,
-                         .title = Text::tr("Confirm"),
-                         .text = text,
-                         .details = details,
-                         .yes = commandText(command, commands.units())},
-                        window, &commands, [&commands, systemId, command] { commands.send(systemId, command); });
+    }
+    QMessageBox *box = askToConfirm({.objectName = kQuestion,
+                                     .title = Text::tr("Confirm"),
+                                     .text = text,
+                                     .details = details,
+                                     .yes = commandText(command, commands.units())},
+                                    window, &commands, [&commands, systemId, command] { commands.send(systemId, command); });
+    box->setProperty(kVehicle, int{systemId});
+    return box;
 }
 
 QString openItemsText(VehicleCommands &commands)
@@ -68,8 +73,7 @@ void armOrAsk(VehicleCommands &commands, QWidget *window)
     const QString open = openItemsText(commands);
     if (open.isEmpty())
         return commands.send(commands.systemId(), vehicle::Arm{});
-    if (window->findChild<QMessageBox *>(kQuestion) == nullptr) // else one is open, and is answered first
-        confirmCommand(commands, vehicle::Arm{}, Text::tr("Arm with an incomplete checklist?"), open, window);
+    confirmCommand(commands, vehicle::Arm{}, Text::tr("Arm with an incomplete checklist?"), open, window);
 }
 
 } // namespace skyseal::ui
