@@ -38,7 +38,7 @@ struct MapSource
 
     Kind kind = Kind::None;
     QString url;         ///< of the server: "https://tile.example.org/{z}/{x}/{y}.png"
-    QString file;        ///< MBTiles
+    QString file;        ///< MBTiles or GeoPackage
     QString attribution; ///< of the server, shown on the map
     int deepest = 19;    ///< level of the server's largest pictures
 

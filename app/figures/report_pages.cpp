@@ -59,7 +59,7 @@ void ReportPages::addBlock(const QTextBlock &block)
     }
 }
 
-/// What the cells of the row contain, without their padding.
+/// The contents of the row's cells, without their padding.
 QRectF ReportPages::cellsOfRow(const QTextTable &table, int row) const
 {
     QRectF out;

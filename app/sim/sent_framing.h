@@ -1,5 +1,5 @@
 // How the simulator frames what it sends: in clear, or with payloads encrypted as by the autopilot that was published with the
-// paper MAVSec (2019). INSECURE (core/crypto/mavsec_cipher.h): for comparison. What the vehicle receives is always in clear.
+// paper MAVSec (2019). INSECURE (core/crypto/mavsec_cipher.h): for comparison. Received frames are always in clear.
 #pragma once
 
 #include "app/common/mavsec_options.h"

@@ -1,5 +1,5 @@
-// Provides the passphrase of a sealed key: from the desktop's keyring if it is stored there, otherwise from the operator, who
-// is asked beside the window. What the operator enters is hashed in a thread, since that takes about a second.
+// Provides the passphrase of a sealed key: from the desktop's keyring if it is stored there, otherwise from the operator, in
+// a dialog beside the window. An entered passphrase is hashed in a thread, since that takes about a second.
 #pragma once
 
 #include "app/skyseal/passphrase_memory.h"
@@ -50,7 +50,7 @@ public:
     void withdraw();
 
 private:
-    /// What became of a passphrase.
+    /// The result of a passphrase.
     struct Outcome
     {
         Result<Identity, InputError> identity;

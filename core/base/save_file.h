@@ -20,8 +20,8 @@ class NewFile
 public:
     /// `mode`: the permissions, whatever those of the old file are. A symbolic link, pipe or device at `path` is replaced.
     static Result<NewFile, InputError> replacing(std::string path, ::mode_t mode);
-    /// As replacing(), for the file that a user names: keeps the permissions of an old file and follows symbolic links. What is
-    /// no regular file, such as a pipe or /dev/stdout, is not replaced: the content goes into it.
+    /// As replacing(), for the file that a user names: keeps the permissions of an old file and follows symbolic links. A
+    /// pipe or device, such as /dev/stdout, is not replaced: the content goes into it.
     static Result<NewFile, InputError> saving(std::string path);
 
     ~NewFile();

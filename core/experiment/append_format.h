@@ -5,7 +5,7 @@
 
 namespace skyseal::experiment {
 
-/// As printf does it. What exceeds 511 bytes is cut.
+/// Appends as printf() formats it, at most 511 bytes.
 __attribute__((format(printf, 2, 3))) void put(std::string &out, const char *pattern, ...);
 
 } // namespace skyseal::experiment

@@ -41,7 +41,7 @@ std::optional<Contrast> contrastOf(const Results &results, const Pooling &wanted
     return std::nullopt;
 }
 
-/// What several days of a machine found together. Days may differ by more than their own errors say.
+/// The joint result of several days of a machine. Days may differ by more than their own errors say.
 MachineEffect joined(const std::vector<MachineEffect> &days)
 {
     const auto n = static_cast<double>(days.size());

@@ -1,4 +1,4 @@
-// What a reader of a report must know before its figures: the sentences on its first page. Pure function.
+// Warnings that a reader of a report needs before its figures: the sentences on its first page. Pure function.
 #pragma once
 
 #include "core/experiment/results.h"

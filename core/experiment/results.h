@@ -28,7 +28,7 @@ struct Counted
     Frames mavlink;              ///< by MAVLink's sequence numbers
     channel::ReceiveCounters rx; ///< records to the station
     channel::ReceiveCounters tx; ///< records to the agent, by its newest report
-    /// What the relay of an impaired link dropped since it started, by its own log; `frames` are clear ones.
+    /// Losses at the relay of an impaired link since it started, by its own log; `frames` are clear ones.
     struct Dropped
     {
         std::uint64_t datagrams = 0, records = 0, frames = 0;

@@ -68,8 +68,8 @@ bool EpollDispatcher::processEvents(QEventLoop::ProcessEventsFlags flags)
         Q_EMIT aboutToBlock();
     if (m_interrupted)
         return false;
-    // QEventLoop::exec() would call again at once. What it and its caller do in between is only needed after an event of Qt:
-    // a handler that posts one, deletes an object later or ends the loop calls wakeUp().
+    // QEventLoop::exec() would call again at once. Its work and its caller's in between is only needed after an event of Qt: a
+    // handler that posts one, deletes an object later or ends the loop calls wakeUp().
     const bool stays = mayWait && timers && sockets && flags.testFlag(QEventLoop::EventLoopExec);
     const bool ready = m_woken || (sockets && (!m_ready.empty() || !m_files.empty()));
     int limit = !mayWait || ready ? 0 : timers ? timeout(steadyNow()) : -1;

@@ -1,5 +1,5 @@
 // Messages that wait for the broker. A broker that is slow or away costs a fixed amount of memory: of each state only the
-// newest one waits, and of events and frames a limited number. What is dropped is counted.
+// newest one waits, and of events and frames a limited number. Drops are counted.
 //
 // No thread and no clock of its own; Publisher locks it.
 #pragma once

@@ -8,7 +8,7 @@
 
 namespace skyseal::overlay {
 
-/// What a file may have; one with more is refused.
+/// Limits of a file; a larger one is refused.
 inline constexpr qint64 kMostBytes = 64 * 1024 * 1024;
 inline constexpr std::size_t kMostPoints = 200'000;
 inline constexpr int kDeepest = 64; ///< elements or collections within one another

@@ -61,7 +61,7 @@ void OverlayBuilder::nameFrom(std::size_t first, const QString &name)
 
 QString shownName(const QString &name)
 {
-    // What is cut is cut before all else, since a name may be as long as a file.
+    // Cut first, since a name may be as long as a file.
     const QString start = name.left(4 * kLongestName).simplified();
     return QString::fromStdString(printable(start.toStdString())).left(kLongestName);
 }

@@ -1,4 +1,4 @@
-// What the readers of both formats have in common: checks of positions, and shapes that can be drawn.
+// Common to the readers of both formats: checks of positions, and shapes that can be drawn.
 #pragma once
 
 #include "core/base/result.h"

@@ -1,5 +1,5 @@
-// The failsafes: watches battery, radio, position, estimator, fence and ground contact in flight, tells the station, and does
-// what the parameters say. The station's heartbeats are watched by the owner of the link, who calls trigger().
+// The failsafes: watches battery, radio, position, estimator, fence and ground contact in flight, reports to the station, and
+// acts as the parameters say. The station's heartbeats are watched by the owner of the link, who calls trigger().
 #pragma once
 
 #include "core/sim/arming.h"

@@ -30,8 +30,8 @@ public:
     static constexpr Duration kConfirmTimeout = std::chrono::milliseconds(3500);
     /// ArduPilot sends the reason of a refusal shortly after the acknowledgement.
     static constexpr Duration kReasonTimeout = std::chrono::milliseconds(700);
-    /// A deadline that is handled later than this shows that the program did not run, as on a computer that slept. What was
-    /// ordered before is not sent again then: the operator does not expect it any more.
+    /// A deadline that is handled later than this shows that the program did not run, as on a computer that slept.
+    /// Earlier commands are not sent again then: the operator does not expect them any more.
     static constexpr Duration kMostDelay = std::chrono::seconds(3);
     static constexpr std::size_t kMaxActions = 32;
 

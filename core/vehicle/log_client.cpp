@@ -192,7 +192,7 @@ bool LogClient::beginPart(const OnboardLog &log)
     return true;
 }
 
-/// Returns false if nothing is missing. What is kept arrived piece by piece.
+/// Returns false if nothing is missing. The kept part arrives piece by piece.
 bool LogClient::takeKept()
 {
     if (!m_kept)

@@ -5,8 +5,8 @@
 //     Download: MISSION_REQUEST_LIST → MISSION_COUNT → (MISSION_REQUEST_INT n → MISSION_ITEM_INT n)* → our MISSION_ACK
 //     Clear:    MISSION_CLEAR_ALL → MISSION_ACK
 //
-// Every message of this end is repeated when it or its answer was lost, judging by the measured round trip. What follows holds
-// of ArduPilot as in its GCS_MAVLink/MissionItemProtocol.cpp and GCS_Common.cpp, and of PX4 as in its mavlink_mission.cpp.
+// Every message of this end is repeated when it or its answer was lost, judging by the measured round trip. The following
+// describes ArduPilot as in its GCS_MAVLink/MissionItemProtocol.cpp and GCS_Common.cpp, and PX4 as in its mavlink_mission.cpp.
 //
 // Download: ArduPilot answers requests for items in any order, so that a window of them is under way. PX4 takes the expected
 // request and the one before: another one ends the download with MAV_MISSION_ERROR, after which further requests get no answer;

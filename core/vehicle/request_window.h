@@ -22,7 +22,7 @@ public:
     /// when the list is complete.
     static constexpr std::size_t kAskedTwice = 16;
 
-    /// Begins a list of which nothing has arrived. What is known of the round trip is kept.
+    /// Begins a list of which nothing has arrived. The estimate of the round trip is kept.
     void begin();
     /// At most so many requests without an answer; 1 for a vehicle that answers in order alone.
     void setMost(std::size_t most);

@@ -39,7 +39,7 @@ public:
 
     /// Without an answer for so long, a request counts as lost.
     Duration timeout() const { return m_timeout; }
-    /// The shortest one measured; zero before. What arrives sooner after a message than this does not answer it.
+    /// The shortest one measured; zero before. A message that arrives sooner than this after a request does not answer it.
     Duration shortest() const { return m_smoothed == Duration::zero() ? Duration::zero() : m_shortest; }
     /// True if answers queue up: they arrive later than the first ones did.
     bool isGrowing() const { return m_smoothed > m_shortest * 2; }

@@ -28,8 +28,8 @@ public:
         bool done = false;
     };
 
-    /// For each view. Uses the vehicles of the station, never those of a replay. What was ticked by hand is open again once the
-    /// vehicle has been disarmed.
+    /// For each view. Uses the vehicles of the station, never those of a replay. Items that were ticked by hand are open again
+    /// once the vehicle has been disarmed.
     void showViewState(const ViewState &view);
 
     /// Uses these files, in place of all former ones.

@@ -54,7 +54,7 @@ QString withRights(const QString &address, const engine::WriteRights &rights)
     return kept.join(QLatin1Char(','));
 }
 
-/// What stations may write at some of these addresses, as keywords of classes.
+/// The classes that stations may write at some of these addresses, as keywords.
 QStringList writtenAt(const QString &addresses)
 {
     QStringList out;

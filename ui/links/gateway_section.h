@@ -1,5 +1,5 @@
 // The switch that serves other ground stations and programs through this station (engine::Gateway): at which addresses, with
-// which rights, and who is there. Each address may have the options of skyseal-cli gateway --serve. Main thread.
+// which rights, and the connected stations. Each address may have the options of skyseal-cli gateway --serve. Main thread.
 #pragma once
 
 #include "ui/links/client_model.h"
@@ -31,7 +31,7 @@ public:
 Q_SIGNALS:
     /// The operator chose this.
     void servingChanged(const skyseal::ui::Serving &serving);
-    /// What other stations may do now in a few words and in a sentence; both empty while they may at most read.
+    /// The present rights of other stations in a few words and in a sentence; both empty while they may at most read.
     void sharingChanged(const QString &word, const QString &sentence);
 
 protected:

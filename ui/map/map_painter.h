@@ -27,7 +27,7 @@ public:
     /// References must outlive the painter.
     MapPainter(QPainter &painter, const MapContent &content, const MapViewport &viewport, const QPalette &palette);
 
-    /// What lies on the ground. The caller fills the background. `moving`: quickly rather than finely.
+    /// Everything on the ground. The caller fills the background. `moving`: quickly rather than finely.
     void paintGround(const TileLayer &tiles, const OverlayModel &overlays, const FenceContent &fence, bool moving);
     /// Scale, north and the source of the tiles; above the vehicles, so that none hides them.
     void paintLegends(const TileLayer &tiles, UnitSystem units);

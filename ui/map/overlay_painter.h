@@ -1,5 +1,5 @@
-// Paints the files over the map: areas with a thin filling, lines, and points, with their names where they fit. What takes no
-// room in the picture costs hardly more than a look.
+// Paints the files over the map: areas with a thin filling, lines, and points, with their names where they fit. Shapes
+// outside of the picture cost hardly more than a look.
 #pragma once
 
 #include "ui/map/map_viewport.h"

@@ -60,9 +60,9 @@ public:
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 Q_SIGNALS:
-    /// What the map shows of them has changed.
+    /// The shapes on the map have changed.
     void pictureChanged();
-    /// What files() returns has changed, by the operator.
+    /// The operator has changed files().
     void filesChanged();
 
 private:

@@ -50,7 +50,7 @@ QColor inkOf(const QWidget &widget)
     return widget.palette().color(widget.isEnabled() ? QPalette::WindowText : QPalette::PlaceholderText);
 }
 
-/// What the frame of the line leaves.
+/// The area inside the frame of the line.
 QRectF innerOf(const QRectF &line)
 {
     return line.adjusted(1, 1, -1, -1);

@@ -1,4 +1,4 @@
-// What there is to say about the secure link, beside the lock while the map stays as it is: suite, peer, age and fingerprint of
+// The state of the secure link, beside the lock while the map stays as it is: suite, peer, age and fingerprint of
 // the session, or why nothing is sealed. Not modal: closes by Esc, by a click elsewhere, or by its button, which leads to the
 // panel.
 #pragma once

@@ -104,7 +104,7 @@ void Shortcuts::setChosen(Item &item, const QKeySequence &keys)
     }
 }
 
-/// What the operator chose comes before the first shortcuts, which a later version may have changed. Of actions that would
+/// The operator's choices come before the first shortcuts, which a later version may have changed. Of actions that would
 /// share their keys, the first one gets them: Qt would obey none of them.
 void Shortcuts::apply()
 {

@@ -31,7 +31,7 @@ public:
     Shortcuts(QSettings &store, QObject *parent);
 
     /// Takes over all actions of the menus that have an object name, with their present shortcuts as the first ones, and gives
-    /// them the stored ones. What is stored for other names stays; invalid or refused keys are ignored. The actions must
+    /// them the stored ones. Stored keys of other names stay; invalid or refused keys are ignored. The actions must
     /// outlive this. Entries of menus that fill themselves, such as the modes of a vehicle, have no name and no shortcut.
     void take(const QMenuBar &bar);
     /// As above, for the actions of a panel or bar. Those that are menus have no shortcut.

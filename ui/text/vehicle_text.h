@@ -1,4 +1,4 @@
-// Texts of the window for states and commands. What the command lines show as well is in core/engine/text.
+// Texts of the window for states and commands. Texts that command lines show as well are in core/engine/text.
 #pragma once
 
 #include "core/channel/events.h"

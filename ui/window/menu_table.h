@@ -40,13 +40,13 @@ struct Menu
     MenuItems items;
 };
 
-/// Adds `items` to `menu`, which owns everything that is made. What the functions of the items refer to must outlive it.
+/// Adds `items` to `menu`, which owns everything that is made. Objects that the functions of the items use must outlive it.
 /// Returns a function that enables or disables the items anew, as the opening of the menu does; valid while `menu` exists.
 std::function<void()> fillMenu(QMenu &menu, const MenuItems &items);
 
-/// Adds `menus` to `bar`, which owns everything that is made. What the functions of the items refer to must outlive it. Returns
-/// a function that enables or disables the items anew, as the opening of their menu does, for their shortcuts; valid while
-/// `bar` exists.
+/// Adds `menus` to `bar`, which owns everything that is made. Objects that the functions of the items use must outlive it.
+/// Returns a function that enables or disables the items anew, as the opening of their menu does, for their shortcuts; valid
+/// while `bar` exists.
 std::function<void()> addMenus(QMenuBar &bar, const std::vector<Menu> &menus);
 
 } // namespace skyseal::ui

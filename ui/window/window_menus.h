@@ -1,5 +1,5 @@
-// The tables of the window's menus: File, Link, Vehicle, Security, View, Tools, Help. What only concerns one panel is not in a
-// menu: the palette finds it among WindowActions.
+// The tables of the window's menus: File, Link, Vehicle, Security, View, Tools, Help. Actions of one panel are not in a
+// menu: the palette finds them among WindowActions.
 #pragma once
 
 #include "ui/window/menu_table.h"

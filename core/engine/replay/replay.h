@@ -34,7 +34,7 @@ public:
     /// Returns at once; its effect is shown by the snapshots.
     void perform(const ReplayCommand &command);
     void setInspecting(bool inspecting);
-    /// See Station::chooseFields(). What was played before shows no values of them until the next message or jump.
+    /// See Station::chooseFields(). Messages that were played before show no values of them; the next message or jump does.
     void chooseFields(std::vector<FieldChoice> choices);
 
 Q_SIGNALS:
