@@ -89,8 +89,8 @@ bool measure(const BenchPlan &plan, bool asked, const QString &command)
     bool ok = true;
     const bool aes = experiment::opensslUsesAes().value_or(asked);
     const experiment::Setting setting = describeSetting(SKYSEAL_CLI_VERSION, command);
-    for (const std::string &warning : experiment::warningsOf(setting))
-        remark(warning);
+    for (const Reason &warning : experiment::warningsOf(setting))
+        remark(warning.text());
 #if !defined(__OPTIMIZE__)
     remark("this build is not optimized: its figures are not meaningful");
 #endif

@@ -203,8 +203,8 @@ int runSweep(const QStringList &arguments)
     experiment::Setting setting = describeSetting(SKYSEAL_CLI_VERSION,
                                                   kName + QLatin1Char(' ') + shellText(options.repeatedBy));
     setting.emplace_back("message_mix", messageMix(options.link, options.vehicle, options.flight.script));
-    for (const std::string &warning : experiment::warningsOf(setting))
-        remark(warning);
+    for (const Reason &warning : experiment::warningsOf(setting))
+        remark(warning.text());
     if (options.plan.launches > 1) {
         std::function<bool(const experiment::Results &)> enough;
         if (options.until && !options.forecast)

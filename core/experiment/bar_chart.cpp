@@ -166,7 +166,7 @@ BarChart chartOf(const Results &results, std::size_t condition, std::size_t load
 {
     const Plan &plan = results.plan;
     BarChart out;
-    out.title = info(metric).title;
+    out.title = info(metric).title.english();
     out.subtitle = "link: " + conditionText(plan.conditions[condition]) + "; load: " + std::string(name(plan.loads[load]));
     bool anyOutlier = false, anyInterval = false;
     std::vector<std::size_t> counts;
@@ -197,7 +197,8 @@ BarChart chartOf(const Results &results, std::size_t condition, std::size_t load
         for (double &value : bar.samples)
             value *= scale.factor;
     }
-    out.axis = out.title + (scale.unit.empty() ? "" : ", " + scale.unit);
+    out.unit = scale.unit;
+    out.axis = out.title + (out.unit.empty() ? "" : ", " + out.unit);
     return out;
 }
 

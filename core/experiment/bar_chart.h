@@ -26,6 +26,7 @@ struct BarChart
     std::string title;
     std::string subtitle; ///< link and load
     std::string legend;   ///< number of runs, and the meaning of the drawing
+    std::string unit;     ///< "ns"; empty for plain numbers
     std::string axis;     ///< "CPU time per frame, ns"
     std::vector<Bar> bars;
 };

@@ -120,7 +120,7 @@ Place judgedPlace(const Results &results, Metric metric, const std::vector<Pair>
 std::string whereText(const Plan &plan, const Place &place, Metric metric)
 {
     const Load load = plan.loads[place.load];
-    return std::string(info(metric).title) + " (" + std::string(info(metric).key) + ", link "
+    return std::string(info(metric).title.english()) + " (" + std::string(info(metric).key) + ", link "
         + conditionText(plan.conditions[place.condition]) + ", " + name(load) + " load"
         + (load == loadOf(metric) ? "" : ", since the " + name(loadOf(metric)) + " one has no such ratios") + ", framing "
         + std::string(name(judgedFraming(plan))) + "): ";

@@ -67,7 +67,7 @@ Reason meterText(const Results &results)
         if (highest <= 0)
             continue;
         const Reason part = sentence("Reason", "up to %1 % under the %2 load")(readable(highest),
-                                                                               std::string(name(results.plan.loads[load])));
+                                                                               nameReason(results.plan.loads[load]));
         list = list.empty() ? part : sentence("Reason", "%1, %2")(list, part);
     }
     if (list.empty())

@@ -45,7 +45,7 @@ std::string summaryTable(const Results &results, std::size_t condition, std::siz
     std::string out = "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n" + headOfTable({head, framings});
     for (const MetricInfo &metric : metrics()) {
         std::vector<std::string> cells{
-            escaped(std::string(metric.title) + (metric.unit.empty() ? "" : ", " + std::string(metric.unit)))};
+            escaped(std::string(metric.title.english()) + (metric.unit.empty() ? "" : ", " + std::string(metric.unit)))};
         bool any = false;
         for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
             cells.push_back(meanText(results, {condition, load, arm}, metric.metric));
@@ -71,7 +71,7 @@ std::string contrastTitle(Metric metric)
 {
     const MetricInfo &described = info(metric);
     const std::string unit = described.isShare() ? "%" : described.canBeNegative ? std::string(described.unit) : "";
-    return escaped(std::string(described.title) + (unit.empty() ? "" : ", difference in " + unit));
+    return escaped(std::string(described.title.english()) + (unit.empty() ? "" : ", difference in " + unit));
 }
 
 /// The main result: each arm against the reference by each metric.
@@ -194,7 +194,7 @@ std::string trendTable(const Results &results)
 {
     std::string rows;
     for (const OrderTrend &trend : orderTrends(results))
-        rows += row({placeText(results.plan, trend.condition, trend.load) + ": " + escaped(info(trend.metric).title),
+        rows += row({placeText(results.plan, trend.condition, trend.load) + ": " + escaped(info(trend.metric).title.english()),
                      readable(100 * trend.perRun) + " %", readable(trend.p), trend.remains() ? "remains" : "none found"});
     if (rows.empty())
         return "<p>No suite was measured twice, so that no trend can be tested.</p>\n";
@@ -361,8 +361,8 @@ std::string metricList()
 {
     std::string out = "<ul>\n";
     for (const MetricInfo &metric : metrics())
-        out += "<li><b>" + escaped(metric.title) + "</b> (" + escaped(metric.key) + "): " + escaped(metric.description)
-            + "</li>\n";
+        out += "<li><b>" + escaped(metric.title.english()) + "</b> (" + escaped(metric.key)
+            + "): " + escaped(metric.description.english()) + "</li>\n";
     return out + "</ul>\n";
 }
 

@@ -2,6 +2,8 @@
 // properties, and the places that show it. A new metric is an enumerator, its row in metric.cpp, and the code that measures it.
 #pragma once
 
+#include "core/base/reason.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -95,10 +97,10 @@ enum ShownIn : unsigned {
 struct MetricInfo
 {
     Metric metric{};
-    std::string_view key;         ///< "cpu_per_frame"
-    std::string_view title;       ///< "CPU time per frame, station"
-    std::string_view unit = {};   ///< "ns"; empty for plain numbers
-    std::string_view description; ///< how it is measured
+    std::string_view key;       ///< "cpu_per_frame"
+    Sentence title;             ///< "CPU time per frame, station"
+    std::string_view unit = {}; ///< "ns"; empty for plain numbers
+    Sentence description;       ///< how it is measured
     Resolution resolution{};
     ShareOf shareOf = ShareOf::Nothing;
     /// False if the value is carried from run to run by a process that lives through all of them. Such runs are not independent

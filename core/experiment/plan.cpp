@@ -71,14 +71,19 @@ std::optional<InputError> setField(impair::ImpairmentSettings &settings, std::st
 
 } // namespace
 
-std::string name(Load load)
+Reason nameReason(Load load)
 {
     switch (load.kind) {
-    case Load::Kind::Natural: return "natural";
-    case Load::Kind::Saturated: return "saturated";
+    case Load::Kind::Natural: return sentence("Reason", "natural");
+    case Load::Kind::Saturated: return sentence("Reason", "saturated");
     case Load::Kind::Paced: break;
     }
-    return std::string(kPaced) + std::to_string(load.perSecond);
+    return sentence("Reason", "pps%1")(load.perSecond);
+}
+
+std::string name(Load load)
+{
+    return nameReason(load).text();
 }
 
 std::optional<Load> loadFromName(std::string_view text)
@@ -95,17 +100,45 @@ std::optional<Load> loadFromName(std::string_view text)
     return isOne ? std::optional(out) : std::nullopt;
 }
 
+/// Plain MAVLink has no framing.
+static Reason suiteReason(const SweepArm &arm, bool isFramingNamed)
+{
+    if (arm.suite == crypto::SuiteId::None)
+        return sentence("Reason", "none");
+    const std::string suite(crypto::suiteInfo(arm.suite).name);
+    if (!isFramingNamed)
+        return suite;
+    switch (arm.framing) {
+    case ArmFraming::Inline: return sentence("Reason", "%1 inline")(suite);
+    case ArmFraming::Bare: return sentence("Reason", "%1 bare")(suite);
+    case ArmFraming::Sealed: break;
+    }
+    return sentence("Reason", "%1 sealed")(suite);
+}
+
+static Reason withRepetition(const SweepArm &arm, const Reason &suite)
+{
+    return arm.again ? sentence("Reason", "%1 (A/A)")(suite) : suite;
+}
+
+Reason nameReason(const SweepArm &arm)
+{
+    return withRepetition(arm, suiteReason(arm, arm.framing != ArmFraming::Sealed));
+}
+
+Reason fullNameReason(const SweepArm &arm)
+{
+    return withRepetition(arm, suiteReason(arm, true));
+}
+
 std::string name(const SweepArm &arm)
 {
-    const bool isNamed = arm.framing != ArmFraming::Sealed && arm.suite != crypto::SuiteId::None;
-    return std::string(crypto::suiteInfo(arm.suite).name) + (isNamed ? " " + std::string(name(arm.framing)) : "")
-        + (arm.again ? " (A/A)" : "");
+    return nameReason(arm).text();
 }
 
 std::string fullName(const SweepArm &arm)
 {
-    const std::string framing = arm.suite == crypto::SuiteId::None ? "" : " " + std::string(framingName(arm));
-    return std::string(crypto::suiteInfo(arm.suite).name) + framing + (arm.again ? " (A/A)" : "");
+    return fullNameReason(arm).text();
 }
 
 std::string_view framingName(const SweepArm &arm)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/clock.h"
+#include "core/base/reason.h"
 #include "core/base/result.h"
 #include "core/crypto/mavsec_kind.h"
 #include "core/crypto/suite.h"
@@ -32,6 +33,8 @@ inline constexpr Load Load::Natural{Load::Kind::Natural}, Load::Saturated{Load::
 inline constexpr std::uint32_t kMostPaced = 1'000'000;
 /// "natural", "saturated", "pps500"
 std::string name(Load load);
+/// The same as a value, for the sentences that the window translates.
+Reason nameReason(Load load);
 std::optional<Load> loadFromName(std::string_view name);
 
 /// How an arm protects MAVLink frames.
@@ -55,6 +58,9 @@ struct SweepArm
 std::string name(const SweepArm &arm);
 /// The same, always with the framing: "aes-256-gcm sealed". Plain MAVLink has none: "none".
 std::string fullName(const SweepArm &arm);
+/// name() and fullName() as values, for the sentences that the window translates.
+Reason nameReason(const SweepArm &arm);
+Reason fullNameReason(const SweepArm &arm);
 /// "sealed", "inline", "bare"; "plain" for plain MAVLink.
 std::string_view framingName(const SweepArm &arm);
 std::string_view name(ArmFraming framing);

@@ -146,7 +146,8 @@ std::string shortened(const std::string &label)
 ForestChart chartOf(const Plan &plan, const Pooling &pooling)
 {
     ForestChart out;
-    out.title = pooling.arm + (pooling.insecure ? " (insecure)" : "") + ": " + std::string(info(pooling.metric).title);
+    out.title = pooling.arm + (pooling.insecure ? " (insecure)" : "") + ": "
+        + std::string(info(pooling.metric).title.english());
     out.subtitle = "link: " + conditionText(plan.conditions[pooling.condition])
         + "; load: " + std::string(name(plan.loads[pooling.load]));
     out.axis = "ratio to " + referenceText(plan);

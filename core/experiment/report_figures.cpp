@@ -16,7 +16,7 @@ static ForestChart ratioChart(const Results &results, std::size_t condition, std
     const Plan &plan = results.plan;
     const auto reference = referenceArm(plan);
     ForestChart out;
-    out.title = info(metric).title;
+    out.title = info(metric).title.english();
     out.subtitle = "link: " + conditionText(plan.conditions[condition]) + "; load: " + std::string(name(plan.loads[load]));
     out.axis = "ratio to " + referenceText(plan);
     out.margin = plan.margin;

@@ -8,30 +8,30 @@
 namespace skyseal::experiment {
 
 /// Empty if no trend remains.
-static std::string trendWarning(const Results &results)
+static Reason trendWarning(const Results &results)
 {
-    std::string list;
+    Reason list;
     for (const OrderTrend &trend : orderTrends(results)) {
-        if (trend.remains())
-            list += (list.empty() ? "" : "; ") + std::string(info(trend.metric).title) + ", "
-                + std::string(name(results.plan.loads[trend.load])) + " load, " + readable(100 * trend.perRun)
-                + " % for each run";
+        if (!trend.remains())
+            continue;
+        const Reason part = sentence("Reason", "%1, %2 load, %3 % for each run")(
+            info(trend.metric).title, nameReason(results.plan.loads[trend.load]), readable(100 * trend.perRun));
+        list = list.empty() ? part : sentence("Reason", "%1; %2")(list, part);
     }
-    return list.empty() ? list
-                        : "values change with the order of the runs within a launch, so that the warm-up was too short or the "
-                          "machine drifts: "
-            + list;
+    if (list.empty())
+        return {};
+    return sentence("Reason",
+                    "values change with the order of the runs within a launch, so that the warm-up was too short or the "
+                    "machine drifts: %1")(list);
 }
 
 std::vector<Reason> reportWarnings(const Results &results)
 {
-    std::vector<Reason> out;
-    for (const std::vector<std::string> &texts : {warningsOf(results.setting), results.unknown})
-        out.insert(out.end(), texts.begin(), texts.end());
+    std::vector<Reason> out = warningsOf(results.setting);
+    out.insert(out.end(), results.unknown.begin(), results.unknown.end());
     if (const Reason ended = endedEarly(results); !ended.empty())
         out.push_back(sentence("Reason", "This sweep is incomplete: it %1")(ended));
-    for (const Reason &reason :
-         {failedRuns(results), invalidRuns(results), Reason(trendWarning(results)), disturbedRuns(results)}) {
+    for (const Reason &reason : {failedRuns(results), invalidRuns(results), trendWarning(results), disturbedRuns(results)}) {
         if (!reason.empty())
             out.push_back(reason);
     }

@@ -23,10 +23,15 @@ std::vector<const Sample *> samplesOf(const Results &results, const Cell &cell)
 
 } // namespace
 
+std::string settingOf(const Setting &setting, std::string_view key)
+{
+    const auto found = std::ranges::find(setting, key, &Setting::value_type::first);
+    return found == setting.end() ? std::string() : found->second;
+}
+
 std::string settingOf(const Results &results, std::string_view key)
 {
-    const auto found = std::ranges::find(results.setting, key, &Setting::value_type::first);
-    return found == results.setting.end() ? std::string() : found->second;
+    return settingOf(results.setting, key);
 }
 
 std::vector<Cell> cells(const Plan &plan)

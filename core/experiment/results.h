@@ -83,6 +83,7 @@ struct Results
 };
 
 /// The value of a key of the setting; empty without one.
+std::string settingOf(const Setting &setting, std::string_view key);
 std::string settingOf(const Results &results, std::string_view key);
 
 /// One cell of the design. Its samples are the repeats of one arm in all launches.

@@ -8,6 +8,7 @@
 #include <sodium.h>
 
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -88,7 +89,7 @@ std::string compiler()
 
 std::string build()
 {
-    const std::string warning = buildWarning(SKYSEAL_BUILD_FLAGS);
+    const std::string warning = buildWarning(SKYSEAL_BUILD_FLAGS).text();
     std::string out = warning.empty() ? "optimised" : warning;
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
     out += ", with sanitizers: the figures of this build are meaningless";
@@ -111,23 +112,37 @@ std::string memorySize()
     return pages > 0 && size > 0 ? readable(static_cast<double>(pages) * static_cast<double>(size) / 1e9) + " GB" : "unknown";
 }
 
+/// What the first number of a text is; 0 without one.
+double numberIn(const std::string &text)
+{
+    double out = 0;
+    std::istringstream(text) >> out;
+    return out;
+}
+
+/// The warning that machineSetting() gives for these values of a setting.
+Reason warningFor(const std::string &flags, const std::string &loadAverage, const std::string &cores)
+{
+    Reason built = buildWarning(flags);
+    Reason busy = busyWarning(numberIn(loadAverage), std::lround(numberIn(cores)));
+    if (built.empty())
+        return busy;
+    built = sentence("Reason", "this build is %1")(built);
+    return busy.empty() ? built : sentence("Reason", "%1; %2")(built, busy);
+}
+
 } // namespace
 
-std::string busyWarning(double load, long cores)
+Reason busyWarning(double load, long cores)
 {
     if (!(load > static_cast<double>(cores) / 2))
         return {};
-    return "the machine was busy with other work: load average " + readable(load) + " on " + std::to_string(cores)
-        + " cores at the start; the figures are noisier and may be wrong";
+    return sentence("Reason",
+                    "the machine was busy with other work: load average %1 on %2 cores at the start; the figures are "
+                    "noisier and may be wrong")(readable(load), cores);
 }
 
-std::string busyWarning()
-{
-    double load = 0;
-    return ::getloadavg(&load, 1) == 1 ? busyWarning(load, ::sysconf(_SC_NPROCESSORS_ONLN)) : std::string();
-}
-
-std::string buildWarning(std::string_view flags)
+Reason buildWarning(std::string_view flags)
 {
     std::istringstream in{std::string(flags)};
     std::string level = "-O0"; // the last one counts
@@ -135,8 +150,9 @@ std::string buildWarning(std::string_view flags)
         level = word.starts_with("-O") ? word : level;
     if (level == "-O2" || level == "-O3" || level == "-Ofast")
         return {};
-    return level == "-O0" ? "not optimised: the figures of this build are not meaningful"
-                          : "optimised by " + level + " alone, as for tests: the figures are higher than those of a release";
+    if (level == "-O0")
+        return sentence("Reason", "not optimised: the figures of this build are not meaningful");
+    return sentence("Reason", "optimised by %1 alone, as for tests: the figures are higher than those of a release")(level);
 }
 
 std::optional<bool> opensslUsesAes(std::string_view cpuInfo)
@@ -160,12 +176,14 @@ std::optional<bool> opensslUsesAes()
     return opensslUsesAes(OpenSSL_version(OPENSSL_CPU_INFO));
 }
 
-std::vector<std::string> warningsOf(const Setting &setting)
+std::vector<Reason> warningsOf(const Setting &setting)
 {
-    std::vector<std::string> out;
+    const Reason own = warningFor(settingOf(setting, "build_flags"), settingOf(setting, "load_average_at_start"),
+                                  settingOf(setting, "cores"));
+    std::vector<Reason> out;
     for (const auto &[key, value] : setting) {
         if (key == "warning")
-            out.push_back(value);
+            out.push_back(own.text() == value ? own : Reason(value));
     }
     return out;
 }
@@ -198,11 +216,9 @@ Setting machineSetting()
     out.emplace_back("kernel", std::string(system.sysname) + " " + system.release);
     out.emplace_back("energy_counters", metrics::EnergyMeter().describe());
     out.emplace_back("load_average_at_start", firstLine("/proc/loadavg"));
-    const std::string busy = busyWarning(), built = buildWarning(SKYSEAL_BUILD_FLAGS);
-    const std::string warning = (built.empty() ? "" : "this build is ") + built + (built.empty() || busy.empty() ? "" : "; ")
-        + busy;
+    const Reason warning = warningFor(SKYSEAL_BUILD_FLAGS, settingOf(out, "load_average_at_start"), settingOf(out, "cores"));
     if (!warning.empty())
-        out.emplace_back("warning", warning);
+        out.emplace_back("warning", warning.text());
     out.emplace_back("libc", libc());
     out.emplace_back("libsodium", sodium_version_string());
     out.emplace_back("openssl", OpenSSL_version(OPENSSL_VERSION));

@@ -15,15 +15,14 @@ namespace skyseal::experiment {
 Setting machineSetting();
 
 /// Warning if the machine is busy when the measurement begins; empty up to a load of half the cores.
-std::string busyWarning(double load, long cores);
-/// The same for the current load of this machine.
-std::string busyWarning();
+Reason busyWarning(double load, long cores);
 
 /// Warning if a build with these flags is not optimised by -O2 or -O3; empty otherwise.
-std::string buildWarning(std::string_view flags);
+Reason buildWarning(std::string_view flags);
 
-/// The warnings of a setting, sentences without a full stop.
-std::vector<std::string> warningsOf(const Setting &setting);
+/// The warnings of a setting, sentences without a full stop. Those of machineSetting() can be translated; what another version
+/// wrote into a file stays as it is.
+std::vector<Reason> warningsOf(const Setting &setting);
 
 /// True if OpenSSL uses AES instructions in this process; nullopt if it does not report that.
 std::optional<bool> opensslUsesAes();

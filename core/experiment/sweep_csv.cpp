@@ -86,7 +86,7 @@ std::vector<Column> sampleColumns()
 {
     std::vector<Column> out(std::begin(kBefore), std::end(kBefore));
     for (const MetricInfo &metric : metrics())
-        out.push_back({metric.key, metric.unit, metric.description});
+        out.push_back({metric.key, metric.unit, metric.description.english()});
     out.insert(out.end(), std::begin(kAfter), std::end(kAfter));
     return out;
 }

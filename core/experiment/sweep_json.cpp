@@ -297,8 +297,8 @@ std::string sweepJson(const Results &results, const std::vector<Verdict> &verdic
     writeMessageMix(json, results);
     json.key("metrics").beginArray();
     for (const MetricInfo &metric : metrics()) {
-        json.beginObject().field("key", metric.key).field("title", metric.title).field("unit", metric.unit);
-        json.field("what", metric.description).endObject();
+        json.beginObject().field("key", metric.key).field("title", metric.title.english()).field("unit", metric.unit);
+        json.field("what", metric.description.english()).endObject();
     }
     json.endArray().key("samples").beginArray();
     for (const Sample &sample : results.samples) {

@@ -135,9 +135,9 @@ Reason endedEarly(const Results &results)
 }
 
 /// Arm, load, and link if there are several: "none (natural load): " and what happened.
-static Reason ofRun(const Plan &plan, const Run &run, const std::string &arm, const Reason &what)
+static Reason ofRun(const Plan &plan, const Run &run, const Reason &arm, const Reason &what)
 {
-    const std::string load(name(plan.loads[run.load]));
+    const Reason load = nameReason(plan.loads[run.load]);
     if (plan.conditions.size() > 1)
         return sentence("Reason", "%1 (%2 load, link %3): %4")(arm, load, plan.conditions[run.condition].name, what);
     return sentence("Reason", "%1 (%2 load): %3")(arm, load, what);
@@ -151,7 +151,7 @@ Reason failedRuns(const Results &results)
         if (sample.problem.empty())
             continue;
         ++failed;
-        Reason reason = ofRun(results.plan, sample.run, name(results.plan.arms[sample.run.arm]), sample.problem);
+        Reason reason = ofRun(results.plan, sample.run, nameReason(results.plan.arms[sample.run.arm]), sample.problem);
         if (std::find(reasons.begin(), reasons.end(), reason) == reasons.end())
             reasons.push_back(std::move(reason));
     }
@@ -180,7 +180,7 @@ Reason invalidRuns(const Results &results)
     const Plan &plan = results.plan;
     return sentence("Reason",
                     "%1 of %2 runs are not valid and left out of every comparison; the first of them, %3 (%4 load): %5")(
-        invalid, results.samples.size(), fullName(plan.arms[first->run.arm]), std::string(name(plan.loads[first->run.load])),
+        invalid, results.samples.size(), fullNameReason(plan.arms[first->run.arm]), nameReason(plan.loads[first->run.load]),
         first->invalid);
 }
 

@@ -106,7 +106,7 @@ private Q_SLOTS:
     void everyReasonIsCollected()
     {
         static const QRegularExpression kSentence(
-            QStringLiteral("\\bsentence\\(\\s*\"Reason\",\\s*((?:\"(?:[^\"\\\\]|\\\\.)*\"\\s*)+)\\)"));
+            QStringLiteral("\\bsentence\\(\\s*\"(Reason|Metric)\",\\s*((?:\"(?:[^\"\\\\]|\\\\.)*\"\\s*)+)\\)"));
         static const QRegularExpression kPart(QStringLiteral("\"((?:[^\"\\\\]|\\\\.)*)\""));
         const TranslatedTexts known = readTranslations(QStringLiteral("skyseal.ts"));
         int found = 0;
@@ -119,9 +119,10 @@ private Q_SLOTS:
                 const QString text = QString::fromUtf8(file.readAll());
                 for (auto match = kSentence.globalMatch(text); match.hasNext(); ++found) {
                     QString source;
-                    for (auto part = kPart.globalMatch(match.next().captured(1)); part.hasNext();)
+                    const QRegularExpressionMatch sentence = match.next();
+                    for (auto part = kPart.globalMatch(sentence.captured(2)); part.hasNext();)
                         source += part.next().captured(1).replace(QStringLiteral("\\\""), QStringLiteral("\""));
-                    QVERIFY2(known.contains({QStringLiteral("Reason"), source, QString()}), qPrintable(source));
+                    QVERIFY2(known.contains({sentence.captured(1), source, QString()}), qPrintable(source));
                 }
             }
         }

@@ -79,7 +79,7 @@ void SettingTest::namesTheProcessorsState()
 void SettingTest::busyMachineIsWarnedOf()
 {
     QVERIFY(busyWarning(0.3, 2).empty() && busyWarning(1.0, 2).empty());
-    const std::string warning = busyWarning(8.57, 2);
+    const std::string warning = busyWarning(8.57, 2).text();
     QVERIFY2(warning.find("8.57 on 2 cores") != std::string::npos, warning.c_str());
 }
 
@@ -88,17 +88,18 @@ void SettingTest::slowBuildIsWarnedOf()
     for (const char *fast : {"-O3 -DNDEBUG", "-O2 -g1", "-g -O2 -ffile-prefix-map=/a=. -O3"})
         QVERIFY2(buildWarning(fast).empty(), fast);
     for (const char *forTests : {"-O1 -g1 -DNDEBUG", "-O3 -Os", "-O"})
-        QVERIFY2(buildWarning(forTests).find("as for tests") != std::string::npos, forTests);
+        QVERIFY2(buildWarning(forTests).text().find("as for tests") != std::string::npos, forTests);
     for (const char *none : {"", "-g", "-O2 -O0"})
-        QVERIFY2(buildWarning(none).starts_with("not optimised"), none);
+        QVERIFY2(buildWarning(none).text().starts_with("not optimised"), none);
 
     const Setting setting = machineSetting();
     QVERIFY(warningsOf(setting).size() <= 1); // a key of sweep.json
     const auto flags = std::find_if(setting.begin(), setting.end(),
                                     [](const auto &entry) { return entry.first == "build_flags"; });
-    for (const std::string &warning : warningsOf(setting))
-        QCOMPARE(warning.find("this build is " + buildWarning(flags->second)) == 0, !buildWarning(flags->second).empty());
-    QVERIFY(buildWarning(flags->second).empty() || !warningsOf(setting).empty());
+    const std::string built = buildWarning(flags->second).text();
+    for (const Reason &warning : warningsOf(setting))
+        QCOMPARE(warning.text().find("this build is " + built) == 0, !built.empty());
+    QVERIFY(built.empty() || !warningsOf(setting).empty());
 }
 
 void SettingTest::readsWhatOpensslSaysOfItself()

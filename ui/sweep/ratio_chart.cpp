@@ -15,7 +15,7 @@ experiment::BarChart ratioChart(const experiment::Results &results, std::size_t 
     const experiment::Plan &plan = results.plan;
     const auto reference = experiment::referenceArm(plan);
     experiment::BarChart out;
-    out.title = experiment::info(metric).title;
+    out.title = metricTitle(metric).toStdString();
     out.axis = out.title + ": " + ratiosText(plan).toStdString();
     for (const experiment::SweepArm &arm : plan.arms) {
         experiment::Bar bar;

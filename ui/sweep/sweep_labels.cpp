@@ -42,6 +42,8 @@ QString armText(const SweepArm &arm)
 
 QString loadText(experiment::Load load)
 {
+    if (load.isPaced())
+        return Text::tr("load of %1 frames/s").arg(load.perSecond);
     return load == experiment::Load::Natural ? Text::tr("natural load") : Text::tr("saturated load");
 }
 
@@ -100,10 +102,32 @@ QString ratiosText(const experiment::Plan &plan)
     return Text::tr("Ratios to %1").arg(armText(plan.arms[*reference]));
 }
 
+QString metricTitle(experiment::Metric metric)
+{
+    return reasonText(experiment::info(metric).title);
+}
+
+QString metricDescription(experiment::Metric metric)
+{
+    return reasonText(experiment::info(metric).description);
+}
+
 QString metricText(experiment::Metric metric)
 {
-    const experiment::MetricInfo &info = experiment::info(metric);
-    return info.unit.empty() ? fromStd(info.title) : fromStd(info.title) + QStringLiteral(", ") + fromStd(info.unit);
+    return metricText(metric, experiment::info(metric).unit);
+}
+
+QString metricText(experiment::Metric metric, std::string_view unit)
+{
+    if (unit.empty())
+        return metricTitle(metric);
+    const QString shown = unit == "frames/s" ? Text::tr("frames/s") : fromStd(unit);
+    return metricTitle(metric) + QStringLiteral(", ") + shown;
+}
+
+QString notInFramingText()
+{
+    return Text::tr("not in this framing");
 }
 
 } // namespace skyseal::ui

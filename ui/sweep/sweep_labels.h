@@ -5,6 +5,8 @@
 
 #include <QtCore/QString>
 
+#include <string_view>
+
 namespace skyseal::ui {
 
 /// "AES-256-CTR, inline"; "ChaCha20-Poly1305, sealed (A/A)"; "plain, not sealed".
@@ -21,7 +23,15 @@ QString aboutTime(double seconds);
 QString ratioText(const experiment::Contrast &ratio);
 /// "Ratios to plain MAVLink", or to the first suite where that was not measured.
 QString ratiosText(const experiment::Plan &plan);
-/// "Packets transmitted", "CPU time per frame, station, ns".
+/// "CPU time per frame, station".
+QString metricTitle(experiment::Metric metric);
+/// How it is measured.
+QString metricDescription(experiment::Metric metric);
+/// With its unit: "Packets transmitted", "CPU time per frame, station, ns".
 QString metricText(experiment::Metric metric);
+/// The same for values in another unit, such as "µs".
+QString metricText(experiment::Metric metric, std::string_view unit);
+/// Shown in place of the values of an arm that does not exist.
+QString notInFramingText();
 
 } // namespace skyseal::ui

@@ -163,7 +163,7 @@ void SweepPage::fillMetrics()
         if (!showsRatios())
             m_metric->addItem(metricText(info.metric), static_cast<int>(info.metric));
         else if (info.isShownIn(experiment::kDifferences) && !info.isShare() && !info.canBeNegative)
-            m_metric->addItem(fromStd(info.title), static_cast<int>(info.metric));
+            m_metric->addItem(metricTitle(info.metric), static_cast<int>(info.metric));
     }
     const int cost = showsRatios() ? m_metric->findData(static_cast<int>(experiment::Metric::CpuPerFrame)) : 0;
     const int same = m_metric->findData(before);
@@ -257,11 +257,12 @@ void SweepPage::showResults()
     const auto metric = static_cast<experiment::Metric>(m_metric->currentData().toInt());
     experiment::BarChart chart = showsRatios() ? ratioChart(*m_results, condition, load, metric)
                                                : experiment::chartOf(*m_results, condition, load, metric);
+    if (!showsRatios())
+        chart.axis = metricText(metric, chart.unit).toStdString();
+    const QString notMeasured = m_running ? tr("not measured yet") : tr("not measured");
     for (std::size_t arm = 0; arm < chart.bars.size(); ++arm)
-        chart.bars[arm].missing = (experiment::exists(m_results->plan.arms[arm])
-                                       ? m_running ? tr("not measured yet") : tr("not measured")
-                                       : tr("not in this framing"))
-                                      .toStdString();
+        chart.bars[arm].missing =
+            (experiment::exists(m_results->plan.arms[arm]) ? notMeasured : notInFramingText()).toStdString();
     m_bars->showChart(std::move(chart), labels);
     showNotes();
 }

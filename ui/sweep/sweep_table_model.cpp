@@ -102,7 +102,8 @@ QVariant SweepTableModel::meanData(std::size_t arm, Metric metric, int role) con
 {
     const experiment::Cell cell{m_condition, m_load, arm};
     if (role == Qt::DisplayRole)
-        return fromStd(experiment::meanText(*m_results, cell, metric));
+        return experiment::exists(m_results->plan.arms[arm]) ? fromStd(experiment::meanText(*m_results, cell, metric))
+                                                             : notInFramingText();
     if (role != ValueRole && role != Qt::ToolTipRole)
         return {};
     const experiment::Summary summary = experiment::summaryOf(*m_results, cell, metric);
@@ -121,10 +122,10 @@ QVariant SweepTableModel::headerData(int section, Qt::Orientation orientation, i
         return {};
     if (section < FixedColumns)
         return role == Qt::DisplayRole ? QVariant(section == SuiteColumn ? tr("Suite") : tr("Framing")) : QVariant();
-    const experiment::MetricInfo &info = experiment::info(m_metrics[static_cast<std::size_t>(section - FixedColumns)]);
+    const Metric metric = m_metrics[static_cast<std::size_t>(section - FixedColumns)];
     if (role == Qt::DisplayRole)
-        return m_shown == Shown::Ratios ? fromStd(info.title) : metricText(info.metric);
-    return role == Qt::ToolTipRole ? QVariant(fromStd(info.description)) : QVariant();
+        return m_shown == Shown::Ratios ? metricTitle(metric) : metricText(metric);
+    return role == Qt::ToolTipRole ? QVariant(metricDescription(metric)) : QVariant();
 }
 
 } // namespace skyseal::ui
