@@ -21,6 +21,13 @@ inline constexpr double kStaleAfterSeconds = 3.5;
 /// A battery with this percentage or less is shown as low.
 inline constexpr double kLowBatteryPercent = 20;
 
+/// Whether this station can use its key.
+struct KeyState
+{
+    QString problem = {};   ///< why it cannot; empty if it can
+    bool isOpening = false; ///< its passphrase is being recalled or hashed, so that the problem may be over in a moment
+};
+
 /// The pointers point into `snapshot`, which is null only before the first one.
 struct ViewState
 {
@@ -30,8 +37,8 @@ struct ViewState
     const engine::LinkSnapshot *link = nullptr; ///< last link of the vehicle; null if it was removed
     const engine::SessionSnapshot *session = nullptr;
     const engine::PendingVehicle *pendingApproval = nullptr; ///< entry of the selected vehicle, or the first entry without one
-    QString keyProblem = {};                                 ///< why this station cannot use its key; empty if it can
-    bool inSweep = false;                                    ///< a sweep measures the connected link and restarts sessions
+    KeyState key = {};
+    bool inSweep = false;  ///< a sweep measures the connected link and restarts sessions
     bool plainRun = false; ///< the sweep measures plain MAVLink with the consent of the operator
 
     std::uint64_t refusedLastMinute = 0; ///< frames that claimed to be this vehicle and were refused

@@ -30,10 +30,24 @@ constexpr QSize kLeastPicture(1280, 800); // also on the small screen that is no
 
 const QString kName = QStringLiteral("skyseal");
 
+bool isSealed(const std::string &identity)
+{
+    const auto facts = keys::readIdentityFacts(identity);
+    return facts && facts->sealed;
+}
+
+/// True if the passphrase of the key has yet to come, from the keyring or the operator.
+bool isLocked(const engine::KeyPaths &paths)
+{
+    return !paths.identity.empty() && !paths.askPassphrase && isSealed(paths.identity);
+}
+
 } // namespace
 
-Application::Application(WindowOptions options, RandomSource &random, std::shared_ptr<experiment::HeapFigures> heap)
-    : m_options(std::move(options)), m_random(random), m_heap(std::move(heap))
+Application::Application(WindowOptions options, RandomSource &random, std::shared_ptr<experiment::HeapFigures> heap,
+                         std::unique_ptr<PassphraseMemory> memory)
+    : m_options(std::move(options)), m_random(random), m_heap(std::move(heap)),
+      m_memory(memory ? std::move(memory) : desktopMemory(m_store))
 {}
 
 Application::~Application()
@@ -63,7 +77,7 @@ engine::StationConfig Application::configOf(const ui::Settings &settings, engine
 
 engine::KeyPaths Application::chooseKeys()
 {
-    const keys::AskPassphrase ask = m_options.passphrase.isGiven() ? m_options.passphrase.ask() : m_question.recalled();
+    const keys::AskPassphrase ask = m_options.passphrase.isGiven() ? m_options.passphrase.ask() : keys::AskPassphrase();
     if (!m_options.identityFile.empty())
         return {m_options.identityFile, m_options.peersFile, ask};
     auto own = ownKeys(m_random);
@@ -78,8 +92,7 @@ void Application::useKeys(const engine::KeyPaths &keys)
 {
     m_keys = keys;
     m_keyring.use(keys);
-    m_keyring.setProblem(m_keyProblem);
-    m_window->setKeyProblem(m_keyProblem);
+    showKeyState();
     m_pairing.use(*m_station, keys.peers);
     m_peersWatch.reset();
     if (keys.peers.empty())
@@ -107,25 +120,50 @@ void Application::reportLeftOutPeers(const keys::PeersInForce &peers)
         m_window->reportProblem(tr("Ignored entries in the list of peers: %1").arg(engine::reasonText(peers.leftOut)));
 }
 
-void Application::showKeyProblem()
+void Application::showKeyState()
 {
-    const auto facts = keys::readIdentityFacts(m_keys.identity);
+    m_keyring.setProblem(m_keyProblem);
+    m_window->setKeyState({m_keyProblem, m_question.isOpening()});
+}
+
+void Application::reportKeyProblem()
+{
     const QString text = tr("No sealed links: %1").arg(m_keyProblem);
-    if (facts && facts->sealed)
+    if (isSealed(m_keys.identity))
         m_window->reportProblem(text, tr("Enter the passphrase"), [this] { askForPassphrase(); });
     else
         m_window->reportProblem(text);
 }
 
-void Application::askForPassphrase()
+/// The links wait for a key whose passphrase is remembered, at most as long as it takes to hash it and to unlock the keyring.
+/// While the operator is asked, they are open for plain MAVLink.
+void Application::openKeyAndLinks(bool locked)
+{
+    if (locked && m_question.isRemembered(m_keys.identity)) {
+        m_question.recall(
+            *m_window, m_keys.identity, [this](const PassphraseQuestion::Identity &identity) { useOpenedKeys(identity); },
+            [this](const InputError &why) {
+                openKeptLinks();
+                takeKeyProblem(why);
+            },
+            [this](bool wrong) {
+                openKeptLinks();
+                askForPassphrase(wrong ? ui::RefusedPassphrase::Remembered : ui::RefusedPassphrase::None);
+            });
+        return;
+    }
+    openKeptLinks();
+    if (locked)
+        askForPassphrase();
+    else if (!m_keyProblem.isEmpty())
+        reportKeyProblem();
+}
+
+void Application::askForPassphrase(ui::RefusedPassphrase refused)
 {
     m_question.ask(
         *m_window, m_keys.identity, [this](const PassphraseQuestion::Identity &identity) { useOpenedKeys(identity); },
-        [this](const InputError &why) {
-            m_keyProblem = engine::reasonText(why.reason());
-            m_window->setKeyProblem(m_keyProblem);
-            showKeyProblem();
-        });
+        [this](const InputError &why) { takeKeyProblem(why); }, refused);
 }
 
 void Application::useOpenedKeys(const PassphraseQuestion::Identity &identity)
@@ -133,20 +171,29 @@ void Application::useOpenedKeys(const PassphraseQuestion::Identity &identity)
     m_keyProblem.clear();
     engine::KeyPaths keys = m_keys;
     keys.opened = identity;
-    m_station->exchange(configOf(m_window->settings(), keys));
+    keepLinks();
+    exchangeStation(keys);
     useKeys(m_keys);
-    openLinks();
+    openKeptLinks();
+    if (!m_keyProblem.isEmpty())
+        reportKeyProblem();
 }
 
-/// Asks for what opens the key, or says why it cannot be used.
-void Application::reportMissingKeys()
+void Application::takeKeyProblem(const InputError &why)
 {
-    if (m_keyProblem.isEmpty())
+    m_keyProblem = engine::reasonText(why.reason());
+    showKeyState();
+    reportKeyProblem();
+}
+
+/// If the keys cannot be used, the station works without them, for plain links.
+void Application::exchangeStation(const engine::KeyPaths &keys)
+{
+    const auto exchanged = m_station->exchange(configOf(m_window->settings(), keys));
+    if (exchanged)
         return;
-    if (m_question.isNeeded())
-        askForPassphrase();
-    else
-        showKeyProblem();
+    m_keyProblem = engine::reasonText(exchanged.error().reason());
+    m_station->exchange(configOf(m_window->settings(), {}));
 }
 
 bool Application::start()
@@ -164,10 +211,12 @@ bool Application::start()
     } else {
         keys = chooseKeys();
     }
-    auto station = engine::Station::create(configOf(settings, keys));
-    if (!station && !m_options.demo && (m_options.identityFile.empty() || m_question.isNeeded())) {
-        // A damaged key or a missing passphrase must not prevent the window from opening: it opens for plain links, and asks or
-        // reports the problem.
+    // Neither a passphrase that has yet to come nor a damaged key must prevent the window from opening.
+    const bool locked = !m_demo && isLocked(keys);
+    auto station = engine::Station::create(configOf(settings, locked ? engine::KeyPaths() : keys));
+    if (locked) {
+        m_keyProblem = engine::reasonText(PassphraseQuestion::notGiven(keys.identity).reason());
+    } else if (!station && !m_demo && m_options.identityFile.empty()) {
         m_keyProblem = engine::reasonText(station.error().reason());
         station = engine::Station::create(configOf(settings, {}));
     }
@@ -180,13 +229,13 @@ bool Application::start()
     useKeys(keys);
     m_window->show();
     collectHeapFigures();
-    if (m_demo)
+    m_keptLinks = linksOfStart();
+    if (m_demo) {
         beginDemo();
-    else {
-        openLinks();
+    } else {
+        openKeyAndLinks(locked);
         offerRescue();
     }
-    reportMissingKeys();
     if (!m_options.screenshot.isEmpty()) {
         m_window->resize(m_window->size().expandedTo(kLeastPicture));
         QTimer::singleShot(qRound(m_options.screenshotAfter * 1000), this, &Application::takeScreenshot);
@@ -205,6 +254,7 @@ void Application::makeWindow()
     m_window = std::make_unique<ui::MainWindow>(*m_station, m_store, std::move(facts));
     connect(m_station.get(), &StationAdapter::failed, m_window.get(),
             [this](const QString &problem) { m_window->reportProblem(problem); });
+    connect(&m_question, &PassphraseQuestion::openingChanged, m_window.get(), [this] { showKeyState(); });
     connect(m_memory.get(), &PassphraseMemory::failed, m_window.get(),
             [this](const QString &problem) { m_window->reportProblem(problem); });
     connect(m_station.get(), &StationAdapter::linkAdded, this, &Application::followLink);
@@ -222,12 +272,37 @@ void Application::makeWindow()
     connect(m_window.get(), &ui::MainWindow::demoEndRequested, this, &Application::endDemo);
 }
 
-void Application::openLinks()
+/// Those of the command line, or that of the settings.
+QStringList Application::linksOfStart() const
 {
-    if (m_options.links.empty())
-        m_window->addLink(m_window->settings().defaultLink);
+    QStringList out;
     for (const link::LinkUrl &url : m_options.links)
-        m_window->addLink(QString::fromStdString(url.toText()));
+        out << QString::fromStdString(url.toText());
+    if (out.isEmpty())
+        out << m_window->settings().defaultLink;
+    return out;
+}
+
+/// Before another station takes the place of this one, which closes its links: whether the operator or the command line opened
+/// them.
+void Application::keepLinks()
+{
+    if (!m_keptLinks.isEmpty())
+        return; // they are not open yet
+    const auto &snapshot = m_window->view().station();
+    if (!snapshot) {
+        m_keptLinks = linksOfStart();
+        return;
+    }
+    for (const engine::LinkSnapshot &link : snapshot->links)
+        if (!link.listenOnly) // such a link needs its key as well
+            m_keptLinks << QString::fromStdString(link.url);
+}
+
+void Application::openKeptLinks()
+{
+    for (const QString &url : std::exchange(m_keptLinks, {}))
+        m_window->addLink(url);
 }
 
 /// Notes what the next start needs if this run does not end properly. The demo leaves nothing to rescue.
@@ -253,11 +328,7 @@ void Application::offerRescue()
     ui::UnfinishedRun run{QFileInfo::exists(left->recording) ? left->recording : QString(), {}, left->last};
     if (!run.recording.isEmpty())
         run.ended = QFileInfo(run.recording).lastModified(); // it was written until the end
-    QStringList opened{m_window->settings().defaultLink};
-    if (!m_options.links.empty())
-        opened.clear();
-    for (const link::LinkUrl &url : m_options.links)
-        opened << QString::fromStdString(url.toText());
+    const QStringList opened = linksOfStart();
     for (const QString &url : left->links)
         if (!opened.contains(url))
             run.links << url;
@@ -280,12 +351,7 @@ void Application::startDemo()
         return;
     }
     m_demo = std::move(*demo);
-    if (const auto &snapshot = m_window->view().station()) {
-        m_linksBeforeDemo.emplace();
-        for (const engine::LinkSnapshot &link : snapshot->links)
-            if (!link.listenOnly) // such a link needs its key as well
-                *m_linksBeforeDemo << QString::fromStdString(link.url);
-    }
+    keepLinks();
     m_question.withdraw();
     m_station->exchange(configOf(m_window->settings(), m_demo->stationKeys()));
     m_keyProblem.clear();
@@ -303,26 +369,13 @@ void Application::endDemo()
     m_window->setDemo(false);
     m_keyProblem.clear();
     const engine::KeyPaths keys = chooseKeys();
-    m_station->exchange(configOf(m_window->settings(), keys));
-    if (!m_station->isRunning()) { // as at the start: plain links work without the key
-        const auto identity = keys::readIdentityFacts(keys.identity);
-        m_keyProblem = identity ? tr("the key could not be opened") : engine::reasonText(identity.error().reason());
-        m_station->exchange(configOf(m_window->settings(), {}));
-    }
+    const bool locked = isLocked(keys);
+    exchangeStation(locked ? engine::KeyPaths() : keys);
+    if (locked)
+        m_keyProblem = engine::reasonText(PassphraseQuestion::notGiven(keys.identity).reason());
     demo.reset();
     useKeys(keys);
-    openLinksAgain();
-    reportMissingKeys();
-}
-
-/// Those that the user had when the demo took their place, whether the operator or the command line opened them.
-void Application::openLinksAgain()
-{
-    const auto before = std::exchange(m_linksBeforeDemo, {});
-    if (!before)
-        return openLinks();
-    for (const QString &url : *before)
-        m_window->addLink(url);
+    openKeyAndLinks(locked);
 }
 
 /// The vehicle of the demo is met on a port of its own on loopback, unless the command line names links.
@@ -339,7 +392,8 @@ void Application::beginDemo()
     const link::LinkUrl url = named ? m_options.links.front()
                                     : *link::LinkUrl::parse("udpin:127.0.0.1:" + std::to_string(Demo::freePort()));
     if (named)
-        openLinks();
+        for (const QString &own : linksOfStart())
+            m_window->addLink(own);
     else
         m_window->addLink(QString::fromStdString(url.toText()));
     m_demo->start(url.traits().isDatagramServer() && url.port() != 0 ? url.port() : kUsualPort);
@@ -356,6 +410,8 @@ void Application::stop()
 
 void Application::followLink(const link::LinkUrl &url)
 {
+    if (!m_demo && !m_keptLinks.isEmpty())
+        m_keptLinks << QString::fromStdString(url.toText()); // added while the others wait for the key
     // If the port was in use, the operator listens on another one: the demo's agent follows.
     if (m_demo && url.traits().isDatagramServer() && url.port() != 0)
         m_demo->start(url.port());

@@ -25,7 +25,9 @@ class Application : public QObject
 
 public:
     /// `random` must outlive it. `heap` is created before threads start; without it the memory of suites is not shown.
-    Application(WindowOptions options, RandomSource &random, std::shared_ptr<experiment::HeapFigures> heap = {});
+    /// `memory` stores passphrases; null: the desktop's keyring.
+    Application(WindowOptions options, RandomSource &random, std::shared_ptr<experiment::HeapFigures> heap = {},
+                std::unique_ptr<PassphraseMemory> memory = {});
     ~Application() override;
 
     /// Shows the window. Returns false, with a message on stderr, if no station can be created.
@@ -37,14 +39,18 @@ private:
     engine::StationConfig configOf(const ui::Settings &settings, engine::KeyPaths keys) const;
     engine::KeyPaths chooseKeys();
     void useKeys(const engine::KeyPaths &keys);
-    void showKeyProblem();
-    void askForPassphrase();
+    void showKeyState();
+    void reportKeyProblem();
+    void openKeyAndLinks(bool locked);
+    void askForPassphrase(ui::RefusedPassphrase refused = ui::RefusedPassphrase::None);
     void useOpenedKeys(const PassphraseQuestion::Identity &identity);
-    void reportMissingKeys();
+    void takeKeyProblem(const InputError &why);
+    void exchangeStation(const engine::KeyPaths &keys);
     void reportLeftOutPeers(const keys::PeersInForce &peers);
     void makeWindow();
-    void openLinks();
-    void openLinksAgain();
+    QStringList linksOfStart() const;
+    void keepLinks();
+    void openKeptLinks();
     void markRun(const engine::Snapshot &snapshot);
     void offerRescue();
     void startDemo();
@@ -59,7 +65,7 @@ private:
     const std::shared_ptr<experiment::HeapFigures> m_heap;
     QSettings m_store;
     QString m_keyProblem;
-    std::unique_ptr<PassphraseMemory> m_memory = desktopMemory(m_store);
+    const std::unique_ptr<PassphraseMemory> m_memory;
     PassphraseQuestion m_question{*m_memory};
     Keyring m_keyring{m_store, *m_memory};
     WindowPairing m_pairing;
@@ -71,7 +77,7 @@ private:
     std::unique_ptr<ui::MainWindow> m_window;
     std::unique_ptr<Demo> m_demo;
     std::unique_ptr<DemoFlight> m_demoFlight;
-    std::optional<QStringList> m_linksBeforeDemo; ///< of the user; empty: those of the start
+    QStringList m_keptLinks; ///< of the user, while the demo runs or the key is being opened
 };
 
 } // namespace skyseal::app

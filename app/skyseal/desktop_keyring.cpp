@@ -1,17 +1,17 @@
 // The desktop's keyring by QtKeychain: the Secret Service of GNOME and others, or KWallet.
-#include "core/crypto/passphrase.h"
 #include "app/skyseal/passphrase_memory.h"
 
 #include "core/base/secret_bytes.h"
 
 #include <QtCore/QCoreApplication>
-#include <QtCore/QEventLoop>
+#include <QtCore/QPointer>
 #include <QtDBus/QDBusConnection>
 #include <QtDBus/QDBusConnectionInterface>
 
 #include <qt6keychain/keychain.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace skyseal::app {
 
@@ -31,6 +31,17 @@ void wipe(const QByteArray &shared)
     wipeSecret(const_cast<char *>(shared.constData()), static_cast<std::size_t>(shared.size()));
 }
 
+std::optional<crypto::Passphrase> foundBy(const QKeychain::ReadPasswordJob &job)
+{
+    if (job.error() != QKeychain::NoError)
+        return std::nullopt;
+    const QByteArray found = job.binaryData();
+    auto out = crypto::Passphrase::fromBytes(
+        {reinterpret_cast<const std::uint8_t *>(found.constData()), static_cast<std::size_t>(found.size())});
+    wipe(found);
+    return out;
+}
+
 class DesktopKeyring : public PassphraseMemory
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::app::DesktopKeyring)
@@ -47,24 +58,20 @@ public:
 
     bool remembers(const std::string &file) const override { return noted().contains(QString::fromStdString(file)); }
 
-    std::optional<crypto::Passphrase> recall(const std::string &file) override
+    void recall(const std::string &file, QObject *context, Recalled recalled) override
     {
-        QKeychain::ReadPasswordJob job(kService);
-        job.setAutoDelete(false);
-        job.setKey(entryOf(file));
-        QEventLoop loop;
-        connect(&job, &QKeychain::Job::finished, &loop, &QEventLoop::quit);
-        job.start();
-        loop.exec();
-        if (job.error() == QKeychain::EntryNotFound)
-            note(file, false);
-        if (job.error() != QKeychain::NoError)
-            return std::nullopt;
-        const QByteArray found = job.binaryData();
-        auto out = crypto::Passphrase::fromBytes(
-            {reinterpret_cast<const std::uint8_t *>(found.constData()), static_cast<std::size_t>(found.size())});
-        wipe(found);
-        return out;
+        auto *job = new QKeychain::ReadPasswordJob(kService, this);
+        job->setKey(entryOf(file));
+        // Also without its context, so that what was found is wiped.
+        const auto finish = [this, job, file, asked = QPointer(context), recalled = std::move(recalled)] {
+            auto found = foundBy(*job);
+            if (job->error() == QKeychain::EntryNotFound)
+                note(file, false);
+            if (asked)
+                recalled(std::move(found));
+        };
+        connect(job, &QKeychain::Job::finished, this, finish);
+        job->start();
     }
 
     void remember(const std::string &file, const crypto::Passphrase &passphrase) override

@@ -3,6 +3,8 @@
 
 #include <QtCore/QCoreApplication>
 
+#include <utility>
+
 namespace skyseal::app {
 
 namespace {
@@ -14,7 +16,11 @@ class NoMemory : public PassphraseMemory
 public:
     QString problem() const override { return tr("not included in this build"); }
     bool remembers(const std::string &) const override { return false; }
-    std::optional<crypto::Passphrase> recall(const std::string &) override { return std::nullopt; }
+    void recall(const std::string &, QObject *context, Recalled recalled) override
+    {
+        QMetaObject::invokeMethod(
+            context, [recalled = std::move(recalled)] { recalled(std::nullopt); }, Qt::QueuedConnection);
+    }
     void remember(const std::string &, const crypto::Passphrase &) override {}
     void forget(const std::string &) override {}
 };

@@ -2,16 +2,15 @@
 // none.
 #pragma once
 
+#include "core/crypto/passphrase.h"
+
 #include <QtCore/QObject>
 #include <QtCore/QSettings>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
-
-namespace skyseal::crypto {
-class Passphrase;
-}
 
 namespace skyseal::app {
 
@@ -27,8 +26,11 @@ public:
     virtual QString problem() const = 0;
     /// True if the passphrase of this file was stored, and not deleted since by this program.
     virtual bool remembers(const std::string &file) const = 0;
-    /// Blocks; the desktop may prompt the operator to unlock the keyring. Nothing if there is none or access is denied.
-    virtual std::optional<crypto::Passphrase> recall(const std::string &file) = 0;
+    /// The passphrase; nullopt if there is none or access is denied.
+    using Recalled = std::function<void(std::optional<crypto::Passphrase> found)>;
+    /// Returns at once, and calls `recalled` later unless `context` is deleted first. The desktop may prompt the operator to
+    /// unlock the keyring, which takes as long as the operator does.
+    virtual void recall(const std::string &file, QObject *context, Recalled recalled) = 0;
     /// Returns at once.
     virtual void remember(const std::string &file, const crypto::Passphrase &passphrase) = 0;
     virtual void forget(const std::string &file) = 0;

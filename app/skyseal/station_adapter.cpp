@@ -23,13 +23,13 @@ void StationAdapter::listen()
     connect(m_station.get(), &Station::pairing, this, &StationAdapter::pairing);
 }
 
-void StationAdapter::exchange(const engine::StationConfig &config)
+Result<void, InputError> StationAdapter::exchange(const engine::StationConfig &config)
 {
     m_station.reset();
     auto created = Station::create(config);
     if (!created) {
         Q_EMIT failed(engine::reasonText(created.error().reason()));
-        return;
+        return tl::unexpected(created.error());
     }
     m_station = std::move(*created);
     listen();
@@ -37,6 +37,7 @@ void StationAdapter::exchange(const engine::StationConfig &config)
     m_station->chooseFields(m_fields);
     if (!m_served.empty())
         m_station->serve(m_served);
+    return {};
 }
 
 void StationAdapter::setPeers(std::vector<channel::Peer> peers)

@@ -19,8 +19,8 @@ public:
     explicit StationAdapter(std::unique_ptr<engine::Station> station);
     ~StationAdapter() override;
 
-    /// Deletes the old station first, so that its ports are free.
-    void exchange(const engine::StationConfig &config);
+    /// Deletes the old station first, so that its ports are free. On an error, after failed(), there is none.
+    Result<void, InputError> exchange(const engine::StationConfig &config);
     engine::Station &station() { return *m_station; }
     bool isRunning() const { return m_station != nullptr; }
     /// See engine::Station.

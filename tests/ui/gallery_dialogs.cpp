@@ -143,7 +143,8 @@ const std::map<QString, Open> &dialogs()
          }},
         {QStringLiteral("passphrase"),
          [](const Stage &stage) -> QWidget * {
-             return new PassphraseDialog(stage.keyring.own.file, true, stage.keyring.own.keyringProblem, &stage.window);
+             return new PassphraseDialog(stage.keyring.own.file, RefusedPassphrase::Typed, stage.keyring.own.keyringProblem,
+                                         &stage.window);
          }},
         {QStringLiteral("passphrase-change"),
          [](const Stage &stage) -> QWidget * { return new ChangePassphraseDialog(stage.keyring, &stage.window); }},

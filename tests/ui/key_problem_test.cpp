@@ -21,7 +21,7 @@ private Q_SLOTS:
     void everyPartNamesTheProblem()
     {
         const QString problem = QStringLiteral("/home/ann/identity.key: is damaged");
-        m_window->setKeyProblem(problem);
+        m_window->setKeyState({problem});
         m_station->showWaiting();
         QCOMPARE(find<QLabel>("secureTitle")->text(), QStringLiteral("No sealed links"));
         QVERIFY(find<QLabel>("secureAdvice")->text().contains(problem));
@@ -38,12 +38,33 @@ private Q_SLOTS:
 
     void solvedProblemDisappearsAtOnce()
     {
-        m_window->setKeyProblem(QStringLiteral("is damaged"));
+        m_window->setKeyState({QStringLiteral("is damaged")});
         m_station->showWaiting();
-        m_window->setKeyProblem({});
+        m_window->setKeyState({});
         QCOMPARE(find<QLabel>("secureTitle")->text(), QStringLiteral("No sealed link"));
         QVERIFY(find<QLabel>("secureAdvice")->text().contains(QStringLiteral("starts automatically")));
         QVERIFY(find<QLabel>("emptyCommand")->isVisible());
+    }
+
+    /// While the passphrase is being hashed nobody has to act.
+    void keyThatIsBeingOpenedIsNoProblemYet()
+    {
+        const QString problem = QStringLiteral("the passphrase was not given");
+        m_window->setKeyState({problem, true});
+        m_station->showWaiting();
+        QCOMPARE(find<QLabel>("secureTitle")->text(), QStringLiteral("Opening the key…"));
+        QVERIFY(find<QLabel>("emptyText")->text().contains(QStringLiteral("is being checked")));
+        QVERIFY(find<StripItem>("stripLock")->toolTip().contains(QStringLiteral("is being opened")));
+        for (const char *label : {"secureAdvice", "emptyText"})
+            QVERIFY(!find<QLabel>(label)->text().contains(problem));
+        QVERIFY(!find<QLabel>("emptyCommand")->isVisible());
+        for (const char *button : {"secureKeys", "emptyKeys", "secureHelp"})
+            QVERIFY2(!find<QPushButton>(button)->isVisible(), button);
+
+        m_window->setKeyState({problem});
+        QCOMPARE(find<QLabel>("secureTitle")->text(), QStringLiteral("No sealed links"));
+        QVERIFY(find<QLabel>("emptyText")->text().contains(problem));
+        QVERIFY(find<QPushButton>("secureKeys")->isVisible());
     }
 };
 

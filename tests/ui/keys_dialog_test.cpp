@@ -395,7 +395,7 @@ void KeysDialogTest::everyControlHasANameAndAKey()
 
 void KeysDialogTest::passphraseIsHiddenAndTaken()
 {
-    PassphraseDialog dialog(QStringLiteral("/home/ann/identity.key"), true,
+    PassphraseDialog dialog(QStringLiteral("/home/ann/identity.key"), RefusedPassphrase::Typed,
                             QStringLiteral("no keyring is running in this desktop session"));
     auto *edit = dialog.findChild<QLineEdit *>(QStringLiteral("passphrase"));
     QCOMPARE(edit->echoMode(), QLineEdit::Password);
@@ -409,7 +409,7 @@ void KeysDialogTest::passphraseIsHiddenAndTaken()
     auto *remember = dialog.findChild<QCheckBox *>(QStringLiteral("rememberPassphrase"));
     QVERIFY(!remember->isEnabled() && remember->text().contains(QStringLiteral("no keyring is running")));
     QVERIFY(!dialog.isToBeRemembered());
-    PassphraseDialog other(QStringLiteral("/home/ann/identity.key"), false, {});
+    PassphraseDialog other(QStringLiteral("/home/ann/identity.key"), RefusedPassphrase::None, {});
     other.show();
     remember = other.findChild<QCheckBox *>(QStringLiteral("rememberPassphrase"));
     QVERIFY(remember->isEnabled() && !other.isToBeRemembered()); // only if the operator ticks it

@@ -1,5 +1,5 @@
-// The question for the passphrase of this station's key: beside the window, which stays usable, also while the passphrase is
-// being hashed.
+// The passphrase of this station's key, from the keyring or by a question beside the window, which stays usable, also while
+// the passphrase is being hashed.
 #include "app/skyseal/passphrase_question.h"
 #include "core/crypto/passphrase.h"
 #include "core/crypto/system_random.h"
@@ -8,8 +8,10 @@
 #include "tests/support/test_runner.h"
 #include "ui/keys/passphrase_dialog.h"
 
+#include <QtCore/QPointer>
 #include <QtCore/QTemporaryDir>
 #include <QtCore/QTimer>
+#include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QDialogButtonBox>
@@ -17,6 +19,7 @@
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QPushButton>
 
+#include <functional>
 #include <map>
 
 using namespace skyseal;
@@ -29,9 +32,12 @@ class FakeMemory final : public PassphraseMemory
 public:
     QString problem() const override { return {}; }
     bool remembers(const std::string &file) const override { return kept.contains(file); }
-    std::optional<crypto::Passphrase> recall(const std::string &file) override
+    void recall(const std::string &file, QObject *context, Recalled recalled) override
     {
-        return crypto::Passphrase::fromBytes(asBytes(kept.at(file)));
+        answer = [this, file, asked = QPointer(context), recalled = std::move(recalled)] {
+            if (asked)
+                recalled(kept.contains(file) ? crypto::Passphrase::fromBytes(asBytes(kept.at(file))) : std::nullopt);
+        };
     }
     void remember(const std::string &file, const crypto::Passphrase &passphrase) override
     {
@@ -40,6 +46,7 @@ public:
     void forget(const std::string &file) override { kept.erase(file); }
 
     std::map<std::string, std::string> kept;
+    std::function<void()> answer; ///< of the keyring, to what was requested last
 };
 
 } // namespace
@@ -64,7 +71,8 @@ private Q_SLOTS:
         m_window->resize(300, 200);
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), test::kDeadlineMs));
-        m_opened = m_notOpened = 0;
+        m_opened = m_notOpened = m_unknown = 0;
+        m_wrong = false;
         m_memory.kept.clear();
     }
     void cleanup() { m_window.reset(); }
@@ -182,16 +190,76 @@ private Q_SLOTS:
     void whatIsRememberedNeedsNoQuestion()
     {
         PassphraseQuestion question(m_memory);
-        QVERIFY(!keys::loadIdentity(m_file, question.recalled()) && question.isNeeded());
+        QVERIFY(!question.isRemembered(m_file));
         m_memory.kept[m_file] = "swordfish";
-        QVERIFY(keys::loadIdentity(m_file, question.recalled()) && !question.isNeeded());
+        QVERIFY(question.isRemembered(m_file));
+        QSignalSpy opening(&question, &PassphraseQuestion::openingChanged);
+        recall(question);
+        QVERIFY(question.isOpening() && opening.size() == 1); // the keyring has not answered
+        QTimer timer;
+        int ticks = 0;
+        connect(&timer, &QTimer::timeout, this, [&] { ticks += m_opened == 0; });
+        timer.start(0);
+        m_memory.answer();
+        QCOMPARE(m_opened, 0); // it arrives by the event loop, which goes on while it is hashed
+        EVENTUALLY_EQUAL(m_opened, 1);
+        QVERIFY(ticks > 0);
+        QVERIFY(m_openedKey == m_key && !dialog());
+        QVERIFY(!question.isOpening() && opening.size() == 2);
+        QCOMPARE(m_notOpened + m_unknown, 0);
+    }
+
+    void outdatedOneIsAskedFor()
+    {
+        PassphraseQuestion question(m_memory);
         m_memory.kept[m_file] = "outdated";
-        QVERIFY(!keys::loadIdentity(m_file, question.recalled()) && question.isNeeded());
-        QVERIFY(!dialog());
-        ask(question);
+        recall(question);
+        m_memory.answer();
+        EVENTUALLY_EQUAL(m_unknown, 1);
+        QVERIFY(m_wrong && !question.isOpening() && !dialog());
+        ask(question, ui::RefusedPassphrase::Remembered);
+        const QString said = dialog()->findChild<QLabel *>(QStringLiteral("passphraseWrong"))->text();
+        QVERIFY2(said.contains(QLatin1String("remembered")), qPrintable(said));
         type("swordfish");
         EVENTUALLY_EQUAL(m_opened, 1);
         QCOMPARE(m_memory.kept[m_file], std::string("swordfish")); // it went on being remembered
+    }
+
+    void keyringThatGivesNothing()
+    {
+        PassphraseQuestion question(m_memory);
+        recall(question);
+        m_memory.answer(); // access was denied
+        QCOMPARE(m_unknown, 1);
+        QVERIFY(!m_wrong && !question.isOpening());
+        QCOMPARE(m_opened + m_notOpened, 0);
+    }
+
+    void fileThatCannotBeOpenedIsNamed()
+    {
+        PassphraseQuestion question(m_memory);
+        const std::string missing = m_folder.filePath(QStringLiteral("missing.key")).toStdString();
+        m_memory.kept[missing] = "swordfish";
+        recall(question, missing);
+        m_memory.answer();
+        EVENTUALLY_EQUAL(m_notOpened, 1);
+        QVERIFY2(m_why.find("missing.key") != std::string::npos, m_why.c_str());
+        QVERIFY(!question.isOpening());
+        QCOMPARE(m_opened + m_unknown, 0);
+    }
+
+    void withdrawnRecallIsIgnored()
+    {
+        PassphraseQuestion question(m_memory);
+        m_memory.kept[m_file] = "swordfish";
+        recall(question);
+        question.withdraw();
+        QVERIFY(!question.isOpening());
+        m_memory.answer();
+        ask(question);
+        type("sworfish"); // hashed after what would have been recalled
+        EVENTUALLY(dialog() && !dialog()->findChild<QLabel *>(QStringLiteral("passphraseWrong"))->text().isEmpty());
+        QCOMPARE(m_opened + m_notOpened + m_unknown, 0);
     }
 
 private:
@@ -202,18 +270,32 @@ private:
                 return found;
         return nullptr;
     }
-    void ask(PassphraseQuestion &question)
+    void ask(PassphraseQuestion &question, ui::RefusedPassphrase refused = ui::RefusedPassphrase::None)
     {
         question.ask(
-            *m_window, m_file,
-            [this](const PassphraseQuestion::Identity &identity) {
-                ++m_opened;
-                m_openedKey = identity->publicKey;
-            },
-            [this](const InputError &why) {
-                ++m_notOpened;
-                m_why = why.text();
+            *m_window, m_file, [this](const PassphraseQuestion::Identity &identity) { takeIdentity(identity); },
+            [this](const InputError &why) { takeProblem(why); }, refused);
+    }
+    void recall(PassphraseQuestion &question) { recall(question, m_file); }
+    void recall(PassphraseQuestion &question, const std::string &file)
+    {
+        question.recall(
+            *m_window, file, [this](const PassphraseQuestion::Identity &identity) { takeIdentity(identity); },
+            [this](const InputError &why) { takeProblem(why); },
+            [this](bool wrong) {
+                ++m_unknown;
+                m_wrong = wrong;
             });
+    }
+    void takeIdentity(const PassphraseQuestion::Identity &identity)
+    {
+        ++m_opened;
+        m_openedKey = identity->publicKey;
+    }
+    void takeProblem(const InputError &why)
+    {
+        ++m_notOpened;
+        m_why = why.text();
     }
     void type(const char *words)
     {
@@ -228,7 +310,8 @@ private:
     crypto::PublicKey m_key{}, m_openedKey{};
     std::unique_ptr<QWidget> m_window;
     QPushButton *m_land = nullptr;
-    int m_opened = 0, m_notOpened = 0;
+    int m_opened = 0, m_notOpened = 0, m_unknown = 0;
+    bool m_wrong = false;
 };
 
 SKYSEAL_TEST_WIDGETS(PassphraseQuestionTest)

@@ -13,14 +13,18 @@
 
 namespace skyseal::ui {
 
-PassphraseDialog::PassphraseDialog(const QString &file, bool again, const QString &keyringProblem, QWidget *parent)
+PassphraseDialog::PassphraseDialog(const QString &file, RefusedPassphrase refused, const QString &keyringProblem,
+                                   QWidget *parent)
     : QDialog(parent)
 {
     setObjectName(QStringLiteral("passphraseDialog"));
     setWindowTitle(tr("Passphrase"));
     auto *question = new QLabel(tr("Passphrase of this station's key:"), this);
     m_edit = new PassphraseField("passphrase", tr("Passphrase"), this);
-    auto *wrong = new QLabel(again ? tr("Wrong passphrase.") : QString(), this);
+    auto *wrong = new QLabel(this);
+    if (refused != RefusedPassphrase::None)
+        wrong->setText(refused == RefusedPassphrase::Typed ? tr("Wrong passphrase.")
+                                                           : tr("The remembered passphrase does not open this key."));
     wrong->setObjectName(QStringLiteral("passphraseWrong"));
     QPalette colors = palette();
     colors.setColor(QPalette::WindowText, stateColors(palette()).alarm);

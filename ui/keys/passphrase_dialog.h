@@ -3,6 +3,7 @@
 
 #include <QtWidgets/QDialog>
 
+#include <cstdint>
 #include <optional>
 
 class QCheckBox;
@@ -15,14 +16,20 @@ namespace skyseal::ui {
 
 class PassphraseField;
 
+/// A passphrase that did not open the key before.
+enum class RefusedPassphrase : std::uint8_t {
+    None,
+    Typed,     ///< by the operator
+    Remembered ///< by the desktop's keyring
+};
+
 class PassphraseDialog : public QDialog
 {
     Q_OBJECT
 
 public:
-    /// `again`: the previous passphrase was wrong. `keyringProblem`: reason why the desktop's keyring cannot store it; empty if
-    /// it can.
-    PassphraseDialog(const QString &file, bool again, const QString &keyringProblem, QWidget *parent = nullptr);
+    /// `keyringProblem`: reason why the desktop's keyring cannot store it; empty if it can.
+    PassphraseDialog(const QString &file, RefusedPassphrase refused, const QString &keyringProblem, QWidget *parent = nullptr);
 
     /// Moves the passphrase out of the dialog.
     std::optional<crypto::Passphrase> takePassphrase();

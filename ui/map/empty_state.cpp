@@ -106,10 +106,13 @@ void EmptyState::showViewState(const ViewState &view)
     }
     QString title, text, command;
     const engine::UnknownAgent *unknown = unknownAgentOf(view);
-    if (!view.keyProblem.isEmpty()) {
+    if (view.key.isOpening) {
+        title = tr("Opening this station's key…");
+        text = tr("Its passphrase is being checked. Sealed links can start after that.");
+    } else if (!view.key.problem.isEmpty()) {
         title = tr("This station cannot use its key");
         text =
-            tr("%1\n\nNo link is sealed until this is resolved. Plain MAVLink is shown, but not sealed.").arg(view.keyProblem);
+            tr("%1\n\nNo link is sealed until this is resolved. Plain MAVLink is shown, but not sealed.").arg(view.key.problem);
     } else if (view.session) {
         title = tr("Waiting for the autopilot behind %1").arg(fromStd(view.session->info.peerName));
         text = tr("The link to the agent is sealed; nothing has been received from its vehicle yet.");
@@ -164,7 +167,7 @@ void EmptyState::showViewState(const ViewState &view)
     m_demo->setToolTip(noDemo);
     m_command->setVisible(!command.isEmpty());
     m_otherwise->setVisible(!command.isEmpty() && !unknown);
-    m_keys->setVisible(unknown || !view.keyProblem.isEmpty());
+    m_keys->setVisible(unknown || (!view.key.problem.isEmpty() && !view.key.isOpening));
     if (m_command->text() != command)
         m_command->setText(command);
     if (m_title->text() != title)

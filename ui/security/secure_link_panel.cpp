@@ -180,9 +180,12 @@ void SecureLinkPanel::showHead(const ViewState &view)
     case Security::Nothing:
         title = tr("No sealed link");
         advice = tr("The session starts automatically when a known agent announces itself.");
-        if (!view.keyProblem.isEmpty()) {
+        if (view.key.isOpening) {
+            title = tr("Opening the key…");
+            advice = tr("The passphrase of this station's key is being checked. Sealed links can start after that.");
+        } else if (!view.key.problem.isEmpty()) {
             title = tr("No sealed links");
-            advice = tr("This station cannot use its key: %1").arg(view.keyProblem);
+            advice = tr("This station cannot use its key: %1").arg(view.key.problem);
         } else if (oneWay) {
             title = oneWay->title;
             advice = oneWay->advice;
@@ -214,11 +217,11 @@ void SecureLinkPanel::showHead(const ViewState &view)
         } else if (oneWay) {
             title = oneWay->title;
             advice = oneWay->advice;
-        } else if (!view.keyProblem.isEmpty()) {
+        } else if (!view.key.problem.isEmpty() && !view.key.isOpening) {
             advice =
                 tr("This vehicle uses plain MAVLink: anyone on the path can read its telemetry and command it. This station "
                    "cannot seal the link, because it cannot use its key: %1")
-                    .arg(view.keyProblem);
+                    .arg(view.key.problem);
         } else if (view.plainRun) {
             title = tr("Not sealed, sweep running");
             advice = tr("The sweep is measuring plain MAVLink, with your consent: anyone on the path can read the "
@@ -268,9 +271,9 @@ void SecureLinkPanel::showHead(const ViewState &view)
     }
     put(m_title, title);
     put(m_advice, advice);
-    const bool keyUnusable = !view.session && !view.keyProblem.isEmpty();
+    const bool keyUnusable = !view.session && (view.key.isOpening || !view.key.problem.isEmpty());
     m_help->setVisible(!view.session && !face.lost && !view.plainRun && !oneWay && !keyUnusable);
-    m_keys->setVisible((face.lost || unknown || keyUnusable) && !view.inSweep);
+    m_keys->setVisible((face.lost || unknown || (keyUnusable && !view.key.isOpening)) && !view.inSweep);
     const QPixmap picture = iconPixmap(face.icon, 24, color, devicePixelRatioF());
     if (m_icon->pixmap(Qt::ReturnByValue).cacheKey() != picture.cacheKey())
         m_icon->setPixmap(picture);

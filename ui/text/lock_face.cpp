@@ -117,10 +117,11 @@ LockFace lockFaceOf(const ViewState &view)
         if (face.security == Security::Nothing) {
             face.icon = QStringLiteral("lock-none");
             face.variants = {Text::tr("Nothing sealed"), Text::tr("Nothing sealed")};
-            face.toolTip = view.keyProblem.isEmpty() ? Text::tr("No vehicle and no session yet")
-                                                     : Text::tr("No sealed links: this station cannot use its key")
-                                                           .append(QLatin1Char('\n'))
-                                                           .append(view.keyProblem);
+            face.toolTip = view.key.isOpening ? Text::tr("No sealed links yet: this station's key is being opened")
+                : view.key.problem.isEmpty()  ? Text::tr("No vehicle and no session yet")
+                                              : Text::tr("No sealed links: this station cannot use its key")
+                                                   .append(QLatin1Char('\n'))
+                                                   .append(view.key.problem);
             return face;
         }
         return plainFace(view);

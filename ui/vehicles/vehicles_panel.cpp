@@ -128,7 +128,7 @@ void VehiclesPanel::refresh()
         const std::uint8_t id = m_shown.vehicles()[i].state.systemId;
         ViewState own = viewOf(m_shown.snapshot, id);
         own.live = m_shown.live;
-        own.keyProblem = m_shown.keyProblem;
+        own.key = m_shown.key;
         own.plainRun = m_shown.plainRun;
         own.refusedLastMinute = own.isReplay() ? 0 : m_refusals.lastMinute(id, now());
         rows.push_back(vehicleListRowOf(own, own.isReplay() ? none : m_alerts));

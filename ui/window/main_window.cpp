@@ -204,7 +204,7 @@ void MainWindow::makeMenus(const ProgramFacts &facts)
 void MainWindow::connectParts()
 {
     m_selection->setAnnotation([this](ViewState &view) {
-        view.keyProblem = m_keyProblem;
+        view.key = m_keyState;
         if (view.vehicle && !view.isReplay())
             view.refusedLastMinute = m_refusals.lastMinute(view.vehicle->state.systemId, now());
         if (m_sweep)
@@ -313,9 +313,9 @@ void MainWindow::reportProblem(const QString &problem, const QString &remedy, st
     m_problems->report(problem, remedy, std::move(act));
 }
 
-void MainWindow::setKeyProblem(const QString &problem)
+void MainWindow::setKeyState(const KeyState &state)
 {
-    m_keyProblem = problem;
+    m_keyState = state;
     m_selection->refresh();
 }
 

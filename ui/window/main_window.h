@@ -59,8 +59,8 @@ public:
 
     /// Shows a problem that the operator has to act on; `remedy` is the text of the button that calls `act`.
     void reportProblem(const QString &problem, const QString &remedy = {}, std::function<void()> act = {});
-    /// The reason why this station cannot use its key, for panels that would otherwise wait for a sealed link; empty if it can.
-    void setKeyProblem(const QString &problem);
+    /// For panels that would otherwise wait for a sealed link.
+    void setKeyState(const KeyState &state);
     /// Adds a link by its URL, or replays it if it is a recording; an invalid URL is reported in the window.
     void addLink(const QString &url);
     /// Shows a replay in place of the live picture, which goes on underneath, until the operator returns to it.
@@ -112,7 +112,7 @@ private:
     VehicleCommands *m_commands;
     WindowDialogs *m_dialogs;
     SweepPresenter *m_sweep = nullptr;
-    QString m_keyProblem;
+    KeyState m_keyState;
     RefusalMeter m_refusals;
     QElapsedTimer m_clock;
     const bool m_demoAvailable;
