@@ -2,8 +2,10 @@
 // THEME WORKSPACE LANGUAGE WITH], where STATE and the others are lists with commas, "dialogs" among the states being all
 // dialogs, "map" the menu of the map, and the name of one of its entries, such as "mapGoHere", what that opens. WITH are
 // settings of all pictures: touch, aviation, rotated, altitude (of the track).
+#include "confirm_question.h"
 #include "fake_station.h"
 #include "gallery_dialogs.h"
+#include "gallery_sweep.h"
 #include "scripted_snapshots.h"
 #include "ui/charts/diagnostics_panel.h"
 #include "ui/flight/vehicle_commands.h"
@@ -366,6 +368,11 @@ void play(FakeStation &station, MainWindow &window, const QString &state)
         station.show(waitingSnapshot());
         return;
     }
+    if (state == QLatin1String("opening")) { // the key
+        window.setKeyState({QStringLiteral("the passphrase was not given"), true});
+        station.show(engine::Snapshot());
+        return;
+    }
     if (state == QLatin1String("held")) {
         station.show(pendingApprovalSnapshot());
         return;
@@ -460,8 +467,20 @@ void play(FakeStation &station, MainWindow &window, const QString &state)
         window.findChild<QAbstractButton *>(QStringLiteral("stripVehicle"))->click();
     if (state == QLatin1String("demo"))
         window.setDemo(true);
+    if (state == QLatin1String("popover"))
+        window.findChild<QAbstractButton *>(QStringLiteral("stripLock"))->click();
+    if (state == QLatin1String("sweep"))
+        showGallerySweep(window);
     if (state.startsWith(QLatin1String("map")))
         openMapMenu(window, state);
+    if (state == QLatin1String("target")) {
+        openMapMenu(window, QStringLiteral("mapGoHere"));
+        test::shownQuestion(window)->button(QMessageBox::Yes)->click();
+        engine::Snapshot guided = sealedSnapshot(49, suites[3], 3);
+        guided.vehicles.front().state.mode = "GUIDED";
+        guided.vehicles.front().state.inAir = true;
+        station.show(guided);
+    }
     auto *map = window.findChild<MapView *>(QStringLiteral("map"));
     if (state == QLatin1String("measure"))
         measure(*map);
