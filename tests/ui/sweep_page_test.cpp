@@ -189,6 +189,8 @@ void SweepPageTest::manyWarningsLeaveRoomForTheResults()
         page.take(sample, {});
     }
     QApplication::processEvents(); // the layout
+    const auto *status = page.findChild<QLabel *>(QStringLiteral("sweepStatus"));
+    QVERIFY(status->width() > page.width() - 20); // beside the lists it would be cut
     const auto *area = page.findChild<QScrollArea *>(QStringLiteral("sweepNoteArea"));
     QVERIFY(area->height() < page.height() / 3);
     QVERIFY(area->widget()->height() > area->height()); // the rest is scrolled to

@@ -144,7 +144,10 @@ private Q_SLOTS:
         results.setting.back().second = "the fan was loud";
         QCOMPARE(experiment::reportWarnings(results).front().text(), std::string("the fan was loud"));
         m_page->finish(std::make_shared<experiment::Results>(results), {});
-        QVERIFY(find<QLabel>("sweepNotes")->text().startsWith(QLatin1String("the fan was loud.\n")));
+        QVERIFY(find<QLabel>("sweepNotes")->text().startsWith(QLatin1String("The fan was loud.\n"))); // a sentence of its own
+        results.setting.back().second = "was the fan loud?";
+        m_page->finish(std::make_shared<experiment::Results>(results), {});
+        QVERIFY(find<QLabel>("sweepNotes")->text().startsWith(QLatin1String("Was the fan loud?\n")));
     }
 
 private:

@@ -14,6 +14,7 @@
 #include "ui/theme/palettes.h"
 
 #include <QtCore/QTimer>
+#include <QtGui/QPainter>
 #include <QtWidgets/QAbstractItemView>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QHBoxLayout>
@@ -29,8 +30,41 @@
 
 namespace skyseal::ui {
 
+namespace {
+
+/// One line of text, elided where it is too long.
+class SweepStatusLine : public QLabel
+{
+public:
+    explicit SweepStatusLine(QWidget *parent) : QLabel(parent)
+    {
+        setTextFormat(Qt::PlainText);
+        setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    }
+
+protected:
+    void paintEvent(QPaintEvent *) override
+    {
+        QPainter painter(this);
+        painter.setPen(palette().color(foregroundRole()));
+        painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter, fontMetrics().elidedText(text(), Qt::ElideRight, width()));
+    }
+};
+
+/// A note as a sentence of its own.
+QString noteText(const Reason &note)
+{
+    QString out = reasonText(note);
+    if (out.isEmpty())
+        return out;
+    out[0] = out[0].toUpper();
+    return QStringLiteral(".?!…").contains(out.back()) ? out : out + QLatin1Char('.');
+}
+
+} // namespace
+
 SweepPage::SweepPage(QWidget *parent)
-    : QWidget(parent), m_status(named(new QLabel(this), "sweepStatus", tr("The sweep"))),
+    : QWidget(parent), m_status(named(new SweepStatusLine(this), "sweepStatus", tr("The sweep"))),
       m_notes(named(new QLabel(this), "sweepNotes", tr("Warnings and the measurement's own share"))),
       m_noteArea(named(new QScrollArea(this), "sweepNoteArea", tr("Warnings of the sweep"))),
       m_bar(named(new QProgressBar(this), "sweepProgress", tr("Runs completed"))),
@@ -42,17 +76,16 @@ SweepPage::SweepPage(QWidget *parent)
       m_metric(named(new QComboBox(this), "sweepMetric", tr("Measurement in the bars"))), m_table(new QTableView(this)),
       m_model(new SweepTableModel(this)), m_bars(new SweepBars(this)), m_clock(new QTimer(this))
 {
-    m_status->setMinimumWidth(10 * kGrid);
     m_bar->setMaximumWidth(20 * kGrid);
     m_bar->setTextVisible(false);
-    // The status line takes the remaining width; the lists open as wide as they need.
+    // The lists open as wide as they need.
     for (QComboBox *choice : {m_place, m_shown, m_metric}) {
         choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         choice->setMinimumContentsLength(18);
     }
     auto *top = new QHBoxLayout;
     top->setSpacing(kGrid);
-    top->addWidget(m_status, 1);
+    top->addStretch(1);
     for (QWidget *tool : std::initializer_list<QWidget *>{m_bar, m_place, m_shown, m_metric, m_cancel, m_save, m_start})
         top->addWidget(tool);
 
@@ -86,6 +119,7 @@ SweepPage::SweepPage(QWidget *parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(kHalfGrid);
     column->addLayout(top);
+    column->addWidget(m_status);
     column->addWidget(m_noteArea);
     column->addWidget(body, 1);
 
@@ -260,9 +294,12 @@ void SweepPage::showResults()
     if (!showsRatios())
         chart.axis = metricText(metric, chart.unit).toStdString();
     const QString notMeasured = m_running ? tr("not measured yet") : tr("not measured");
-    for (std::size_t arm = 0; arm < chart.bars.size(); ++arm)
-        chart.bars[arm].missing =
-            (experiment::exists(m_results->plan.arms[arm]) ? notMeasured : notInFramingText()).toStdString();
+    for (std::size_t i = 0; i < chart.bars.size(); ++i) {
+        const experiment::SweepArm &arm = m_results->plan.arms[i];
+        // The repeated arm is compared with its first one alone, in the report.
+        const QString missing = showsRatios() && arm.again ? tr("not compared") : notMeasured;
+        chart.bars[i].missing = (experiment::exists(arm) ? missing : notInFramingText()).toStdString();
+    }
     m_bars->showChart(std::move(chart), labels);
     showNotes();
 }
@@ -280,7 +317,7 @@ void SweepPage::showNotes()
         notes.push_back(std::move(meter));
     QStringList lines;
     for (const Reason &note : notes)
-        lines << reasonText(note) + QLatin1Char('.');
+        lines << noteText(note);
     m_notes->setText(lines.join(QLatin1Char('\n')));
     QPalette colors = palette();
     if (isWarning)
