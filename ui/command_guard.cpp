@@ -7,11 +7,6 @@
 
 namespace skyseal::ui {
 
-bool CommandGuard::isPressKey(int key)
-{
-    return key == Qt::Key_Space || key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Select;
-}
-
 CommandGuard::CommandGuard(QWidget &control) : QObject(&control)
 {
     HeldKeys::ofProgram(); // from now on, so that it knows the keys that are down when the control gets the focus
@@ -30,7 +25,7 @@ bool CommandGuard::eventFilter(QObject *, QEvent *event)
     switch (event->type()) {
     case QEvent::KeyPress: {
         const auto &press = *static_cast<const QKeyEvent *>(event);
-        return isPressKey(press.key()) && (isQuiet() || !HeldKeys::ofProgram().isFresh(press));
+        return HeldKeys::isPressKey(press.key()) && (isQuiet() || !HeldKeys::ofProgram().isFresh(press));
     }
     case QEvent::MouseButtonPress:
     case QEvent::MouseButtonDblClick:

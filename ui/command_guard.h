@@ -18,9 +18,6 @@ public:
     /// Milliseconds after a command in which the control ignores presses.
     static constexpr int kQuietMs = 600;
 
-    /// True for the keys that press a button.
-    static bool isPressKey(int key);
-
     /// Becomes a child of `control` and filters its events. The click of a button counts as its command.
     explicit CommandGuard(QWidget &control);
 

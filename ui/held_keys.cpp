@@ -3,6 +3,7 @@
 #include <QtCore/QTimer>
 #include <QtGui/QGuiApplication>
 #include <QtGui/QKeyEvent>
+#include <QtWidgets/QAbstractButton>
 
 #include <utility>
 
@@ -17,10 +18,28 @@ HeldKeys &HeldKeys::ofProgram()
     return *made;
 }
 
-bool HeldKeys::eventFilter(QObject *, QEvent *event)
+bool HeldKeys::isPressKey(int key)
+{
+    return key == Qt::Key_Space || key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Select;
+}
+
+/// Buttons that repeat by themselves, such as those that scroll, take every press.
+static bool isPressed(const QObject *watched, const QKeyEvent &press)
+{
+    const auto *button = qobject_cast<const QAbstractButton *>(watched);
+    return button && !button->autoRepeat() && HeldKeys::isPressKey(press.key());
+}
+
+bool HeldKeys::eventFilter(QObject *watched, QEvent *event)
 {
     switch (event->type()) {
-    case QEvent::KeyPress: notePress(*static_cast<const QKeyEvent *>(event)); break;
+    case QEvent::KeyPress: {
+        const auto &press = *static_cast<const QKeyEvent *>(event);
+        notePress(press);
+        if (isFresh(press) && watched->isWidgetType() && !m_pressedIn.contains(press.key()))
+            m_pressedIn.insert(press.key(), watched); // not its parents, which get what it does not take
+        return isPressed(watched, press) && m_isHeld && !isFresh(press) && m_pressedIn.value(press.key()) != watched;
+    }
     case QEvent::KeyRelease: noteRelease(*static_cast<const QKeyEvent *>(event)); break;
     case QEvent::ApplicationStateChange:
         if (QGuiApplication::applicationState() != Qt::ApplicationActive)
@@ -55,8 +74,12 @@ void HeldKeys::notePress(const QKeyEvent &press)
         return;
     const int key = press.key();
     const bool held = continuesHold(press);
+    const bool hasTimes = press.timestamp() != 0; // otherwise a release that is pending tells too little to take a press away
+    m_isHeld = held && (hasTimes || press.isAutoRepeat() || m_down.contains(key));
     const Release last = std::exchange(m_releases[key].pending, false) ? m_releases[key] : Release{};
     m_down.insert(key);
+    if (!held)
+        m_pressedIn.remove(key);
     m_fresh = held ? nullptr : &press;
     m_freshAt = press.timestamp();
     if (!held && last.number != 0)

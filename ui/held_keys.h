@@ -13,7 +13,8 @@ class QKeyEvent;
 
 namespace skyseal::ui {
 
-/// Sees every key event of the program. Lives on the GUI thread.
+/// Sees every key event of the program. A key that is held presses no button but the one that it was pressed in: the focus moves
+/// under it when a dialog closes. Lives on the GUI thread.
 class HeldKeys : public QObject
 {
     Q_OBJECT
@@ -24,6 +25,9 @@ public:
 
     /// There is one keyboard for all windows of the program, so its state belongs to the QApplication, which must exist.
     static HeldKeys &ofProgram();
+
+    /// The keys that press buttons.
+    static bool isPressKey(int key);
 
     /// Returns true while `press` is delivered if the key was up before.
     bool isFresh(const QKeyEvent &press) const;
@@ -53,9 +57,11 @@ private:
     void releaseAll();
 
     QSet<int> m_down;
-    QHash<int, Release> m_releases;     ///< the last one of each key
-    const QKeyEvent *m_fresh = nullptr; ///< the event that pressed a key which was up; events share addresses on the stack
-    quint64 m_freshAt = 0;              ///< its timestamp
+    QHash<int, Release> m_releases;          ///< the last one of each key
+    QHash<int, const QObject *> m_pressedIn; ///< the widget that got the press of each key; to compare only
+    const QKeyEvent *m_fresh = nullptr;      ///< the event that pressed a key which was up; events share addresses on the stack
+    quint64 m_freshAt = 0;                   ///< its timestamp
+    bool m_isHeld = false;                   ///< the last press certainly belongs to a key that is held
     int m_number = 0;
 };
 

@@ -178,6 +178,28 @@ private Q_SLOTS:
         QCOMPARE(m_station->commands.size(), std::size_t(1));
     }
 
+    /// Neither does it press a button that commands nothing: it would open a panel, or tick a box.
+    void heldKeyPressesNoOtherButton()
+    {
+        auto *fetch = find<QPushButton>("parameterFetch");
+        const QSignalSpy clicked(fetch, &QPushButton::clicked);
+        m_land->setFocus();
+        send(QEvent::KeyPress, 1000);
+        fetch->setFocus();
+        for (quint64 at = 1500; at < 1600; at += 30) {
+            send(QEvent::KeyRelease, at, false, fetch);
+            send(QEvent::KeyPress, at, false, fetch);
+        }
+        send(QEvent::KeyRelease, 1600, false, fetch);
+        QCOMPARE(clicked.size(), 0);
+        send(QEvent::KeyPress, 1700, false, fetch); // by a finger
+        send(QEvent::KeyRelease, 1750, false, fetch);
+        QCOMPARE(clicked.size(), 1);
+        send(QEvent::KeyPress, 1760, false, fetch); // sooner than a finger could, but in the same button
+        send(QEvent::KeyRelease, 1770, false, fetch);
+        QCOMPARE(clicked.size(), 2);
+    }
+
     void quietAfterACommand()
     {
         QTest::mousePress(m_land, Qt::LeftButton);
@@ -209,11 +231,11 @@ private:
         QTest::keyRelease(control, key);
         EVENTUALLY(!released.isEmpty());
     }
-    void send(QEvent::Type type, quint64 milliseconds, bool marked = false)
+    void send(QEvent::Type type, quint64 milliseconds, bool marked = false, QWidget *control = nullptr)
     {
         QKeyEvent event(type, Qt::Key_Space, Qt::NoModifier, QStringLiteral(" "), marked);
         event.setTimestamp(milliseconds);
-        QCoreApplication::sendEvent(m_land, &event);
+        QCoreApplication::sendEvent(control ? control : m_land, &event);
     }
 
     HoldButton *m_land = nullptr, *m_setMode = nullptr;

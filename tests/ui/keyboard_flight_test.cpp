@@ -99,7 +99,7 @@ void KeyboardFlightTest::keyUp(int key, Qt::KeyboardModifiers modifiers) const
 {
     QSignalSpy released(&HeldKeys::ofProgram(), &HeldKeys::released);
     QTest::keyRelease(keyWindow(), static_cast<Qt::Key>(key), modifiers);
-    if (CommandGuard::isPressKey(key))
+    if (HeldKeys::isPressKey(key))
         EVENTUALLY(!released.isEmpty());
 }
 

@@ -29,17 +29,22 @@ namespace {
 constexpr const char *kInside = "SKYSEAL_TEST_X_SERVER";
 
 /// Counts the presses of the space bar that reach a widget.
+/// Counts before any other filter of the program can take a press away.
 class SpaceCounter : public QObject
 {
 public:
-    explicit SpaceCounter(QObject &watched) { watched.installEventFilter(this); }
+    explicit SpaceCounter(QObject &watched) : m_watched(watched) { qApp->installEventFilter(this); }
     int presses = 0;
 
-    bool eventFilter(QObject *, QEvent *event) override
+    bool eventFilter(QObject *receiver, QEvent *event) override
     {
-        presses += event->type() == QEvent::KeyPress && static_cast<QKeyEvent *>(event)->key() == Qt::Key_Space;
+        presses += receiver == &m_watched && event->type() == QEvent::KeyPress
+            && static_cast<QKeyEvent *>(event)->key() == Qt::Key_Space;
         return false;
     }
+
+private:
+    QObject &m_watched;
 };
 
 } // namespace

@@ -127,7 +127,7 @@ void HoldButton::mouseMoveEvent(QMouseEvent *event)
 
 void HoldButton::keyPressEvent(QKeyEvent *event)
 {
-    if (CommandGuard::isPressKey(event->key())) {
+    if (HeldKeys::isPressKey(event->key())) {
         begin(event->key()); // the guard lets fresh presses pass only
         event->accept();
     } else if (event->key() == Qt::Key_Escape && isHeld()) {

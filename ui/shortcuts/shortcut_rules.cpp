@@ -1,6 +1,6 @@
 #include "ui/shortcuts/shortcut_rules.h"
 
-#include "ui/command_guard.h"
+#include "ui/held_keys.h"
 
 #include <QtCore/QCoreApplication>
 
@@ -42,7 +42,7 @@ QString reason(const QKeySequence &keys)
         return Text::tr("it must be pressed at once.");
     if (key == Qt::Key_unknown || key == 0)
         return Text::tr("this key is not known.");
-    if (CommandGuard::isPressKey(key))
+    if (HeldKeys::isPressKey(key))
         return Text::tr("Space and Enter press buttons.");
     if (key == Qt::Key_Tab || key == Qt::Key_Backtab)
         return Text::tr("Tab moves between controls.");
