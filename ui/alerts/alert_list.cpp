@@ -334,7 +334,7 @@ void AlertList::raiseEvent(Alert alert, double now)
         return; // the same report again
     const bool goesOn = !isNew && !entry.dismissed;
     alert.since = goesOn ? entry.alert.since : now;
-    alert.count = goesOn ? entry.alert.count + 1 : 1;
+    alert.count = goesOn && entry.alert.text == alert.text ? entry.alert.count + 1 : 1;
     entry.alert = std::move(alert);
     entry.dismissed = false;
     raise(entry.alert.id);
