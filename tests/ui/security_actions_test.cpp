@@ -215,6 +215,17 @@ private Q_SLOTS:
         QVERIFY(note()->text().contains(QStringLiteral("did not confirm")));
     }
 
+    void switchIsNotSaidOfALinkThatIsNoMore()
+    {
+        m_station->show(sealedSnapshot(1));
+        m_station->notify(channel::SwitchDone{channel::SessionId{7}, SuiteId::ChaCha20Poly1305, SuiteId::ChaCha20,
+                                              channel::Epoch{4}, false, false, channel::SwitchFailure::None,
+                                              std::chrono::milliseconds(5)});
+        QVERIFY2(note()->text().startsWith(QStringLiteral("Switched from ")), qPrintable(note()->text()));
+        m_station->show(plainSnapshot(2)); // without an event of its end, as when the demo ends
+        QCOMPARE(note()->text(), QString());
+    }
+
     void newSessionClearsTheEndOfTheLast()
     {
         m_station->show(sealedSnapshot(1));

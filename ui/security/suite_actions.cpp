@@ -97,6 +97,8 @@ void SuiteActions::showViewState(const ViewState &view)
 {
     m_plain = view.vehicle && !view.session;
     if (!view.session) {
+        if (!m_noteIsProblem && !m_note.isEmpty())
+            setNote({}, false); // a switch of a session that is no more
         m_info.reset();
         m_asked.reset();
         m_keysAsked = false;
