@@ -2,6 +2,7 @@
 // the user's keys, links and files are as before. Pictures are kept in the folder that SKYSEAL_PICTURES names.
 #include "sealed_window.h"
 #include "tests/support/test_runner.h"
+#include "ui/map/map_view.h"
 #include "ui/window/source_bar.h"
 
 #include <QtCore/QDir>
@@ -130,6 +131,7 @@ void DemoWindowTest::isMarkedAndLeavesEverythingAsBefore()
     QCOMPARE(m_it->window->windowTitle(), QStringLiteral("Skyseal"));
     EVENTUALLY_EQUAL(links(), linksBefore);
     EVENTUALLY(!m_it->view().vehicle && !m_it->view().session);
+    EVENTUALLY(!m_it->window->findChild<MapView *>()->content().vehicle()); // the copter of the demo
     QCOMPARE(files(), filesBefore);
     QVERIFY2(!QFile::exists(recording), qPrintable(recording));
     EVENTUALLY(m_it->find<QAction>("actionDemo")->isEnabled());

@@ -70,6 +70,8 @@ void MapView::showMeasurement()
 
 void MapView::showViewState(const ViewState &view)
 {
+    if (view.snapshot && !view.vehicle && m_content.systemId() != 0)
+        forgetFlight(); // of a station or a demo that has ended
     const MapContent::Changes changes = m_content.show(view, viewport().metresPerPixel());
     const bool fenceChanged = m_fence.show(view);
     const bool trafficChanged = m_traffic.show(view);
