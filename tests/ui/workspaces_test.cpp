@@ -38,6 +38,20 @@ private Q_SLOTS:
         QCOMPARE(shownDocks(), QStringList{QStringLiteral("dockFlight")});
     }
 
+    void menuTicksThePanelsThatAreShown()
+    {
+        for (std::size_t i : {0U, 3U, 1U}) {
+            press(i);
+            EVENTUALLY_EQUAL(shownDocks(), placedDocks(i));
+            m_station->show(sealedSnapshot(1));
+            QStringList ticked;
+            for (const PanelRow &panel : panelTable())
+                if (find<QAction>(QByteArray("view_").append(panel.id).constData())->isChecked())
+                    ticked << QLatin1String(panel.id);
+            QCOMPARE(ticked, placedDocks(i));
+        }
+    }
+
     void keysShowThePanelsOfEach()
     {
         for (std::size_t i : {1U, 2U, 3U, 0U}) {

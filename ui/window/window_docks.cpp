@@ -162,8 +162,10 @@ void WindowDocks::onSnapshot(const ViewState &view)
 
 void WindowDocks::showViewState(const ViewState &view)
 {
-    for (const Dock &dock : m_docks)
+    for (const Dock &dock : m_docks) {
         dock.panel->showViewState(view);
+        dock.viewAction->setChecked(!dock.widget->isHidden()); // Qt says nothing of a dock that is hidden before it was shown
+    }
 }
 
 void WindowDocks::applySettings(const Settings &settings)
