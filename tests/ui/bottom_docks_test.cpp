@@ -18,6 +18,7 @@
 #include <QtWidgets/QDialogButtonBox>
 #include <QtWidgets/QDockWidget>
 #include <QtWidgets/QLabel>
+#include <QtWidgets/QMessageBox>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QScrollBar>
@@ -262,6 +263,8 @@ private:
         auto *dialog = m_window->findChild<SweepDialog *>();
         QVERIFY(dialog);
         QTest::mouseClick(dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
+        if (const auto *armed = m_window->findChild<QMessageBox *>(QStringLiteral("confirmSweep")))
+            QTest::mouseClick(armed->button(QMessageBox::Yes), Qt::LeftButton);
         QCOMPARE(sweeps.orders.size(), std::size_t(1));
         sweeps.finish(std::move(samples));
     }

@@ -203,6 +203,8 @@ private Q_SLOTS:
         m_station->show(then);
         dialog->findChild<QLineEdit *>(QStringLiteral("fileNameEdit"))->setText(file);
         QMetaObject::invokeMethod(dialog, "accept");
+        if (const auto *armed = m_window->findChild<QMessageBox *>(QStringLiteral("confirmSendMission")))
+            QTest::mouseClick(armed->button(QMessageBox::Yes), Qt::LeftButton);
         const QString result = find<QLabel>("missionResult")->text();
         QCOMPARE(m_station->missionWrites.empty(), !refusal.isEmpty());
         if (refusal.isEmpty())

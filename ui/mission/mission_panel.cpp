@@ -5,6 +5,7 @@
 #include "core/engine/text/event_text.h"
 #include "core/vehicle/mission_file.h"
 #include "ui/ask_file.h"
+#include "ui/confirm_box.h"
 #include "ui/control_action.h"
 #include "ui/result_label.h"
 #include "ui/settings.h"
@@ -119,23 +120,55 @@ void MissionPanel::askAndSave()
 
 void MissionPanel::sendFile(const QString &file, std::uint8_t systemId)
 {
-    const QString otherVehicle = systemId == m_systemId || m_systemId == 0 ? QString() : tr("another vehicle is selected");
-    if (const QString reason = otherVehicle.isEmpty() ? m_disabledReason : otherVehicle; !reason.isEmpty()) {
-        say(tr("Not sent: %1").arg(reason));
+    if (!canSendTo(systemId))
         return;
-    }
     QFile in(file);
     if (!in.open(QIODevice::ReadOnly)) {
         say(tr("%1 cannot be read: %2").arg(file, in.errorString()));
         return;
     }
     const auto items = vehicle::parseMission(in.readAll().toStdString(), file.toStdString());
-    if (!items) {
+    if (!items)
         say(reasonText(items.error().reason()));
-        return;
-    }
-    say(items->size() == 1 ? tr("Sending one item…") : tr("Sending %1 items…").arg(items->size()));
-    m_station.perform(systemId, vehicle::WriteMission{*items});
+    else if (m_isArmed)
+        askToReplace(*items, systemId);
+    else
+        send(*items, systemId);
+}
+
+/// A vehicle that flies its mission turns to the new one as soon as it has it.
+void MissionPanel::askToReplace(const std::vector<vehicle::MissionItem> &items, std::uint8_t systemId)
+{
+    const QString name = QStringLiteral("confirmSendMission");
+    if (auto *open = findChild<QMessageBox *>(name))
+        open->reject(); // about another file
+    askToConfirm({.objectName = name,
+                  .title = tr("Send a mission"),
+                  .text = m_name == 0 ? tr("The vehicle is armed. Replace its mission?")
+                                      : tr("Vehicle %1 is armed. Replace its mission?").arg(m_name),
+                  .details = tr("While it flies its mission, it turns to the new one at once."),
+                  .yes = tr("Replace the mission"),
+                  .icon = QMessageBox::Warning},
+                 this, this, [this, items, systemId] {
+                     if (canSendTo(systemId))
+                         send(items, systemId);
+                 });
+}
+
+/// Says why not.
+bool MissionPanel::canSendTo(std::uint8_t systemId)
+{
+    const bool isAnother = systemId != m_systemId && m_systemId != 0;
+    const QString reason = isAnother ? tr("another vehicle is selected") : m_disabledReason;
+    if (!reason.isEmpty())
+        say(tr("Not sent: %1").arg(reason));
+    return reason.isEmpty();
+}
+
+void MissionPanel::send(const std::vector<vehicle::MissionItem> &items, std::uint8_t systemId)
+{
+    say(items.size() == 1 ? tr("Sending one item…") : tr("Sending %1 items…").arg(items.size()));
+    m_station.perform(systemId, vehicle::WriteMission{items});
 }
 
 void MissionPanel::saveFile(const QString &file, const MissionModel::Mission &mission)
@@ -155,6 +188,7 @@ void MissionPanel::showViewState(const ViewState &view)
     showName(vehicleToName(view));
     m_capabilities = view.vehicle ? view.vehicle->state.capabilities : 0;
     m_mission = view.vehicle ? view.vehicle->mission : nullptr;
+    m_isArmed = view.vehicle && view.vehicle->state.armed;
     m_disabledReason = commandsDisabledReason(view);
     for (QPushButton *button : {m_read, m_send}) {
         button->setEnabled(m_disabledReason.isEmpty());

@@ -25,8 +25,8 @@ public:
     void showViewState(const ViewState &view) override;
     void applySettings(const Settings &settings) override;
     void handleEvent(const engine::Event &event);
-    /// Sends the mission of a file to the vehicle that was selected when the dialog opened. Shows the reason if the file is
-    /// invalid, another vehicle is selected or nothing can be sent.
+    /// Sends the mission of a file to the vehicle that was selected when the dialog opened; asks first if the vehicle is armed.
+    /// Shows the reason if the file is invalid, another vehicle is selected or nothing can be sent.
     void sendFile(const QString &file, std::uint8_t systemId);
     void saveFile(const QString &file, const MissionModel::Mission &mission);
 
@@ -36,6 +36,9 @@ private:
     void read();
     void showName(int vehicle);
     void askAndSend();
+    void askToReplace(const std::vector<vehicle::MissionItem> &items, std::uint8_t systemId);
+    void send(const std::vector<vehicle::MissionItem> &items, std::uint8_t systemId);
+    bool canSendTo(std::uint8_t systemId);
     void askAndSave();
 
     StationInterface &m_station;
@@ -48,6 +51,7 @@ private:
     QLabel *m_empty;
     QString m_disabledReason; ///< reason why nothing can be sent to the vehicle
     std::uint8_t m_systemId = 0;
+    bool m_isArmed = false;
     int m_name = 0;                   ///< of the vehicle, where there are several
     std::uint64_t m_capabilities = 0; ///< of the vehicle
 };

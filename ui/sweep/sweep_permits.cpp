@@ -19,12 +19,13 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(Sweep)
 };
 
-bool isArmed(const ViewState &view)
-{
-    return std::ranges::any_of(view.snapshot->vehicles, [](const auto &vehicle) { return vehicle.state.armed; });
-}
-
 } // namespace
+
+bool hasArmedVehicle(const ViewState &view)
+{
+    return view.snapshot
+        && std::ranges::any_of(view.snapshot->vehicles, [](const auto &vehicle) { return vehicle.state.armed; });
+}
 
 QString connectedLinkDisabledReason(const SweepContext &context)
 {
@@ -58,7 +59,7 @@ QString suiteDisabledReason(const SweepContext &context, SweepTarget target, Sui
     const auto &offered = context.view.session->info.peerOffered;
     if (std::ranges::find(offered, SuiteId::None) == offered.end())
         return Text::tr("the agent does not allow it (skyseal-air --allow-plain)");
-    if (isArmed(context.view))
+    if (hasArmedVehicle(context.view))
         return Text::tr("not while the vehicle is armed");
     return {};
 }
@@ -68,7 +69,7 @@ QString inlineDisabledReason(const SweepContext &context, SweepTarget target)
     if (!kResearch)
         return Text::tr("not in this build");
     // It needs a new session, during which no commands can be sent.
-    if (!hasOwnAgent(target) && context.view.snapshot && isArmed(context.view))
+    if (!hasOwnAgent(target) && hasArmedVehicle(context.view))
         return Text::tr("not while the vehicle is armed");
     return {};
 }

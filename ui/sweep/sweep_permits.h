@@ -22,6 +22,9 @@ struct SweepContext
     bool ownCores = experiment::placementHere().station.has_value();
 };
 
+/// Whether the view has a vehicle that is armed.
+bool hasArmedVehicle(const ViewState &view);
+
 /// Each returns the reason; empty if the choice is possible.
 QString connectedLinkDisabledReason(const SweepContext &context);
 QString suiteDisabledReason(const SweepContext &context, SweepTarget target, crypto::SuiteId suite);

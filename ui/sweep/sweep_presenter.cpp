@@ -1,6 +1,7 @@
 #include "ui/sweep/sweep_presenter.h"
 
 #include "ui/ask_file.h"
+#include "ui/confirm_box.h"
 #include "ui/modeless.h"
 #include "ui/security/suite_actions.h"
 #include "ui/sweep/sweep_dialog.h"
@@ -40,8 +41,22 @@ void SweepPresenter::ask(const ViewState &view, bool requireSealed)
         return;
     auto *dialog = new SweepDialog({view, m_suites, requireSealed, m_port.ownProgramsDisabledReason()}, &m_window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QDialog::accepted, this, [this, dialog] { start(dialog->order()); });
+    connect(dialog, &QDialog::accepted, this, [this, dialog] { startOrAsk(dialog->order()); });
     showModeless(*dialog);
+}
+
+/// A sweep on the link of an armed vehicle may be meant, but not by Ctrl+R and Enter alone.
+void SweepPresenter::startOrAsk(const SweepOrder &order)
+{
+    if (order.target != SweepTarget::Connected || !m_isArmed)
+        return start(order);
+    askToConfirm({.objectName = QStringLiteral("confirmSweep"),
+                  .title = tr("Cipher sweep"),
+                  .text = tr("The vehicle is armed. Measure on its link?"),
+                  .details = tr("The sweep switches the suite of the link by which the vehicle is commanded before each run."),
+                  .yes = tr("Measure"),
+                  .icon = QMessageBox::Warning},
+                 &m_window, this, [this, order] { start(order); });
 }
 
 void SweepPresenter::start(const SweepOrder &order)
@@ -66,6 +81,7 @@ void SweepPresenter::mark(ViewState &view)
 {
     m_inClear = m_plainArm || (m_inClear && !view.session);
     view.inSweep = m_holdsLink;
+    m_isArmed = hasArmedVehicle(view);
     view.plainRun = m_holdsLink && m_inClear;
 }
 

@@ -38,6 +38,7 @@ Q_SIGNALS:
     void dialogRequested();
 
 private:
+    void startOrAsk(const SweepOrder &order);
     void start(const SweepOrder &order);
     void beginRun(const experiment::Run &run);
     void hold(bool on);
@@ -48,6 +49,7 @@ private:
     SuiteActions &m_suites;
     QWidget &m_window;
     std::vector<experiment::SweepArm> m_arms; ///< of the last sweep
+    bool m_isArmed = false;                   ///< a connected vehicle
     bool m_holdsLink = false;                 ///< a sweep runs on the connected link
     bool m_plainArm = false;                  ///< the current run measures plain MAVLink
     bool m_inClear = false;                   ///< the same, or the run before was plain and no session is up yet

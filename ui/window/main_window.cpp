@@ -3,7 +3,6 @@
 #include "core/engine/station/snapshot.h"
 #include "core/link/link_url.h"
 #include "ui/charts/diagnostics_panel.h"
-#include "ui/confirm_box.h"
 #include "ui/flight/action_bar.h"
 #include "ui/flight/vehicle_commands.h"
 #include "ui/links/link_dialog.h"
@@ -24,6 +23,7 @@
 #include "ui/text/vehicle_text.h"
 #include "ui/theme/icons.h"
 #include "ui/vehicles/vehicles_panel.h"
+#include "ui/window/armed_questions.h"
 #include "ui/window/flight_target.h"
 #include "ui/window/map_alerts.h"
 #include "ui/window/map_menu.h"
@@ -245,7 +245,7 @@ void MainWindow::connectParts()
 
     connect(m_dialogs, &WindowDialogs::linkAccepted, this, &MainWindow::openLink);
     connect(m_dialogs, &WindowDialogs::replayAccepted, this,
-            [this](const QString &file) { startReplay(fromStd(link::LinkUrl::ofRecording(file.toStdString()))); });
+            [this](const QString &file) { startReplayOrAsk(fromStd(link::LinkUrl::ofRecording(file.toStdString()))); });
     connect(m_dialogs, &WindowDialogs::settingsAccepted, this, &MainWindow::applySettings);
     connect(m_dialogs, &WindowDialogs::mapSourceAccepted, this, [this](const MapSource &source) {
         m_settings.map = source;
@@ -327,6 +327,22 @@ void MainWindow::addLink(const QString &url)
         reportProblem(reasonText(added.error().reason()));
 }
 
+/// Those of the live picture; empty in the demo, where nothing can come to harm.
+QString MainWindow::armedVehicles() const
+{
+    const SnapshotPtr live = m_selection->liveView().snapshot;
+    return live && m_source->source() != SourceBar::Source::Demo ? ui::armedVehicles(*live) : QString();
+}
+
+void MainWindow::startReplayOrAsk(const QString &url)
+{
+    const QString armed = armedVehicles();
+    if (armed.isEmpty())
+        startReplay(url);
+    else
+        askToReplay(armed, this, [this, url] { startReplay(url); });
+}
+
 void MainWindow::startReplay(const QString &url)
 {
     if (m_source->source() == SourceBar::Source::Demo)
@@ -354,7 +370,7 @@ void MainWindow::offerRescue(const UnfinishedRun &run)
     static_cast<QVBoxLayout *>(centralWidget()->layout())->insertWidget(0, bar);
     m_actions->addPassing(tr("Last run"), bar->actions());
     connect(bar, &RescueBar::replayRequested, this,
-            [this](const QString &file) { startReplay(fromStd(link::LinkUrl::ofRecording(file.toStdString()))); });
+            [this](const QString &file) { startReplayOrAsk(fromStd(link::LinkUrl::ofRecording(file.toStdString()))); });
     connect(bar, &RescueBar::linksRequested, this, [this](const QStringList &urls) {
         for (const QString &url : urls)
             addLink(url);
@@ -373,6 +389,8 @@ void MainWindow::openLink(const LinkDialog &dialog)
 {
     if (m_source->source() == SourceBar::Source::Demo)
         return reportProblem(tr("End the demo before you add a link"));
+    if (const auto parsed = link::LinkUrl::parse(dialog.url().toStdString()); parsed && parsed->traits().isRecording)
+        return startReplayOrAsk(dialog.url());
     const auto mavsec = dialog.mavsec();
     if (!mavsec)
         return addLink(dialog.url());
@@ -445,31 +463,13 @@ void MainWindow::quit()
     close();
 }
 
-/// Asks if the link of an armed vehicle would end. In the demo nothing can come to harm.
+/// Asks if the link of an armed vehicle would end.
 bool MainWindow::asksBeforeQuitting()
 {
-    const SnapshotPtr live = m_selection->liveView().snapshot;
-    if (m_quitting || !live || m_source->source() == SourceBar::Source::Demo)
+    const QString armed = armedVehicles();
+    if (m_quitting || armed.isEmpty())
         return false;
-    QStringList armed;
-    for (const engine::VehicleSnapshot &vehicle : live->vehicles)
-        if (vehicle.state.armed)
-            armed << QString::number(vehicle.state.systemId);
-    if (armed.isEmpty())
-        return false;
-    const QString object = QStringLiteral("confirmQuit");
-    if (auto *open = findChild<QMessageBox *>(object)) {
-        open->raise();
-        return true;
-    }
-    askToConfirm({.objectName = object,
-                  .title = tr("Quit Skyseal"),
-                  .text = armed.size() == 1 ? tr("Vehicle %1 is armed. Quit?").arg(armed.first())
-                                            : tr("Vehicles %1 are armed. Quit?").arg(armed.join(QStringLiteral(", "))),
-                  .details = tr("While Skyseal is closed, no vehicle can be commanded from here, and failsafes may trigger."),
-                  .yes = tr("Quit"),
-                  .icon = QMessageBox::Warning},
-                 this, this, [this] { quit(); });
+    askToQuit(armed, this, [this] { quit(); });
     return true;
 }
 

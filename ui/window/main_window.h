@@ -99,6 +99,8 @@ private:
     void openLink(const LinkDialog &dialog);
     void connectSources();
     double now() const; ///< seconds
+    QString armedVehicles() const;
+    void startReplayOrAsk(const QString &url);
     bool asksBeforeQuitting();
     void openSweep();
     void revealSweep();

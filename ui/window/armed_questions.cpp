@@ -1,0 +1,66 @@
+#include "ui/window/armed_questions.h"
+
+#include "core/engine/station/snapshot.h"
+#include "ui/confirm_box.h"
+
+#include <QtCore/QCoreApplication>
+#include <QtCore/QStringList>
+
+#include <utility>
+
+namespace skyseal::ui {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(ArmedQuestions)
+};
+
+void ask(Question question, QWidget *window, std::function<void()> confirmed)
+{
+    if (auto *open = window->findChild<QMessageBox *>(question.objectName))
+        open->close(); // the newest is what the operator wants
+    question.icon = QMessageBox::Warning;
+    askToConfirm(question, window, window, std::move(confirmed));
+}
+
+bool areSeveral(const QString &armed)
+{
+    return armed.contains(QLatin1Char(','));
+}
+
+} // namespace
+
+QString armedVehicles(const engine::Snapshot &snapshot)
+{
+    QStringList armed;
+    for (const engine::VehicleSnapshot &vehicle : snapshot.vehicles)
+        if (vehicle.state.armed)
+            armed << QString::number(vehicle.state.systemId);
+    return armed.join(QStringLiteral(", "));
+}
+
+void askToReplay(const QString &armed, QWidget *window, std::function<void()> replay)
+{
+    ask({.objectName = QStringLiteral("confirmReplay"),
+         .title = Text::tr("Replay a log"),
+         .text = areSeveral(armed) ? Text::tr("Vehicles %1 are armed. Replay a log?").arg(armed)
+                                   : Text::tr("Vehicle %1 is armed. Replay a log?").arg(armed),
+         .details = Text::tr("No vehicle can be commanded until you go back to the live picture."),
+         .yes = Text::tr("Replay")},
+        window, std::move(replay));
+}
+
+void askToQuit(const QString &armed, QWidget *window, std::function<void()> quit)
+{
+    ask({.objectName = QStringLiteral("confirmQuit"),
+         .title = Text::tr("Quit Skyseal"),
+         .text = areSeveral(armed) ? Text::tr("Vehicles %1 are armed. Quit?").arg(armed)
+                                   : Text::tr("Vehicle %1 is armed. Quit?").arg(armed),
+         .details = Text::tr("While Skyseal is closed, no vehicle can be commanded from here, and failsafes may trigger."),
+         .yes = Text::tr("Quit")},
+        window, std::move(quit));
+}
+
+} // namespace skyseal::ui
