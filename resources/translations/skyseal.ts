@@ -2,6 +2,460 @@
 <!DOCTYPE TS>
 <TS version="2.1">
 <context>
+    <name>ArmedQuestions</name>
+    <message>
+        <source>Replay a log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicles %1 are armed. Replay a log?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicle %1 is armed. Replay a log?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No vehicle can be commanded until you go back to the live picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quit Skyseal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicles %1 are armed. Quit?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicle %1 is armed. Quit?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>While Skyseal is closed, no vehicle can be commanded from here, and failsafes may trigger.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Metric</name>
+    <message>
+        <source>Packets transmitted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MAVLink frames that the station received from the vehicle during the run, without duplicates of clear frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>packets per second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rate in bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MAVLink bytes received per second, after opening</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>share of the vehicle&apos;s frames missing by MAVLink sequence numbers, 0 to 1; empty where jitter reorders the frames of the saturated load by more than 8 bits can number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Records lost, to the station</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>share of the agent&apos;s records missing by their counters, 0 to 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Records lost, to the agent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the same in the other direction, as counted by the agent and reported over the sealed link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU load, station</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU time of the station&apos;s I/O thread (receive, open, parse, send), percent of one core</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU load, station&apos;s process</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all threads of the measuring program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of the measurement in the CPU load, station</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU time in which the station&apos;s I/O thread made and handed out snapshots, probes and time lines, by its own clock, percent of its CPU time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Snapshots during the run, station</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>snapshots that the station&apos;s I/O thread built from the first probe of the run on: 1, which is the last probe, or those of a window as well</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU load of the suite, station</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>time inside seal and open, clocked around each call, percent of one core</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU load, agent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU time of the agent&apos;s process, by the kernel&apos;s clock of it over the whole run for all arms alike; where the agent runs on another machine, between its reports over the sealed link, and empty in plain MAVLink, which has no reports</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU load of the suite, agent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>time inside seal and open at the agent, reported over the sealed link, percent of one core</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU time per frame, station</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU time of the I/O thread divided by frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU time per frame, agent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU load of the agent divided by the frame rate of the run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opening a record, median</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clocked around each call, including look-up and replay window; exact to 1/32</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opening a record, 99th percentile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sealing a record, median</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clocked around each call, at the station</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sealing a record, 99th percentile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opening a record, agent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean, clocked around each call at the agent, reported over the sealed link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sealing a record, agent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Memory, station</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>resident set of the measuring program at the end of the run; one process runs all suites, so the value does not belong to one suite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Memory, agent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>resident set of the agent at the end of the run, from /proc for all arms alike; where the agent runs on another machine, as reported over the sealed link; one process runs all suites, so the value does not belong to one suite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bytes on the wire</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>UDP payload of both directions during the run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bytes on the wire, to the station</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>UDP payload per second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use of the line, to the station</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bytes that the impaired line carried to the station, announcements of the agent included and duplicates of the relay left out, percent of its rate; empty without a limited rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wire cost of a frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bytes to the station, including 28 of IPv4 and UDP headers for each datagram, divided by frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Overhead on the wire</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>UDP payload to the station beyond the MAVLink bytes in it, percent of these</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames in a datagram</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MAVLink frames divided by the datagrams to the station, each of which is a record in the sealed framing; the fewer, the more records and wake-ups a frame costs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Latency</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>round trip of TIMESYNC to the vehicle, mean of the run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Memory of a session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>heap of a session at one end, including its keyed ciphers; measured once for each suite with separate sessions of this program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power of the machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean over the run, by the kernel&apos;s energy counters of the processor or the sensor of the supply: with all programs on it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power above idle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the same, less the power of the idle machine before and after the launch of the programs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Energy per frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the energy above idle divided by frames received by the station; all programs of the sweep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time of the live switch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from the first order of the run to the confirmation by the other end, including orders that were not confirmed in time; empty if the suite of the run was in use already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wake-ups, station</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>voluntary context switches of the station&apos;s I/O thread per second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Involuntary context switches, station</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the station&apos;s I/O thread per second: another program took its core</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wake-ups, agent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>voluntary context switches of the agent&apos;s main thread per second, on the same machine only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Involuntary context switches, agent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the agent&apos;s main thread per second, on the same machine only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU load, simulator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU time of the simulator that the sweep started, percent of one core</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU load, relay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU time of the relay of an impaired link, percent of one core</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU load, autopilot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU time of the autopilot beside which the sweep ran, percent of one core; empty if its process was not found on this machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Missed sends of the paced load</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frames that the generator of a paced load did not send, since it was 20 ms late on its schedule or its queue was full; exact to a tenth of a second at the ends of the run; empty under other loads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU load, other programs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU time of this machine that was used neither by the measuring program, nor by programs that the sweep started or the autopilot, percent of one core; exact to the ticks of the kernel&apos;s clock on each core</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time taken by the hypervisor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>time in which a virtual core had work and was not run, percent of one core</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frequency of the cores</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean over the cores and over the two ends of the run, as the kernel states it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change of the frequency of the cores</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>difference between the two ends of the run, percent of their mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Load average per core, at the start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>load average of the last minute at the start of the run, divided by the number of cores; the sweep&apos;s own programs are part of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Load average per core, at the end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the same at the end of the run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power of the idle machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean of five seconds before the programs of the launch started and five after they ended</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change of the power of the idle machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>difference between the two, percent of their mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Throttlings of the processor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how often the processor slowed down during the run, hot or short of power: the kernel&apos;s counters of cores and packages, or one where the firmware says so at an end of the run</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>QObject</name>
     <message>
         <source>Known peers</source>
@@ -1230,6 +1684,114 @@
         <source>the folder cannot be created</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>a key is 32 bytes, or 64 hex digits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 hex digits are expected as nonce</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the library refuses the cipher</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a system ID and a public key in hex are expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sysid=&apos;%1&apos;: a system ID from 1 to 255 is expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from=&apos;%1&apos;: ADDRESS/PREFIX is expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>name=&apos;%1&apos;: a name of printable characters is expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;: write, from, sysid or name is expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is given twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;: OPTION=VALUE is expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;: clients are served over UDP or TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from=: &apos;%1&apos; serves the host of its URL alone; from= is for links that listen (udpin, tcpin)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write=&apos;%1&apos;: none, all, or mission, param, command, ftp and rc are expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>natural</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>saturated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pps%1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 inline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 bare</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 sealed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (A/A)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2 load, %3 % for each run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>values change with the order of the runs within a launch, so that the warm-up was too short or the machine drifts: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this build is %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the machine was busy with other work: load average %1 on %2 cores at the start; the figures are noisier and may be wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not optimised: the figures of this build are not meaningful</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>optimised by %1 alone, as for tests: the figures are higher than those of a release</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Sweep</name>
@@ -1373,6 +1935,18 @@
         <source>Ratios to %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>load of %1 frames/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frames/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not in this framing</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::app::Application</name>
@@ -1394,10 +1968,6 @@
     </message>
     <message>
         <source>The system does not report changes to the list of peers; it is checked once a second</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the key could not be opened</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3367,6 +3937,21 @@ No link is sealed until this is resolved. Plain MAVLink is shown, but not sealed
         <source>Start an agent, skyseal-air, beside an autopilot. If it has no key yet, the first line creates one; then pair the two in Security → Keys and peers:</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Opening this station&apos;s key…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its passphrase is being checked. Sealed links can start after that.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::EmptyText</name>
+    <message>
+        <source>Nothing matches the filter.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::FencePainter</name>
@@ -3683,6 +4268,10 @@ No link is sealed until this is resolved. Plain MAVLink is shown, but not sealed
     </message>
     <message>
         <source>Find a message type</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a type of message to see its fields.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4263,6 +4852,10 @@ Fingerprint %3</source>
         <source>New keys are being negotiated</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>No sealed links yet: this station&apos;s key is being opened</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::LogsPanel</name>
@@ -4323,26 +4916,6 @@ Fingerprint %3</source>
     </message>
     <message>
         <source>End the demo before you add a link</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Quit Skyseal</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Vehicle %1 is armed. Quit?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Quit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Vehicles %1 are armed. Quit?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>While Skyseal is closed, no vehicle can be commanded from here, and failsafes may trigger.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4525,14 +5098,6 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>An &amp;MBTiles file on this computer</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>An MBTiles file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Address of the tiles</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4549,19 +5114,7 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>MBTiles file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Browse…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Browse for an MBTiles file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>MBTiles (*.mbtiles);;All files (*)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4596,6 +5149,26 @@ Fingerprint %3</source>
         <source>Tiles will be requested from %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>A &amp;file on this computer (MBTiles or GeoPackage)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A file of map tiles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File of map tiles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Browse for a file of map tiles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Map tiles (*.mbtiles *.gpkg);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::MapView</name>
@@ -4609,37 +5182,6 @@ Fingerprint %3</source>
     </message>
     <message>
         <source>Arrow keys move the map, plus and minus zoom, Home follows the vehicle, Menu opens the commands for the centre</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>skyseal::ui::MbtilesFile</name>
-    <message>
-        <source>%1 cannot be opened: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 cannot be shown: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>out of memory</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>it is not an MBTiles file (%1)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>a tile is larger than %1 kB</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the file takes too long to search</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>it has vector tiles; only images (PNG, JPEG, WebP) can be shown</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4823,6 +5365,14 @@ Fingerprint %3</source>
         <source>Altitude</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 MSL</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 above ground</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::MissionPanel</name>
@@ -4879,15 +5429,7 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No vehicle.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The vehicle has no mission. Send a file to write one.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The mission has not been read from the vehicle.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4904,6 +5446,30 @@ Fingerprint %3</source>
     </message>
     <message>
         <source>%1 cannot be read: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The vehicle is armed. Replace its mission?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicle %1 is armed. Replace its mission?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>While it flies its mission, it turns to the new one at once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace the mission</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No vehicle. Its mission is listed here once it has been read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mission has not been read yet: choose Read from the vehicle.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5438,6 +6004,10 @@ Then there is no code to compare. It is valid for this pairing only.</source>
         <source>Continue without sealed links</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The remembered passphrase does not open this key.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::PeerDialog</name>
@@ -5846,15 +6416,15 @@ with a pre-shared key</source>
 <context>
     <name>skyseal::ui::ProfilePanel</name>
     <message>
-        <source>No vehicle.</source>
+        <source>No vehicle. The altitudes of its mission are drawn here once it has been read.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The vehicle has no mission.</source>
+        <source>The vehicle has no mission. Send a file in the panel Mission to write one.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The mission has not been read from the vehicle.</source>
+        <source>The mission has not been read yet: choose Read from the vehicle in the panel Mission.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6676,6 +7246,14 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>Handshake counters cannot be stored: %1. The link stays up. If this program restarts now, agents will refuse its first handshake and return the correct counter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opening the key…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The passphrase of this station&apos;s key is being checked. Sealed links can start after that.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7742,10 +8320,6 @@ A click opens the links.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>not in this framing</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Starting…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7789,11 +8363,31 @@ A click opens the links.</source>
         <source>Warnings of the sweep</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>not compared</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::SweepPresenter</name>
     <message>
         <source>Choose the folder in which the sweep&apos;s folder is created</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cipher sweep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The vehicle is armed. Measure on its link?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sweep switches the suite of the link by which the vehicle is commanded before each run.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7824,6 +8418,49 @@ A click opens the links.</source>
     </message>
     <message>
         <source>Hold the button for half a second. The propellers speed up and the vehicle climbs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::TileFile</name>
+    <message>
+        <source>%1 cannot be opened: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be shown: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>out of memory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is neither an MBTiles nor a GeoPackage file (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has vector tiles; only images (PNG, JPEG, WebP) can be shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has no map tiles (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has no map tiles in Web Mercator (EPSG:3857)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its tiles are not those of the usual grid, %1 pixels wide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a tile is larger than %1 kB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file takes too long to search</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8479,6 +9116,10 @@ A click opens the links.</source>
     </message>
     <message>
         <source>The unit of the message&apos;s definition, in the chosen system of units</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No value has these words in its name.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -2,6 +2,460 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE">
 <context>
+    <name>ArmedQuestions</name>
+    <message>
+        <source>Replay a log</source>
+        <translation>Log wiedergeben</translation>
+    </message>
+    <message>
+        <source>Vehicles %1 are armed. Replay a log?</source>
+        <translation>Die Fahrzeuge %1 sind scharf. Ein Log wiedergeben?</translation>
+    </message>
+    <message>
+        <source>Vehicle %1 is armed. Replay a log?</source>
+        <translation>Fahrzeug %1 ist scharf. Ein Log wiedergeben?</translation>
+    </message>
+    <message>
+        <source>No vehicle can be commanded until you go back to the live picture.</source>
+        <translation>Kein Fahrzeug kann gesteuert werden, bis Sie zum Live-Bild zurückkehren.</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>Wiedergeben</translation>
+    </message>
+    <message>
+        <source>Quit Skyseal</source>
+        <translation>Skyseal beenden</translation>
+    </message>
+    <message>
+        <source>Vehicles %1 are armed. Quit?</source>
+        <translation>Die Fahrzeuge %1 sind scharf. Beenden?</translation>
+    </message>
+    <message>
+        <source>Vehicle %1 is armed. Quit?</source>
+        <translation>Fahrzeug %1 ist scharf. Beenden?</translation>
+    </message>
+    <message>
+        <source>While Skyseal is closed, no vehicle can be commanded from here, and failsafes may trigger.</source>
+        <translation>Solange Skyseal geschlossen ist, lässt sich kein Fahrzeug von hier steuern, und Failsafes können auslösen.</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Beenden</translation>
+    </message>
+</context>
+<context>
+    <name>Metric</name>
+    <message>
+        <source>Packets transmitted</source>
+        <translation>Übertragene Pakete</translation>
+    </message>
+    <message>
+        <source>MAVLink frames that the station received from the vehicle during the run, without duplicates of clear frames</source>
+        <translation>MAVLink-Frames, die die Station während des Laufs vom Fahrzeug empfing, ohne Duplikate offener Frames</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>packets per second</source>
+        <translation>Pakete pro Sekunde</translation>
+    </message>
+    <message>
+        <source>Rate in bytes</source>
+        <translation>Rate in Bytes</translation>
+    </message>
+    <message>
+        <source>MAVLink bytes received per second, after opening</source>
+        <translation>empfangene MAVLink-Bytes pro Sekunde, nach dem Öffnen</translation>
+    </message>
+    <message>
+        <source>Frames lost</source>
+        <translation>Verlorene Frames</translation>
+    </message>
+    <message>
+        <source>share of the vehicle&apos;s frames missing by MAVLink sequence numbers, 0 to 1; empty where jitter reorders the frames of the saturated load by more than 8 bits can number</source>
+        <translation>Anteil der Frames des Fahrzeugs, die nach den Folgenummern von MAVLink fehlen, 0 bis 1; leer, wo Jitter die Frames der Volllast weiter vertauscht, als 8 Bit zählen können</translation>
+    </message>
+    <message>
+        <source>Records lost, to the station</source>
+        <translation>Verlorene Records, zur Station</translation>
+    </message>
+    <message>
+        <source>share of the agent&apos;s records missing by their counters, 0 to 1</source>
+        <translation>Anteil der Records des Agenten, die nach ihren Zählern fehlen, 0 bis 1</translation>
+    </message>
+    <message>
+        <source>Records lost, to the agent</source>
+        <translation>Verlorene Records, zum Agenten</translation>
+    </message>
+    <message>
+        <source>the same in the other direction, as counted by the agent and reported over the sealed link</source>
+        <translation>dasselbe in der Gegenrichtung, vom Agenten gezählt und über die versiegelte Verbindung gemeldet</translation>
+    </message>
+    <message>
+        <source>CPU load, station</source>
+        <translation>CPU-Last, Station</translation>
+    </message>
+    <message>
+        <source>CPU time of the station&apos;s I/O thread (receive, open, parse, send), percent of one core</source>
+        <translation>CPU-Zeit des E/A-Threads der Station (empfangen, öffnen, zerlegen, senden), Prozent eines Kerns</translation>
+    </message>
+    <message>
+        <source>CPU load, station&apos;s process</source>
+        <translation>CPU-Last, Prozess der Station</translation>
+    </message>
+    <message>
+        <source>all threads of the measuring program</source>
+        <translation>alle Threads des messenden Programms</translation>
+    </message>
+    <message>
+        <source>Share of the measurement in the CPU load, station</source>
+        <translation>Anteil der Messung an der CPU-Last, Station</translation>
+    </message>
+    <message>
+        <source>CPU time in which the station&apos;s I/O thread made and handed out snapshots, probes and time lines, by its own clock, percent of its CPU time</source>
+        <translation>CPU-Zeit, in der der E/A-Thread der Station Momentaufnahmen, Messpunkte und Zeitreihen erstellte und weitergab, nach seiner eigenen Uhr, Prozent seiner CPU-Zeit</translation>
+    </message>
+    <message>
+        <source>Snapshots during the run, station</source>
+        <translation>Momentaufnahmen während des Laufs, Station</translation>
+    </message>
+    <message>
+        <source>snapshots that the station&apos;s I/O thread built from the first probe of the run on: 1, which is the last probe, or those of a window as well</source>
+        <translation>Momentaufnahmen, die der E/A-Thread der Station ab dem ersten Messpunkt des Laufs erstellte: 1, nämlich der letzte Messpunkt, oder dazu die eines Fensters</translation>
+    </message>
+    <message>
+        <source>CPU load of the suite, station</source>
+        <translation>CPU-Last der Chiffre, Station</translation>
+    </message>
+    <message>
+        <source>time inside seal and open, clocked around each call, percent of one core</source>
+        <translation>Zeit im Versiegeln und Öffnen, um jeden Aufruf gemessen, Prozent eines Kerns</translation>
+    </message>
+    <message>
+        <source>CPU load, agent</source>
+        <translation>CPU-Last, Agent</translation>
+    </message>
+    <message>
+        <source>CPU time of the agent&apos;s process, by the kernel&apos;s clock of it over the whole run for all arms alike; where the agent runs on another machine, between its reports over the sealed link, and empty in plain MAVLink, which has no reports</source>
+        <translation>CPU-Zeit des Agentenprozesses, nach der Uhr des Kernels über den ganzen Lauf, für alle Varianten gleich; läuft der Agent auf einem anderen Rechner, zwischen seinen Meldungen über die versiegelte Verbindung, und leer bei ungeschütztem MAVLink, das keine Meldungen hat</translation>
+    </message>
+    <message>
+        <source>CPU load of the suite, agent</source>
+        <translation>CPU-Last der Chiffre, Agent</translation>
+    </message>
+    <message>
+        <source>time inside seal and open at the agent, reported over the sealed link, percent of one core</source>
+        <translation>Zeit im Versiegeln und Öffnen beim Agenten, über die versiegelte Verbindung gemeldet, Prozent eines Kerns</translation>
+    </message>
+    <message>
+        <source>CPU time per frame, station</source>
+        <translation>CPU-Zeit je Frame, Station</translation>
+    </message>
+    <message>
+        <source>CPU time of the I/O thread divided by frames</source>
+        <translation>CPU-Zeit des E/A-Threads geteilt durch die Frames</translation>
+    </message>
+    <message>
+        <source>CPU time per frame, agent</source>
+        <translation>CPU-Zeit je Frame, Agent</translation>
+    </message>
+    <message>
+        <source>CPU load of the agent divided by the frame rate of the run</source>
+        <translation>CPU-Last des Agenten geteilt durch die Frame-Rate des Laufs</translation>
+    </message>
+    <message>
+        <source>Opening a record, median</source>
+        <translation>Öffnen eines Records, Median</translation>
+    </message>
+    <message>
+        <source>clocked around each call, including look-up and replay window; exact to 1/32</source>
+        <translation>um jeden Aufruf gemessen, einschließlich Nachschlagen und Wiederholungsfenster; auf 1/32 genau</translation>
+    </message>
+    <message>
+        <source>Opening a record, 99th percentile</source>
+        <translation>Öffnen eines Records, 99. Perzentil</translation>
+    </message>
+    <message>
+        <source>the same</source>
+        <translation>dasselbe</translation>
+    </message>
+    <message>
+        <source>Sealing a record, median</source>
+        <translation>Versiegeln eines Records, Median</translation>
+    </message>
+    <message>
+        <source>clocked around each call, at the station</source>
+        <translation>um jeden Aufruf gemessen, bei der Station</translation>
+    </message>
+    <message>
+        <source>Sealing a record, 99th percentile</source>
+        <translation>Versiegeln eines Records, 99. Perzentil</translation>
+    </message>
+    <message>
+        <source>Opening a record, agent</source>
+        <translation>Öffnen eines Records, Agent</translation>
+    </message>
+    <message>
+        <source>mean, clocked around each call at the agent, reported over the sealed link</source>
+        <translation>Mittelwert, beim Agenten um jeden Aufruf gemessen, über die versiegelte Verbindung gemeldet</translation>
+    </message>
+    <message>
+        <source>Sealing a record, agent</source>
+        <translation>Versiegeln eines Records, Agent</translation>
+    </message>
+    <message>
+        <source>Memory, station</source>
+        <translation>Speicher, Station</translation>
+    </message>
+    <message>
+        <source>resident set of the measuring program at the end of the run; one process runs all suites, so the value does not belong to one suite</source>
+        <translation>belegter Arbeitsspeicher des messenden Programms am Ende des Laufs; ein Prozess führt alle Chiffren aus, daher gehört der Wert zu keiner einzelnen</translation>
+    </message>
+    <message>
+        <source>Memory, agent</source>
+        <translation>Speicher, Agent</translation>
+    </message>
+    <message>
+        <source>resident set of the agent at the end of the run, from /proc for all arms alike; where the agent runs on another machine, as reported over the sealed link; one process runs all suites, so the value does not belong to one suite</source>
+        <translation>belegter Arbeitsspeicher des Agenten am Ende des Laufs, aus /proc, für alle Varianten gleich; läuft der Agent auf einem anderen Rechner, wie über die versiegelte Verbindung gemeldet; ein Prozess führt alle Chiffren aus, daher gehört der Wert zu keiner einzelnen</translation>
+    </message>
+    <message>
+        <source>Bytes on the wire</source>
+        <translation>Bytes auf der Leitung</translation>
+    </message>
+    <message>
+        <source>UDP payload of both directions during the run</source>
+        <translation>UDP-Nutzdaten beider Richtungen während des Laufs</translation>
+    </message>
+    <message>
+        <source>Bytes on the wire, to the station</source>
+        <translation>Bytes auf der Leitung, zur Station</translation>
+    </message>
+    <message>
+        <source>UDP payload per second</source>
+        <translation>UDP-Nutzdaten pro Sekunde</translation>
+    </message>
+    <message>
+        <source>Use of the line, to the station</source>
+        <translation>Auslastung der Leitung, zur Station</translation>
+    </message>
+    <message>
+        <source>bytes that the impaired line carried to the station, announcements of the agent included and duplicates of the relay left out, percent of its rate; empty without a limited rate</source>
+        <translation>Bytes, die die gestörte Leitung zur Station trug, mit den Ankündigungen des Agenten und ohne Duplikate des Relais, Prozent ihrer Rate; leer ohne begrenzte Rate</translation>
+    </message>
+    <message>
+        <source>Wire cost of a frame</source>
+        <translation>Leitungsaufwand eines Frames</translation>
+    </message>
+    <message>
+        <source>bytes to the station, including 28 of IPv4 and UDP headers for each datagram, divided by frames</source>
+        <translation>Bytes zur Station, mit 28 für die IPv4- und UDP-Header jedes Datagramms, geteilt durch die Frames</translation>
+    </message>
+    <message>
+        <source>Overhead on the wire</source>
+        <translation>Overhead auf der Leitung</translation>
+    </message>
+    <message>
+        <source>UDP payload to the station beyond the MAVLink bytes in it, percent of these</source>
+        <translation>UDP-Nutzdaten zur Station über die darin enthaltenen MAVLink-Bytes hinaus, Prozent dieser Bytes</translation>
+    </message>
+    <message>
+        <source>Frames in a datagram</source>
+        <translation>Frames je Datagramm</translation>
+    </message>
+    <message>
+        <source>MAVLink frames divided by the datagrams to the station, each of which is a record in the sealed framing; the fewer, the more records and wake-ups a frame costs</source>
+        <translation>MAVLink-Frames geteilt durch die Datagramme zur Station, deren jedes in der versiegelten Rahmung ein Record ist; je weniger, desto mehr Records und Aufwachvorgänge kostet ein Frame</translation>
+    </message>
+    <message>
+        <source>Latency</source>
+        <translation>Latenz</translation>
+    </message>
+    <message>
+        <source>round trip of TIMESYNC to the vehicle, mean of the run</source>
+        <translation>Umlaufzeit von TIMESYNC zum Fahrzeug, Mittelwert des Laufs</translation>
+    </message>
+    <message>
+        <source>Memory of a session</source>
+        <translation>Speicher einer Sitzung</translation>
+    </message>
+    <message>
+        <source>heap of a session at one end, including its keyed ciphers; measured once for each suite with separate sessions of this program</source>
+        <translation>Heap einer Sitzung auf einer Seite, mit ihren Chiffren samt Schlüsseln; je Chiffre einmal mit eigenen Sitzungen dieses Programms gemessen</translation>
+    </message>
+    <message>
+        <source>Power of the machine</source>
+        <translation>Leistungsaufnahme des Rechners</translation>
+    </message>
+    <message>
+        <source>mean over the run, by the kernel&apos;s energy counters of the processor or the sensor of the supply: with all programs on it</source>
+        <translation>Mittelwert des Laufs, nach den Energiezählern des Kernels für den Prozessor oder dem Sensor der Stromversorgung: mit allen Programmen darauf</translation>
+    </message>
+    <message>
+        <source>Power above idle</source>
+        <translation>Leistungsaufnahme über Leerlauf</translation>
+    </message>
+    <message>
+        <source>the same, less the power of the idle machine before and after the launch of the programs</source>
+        <translation>dasselbe, abzüglich der Leistungsaufnahme des ruhenden Rechners vor und nach dem Start der Programme</translation>
+    </message>
+    <message>
+        <source>Energy per frame</source>
+        <translation>Energie je Frame</translation>
+    </message>
+    <message>
+        <source>the energy above idle divided by frames received by the station; all programs of the sweep</source>
+        <translation>Energie über Leerlauf geteilt durch die von der Station empfangenen Frames; alle Programme der Messreihe</translation>
+    </message>
+    <message>
+        <source>Time of the live switch</source>
+        <translation>Dauer des Wechsels im Betrieb</translation>
+    </message>
+    <message>
+        <source>from the first order of the run to the confirmation by the other end, including orders that were not confirmed in time; empty if the suite of the run was in use already</source>
+        <translation>vom ersten Auftrag des Laufs bis zur Bestätigung der anderen Seite, mit Aufträgen, die nicht rechtzeitig bestätigt wurden; leer, wenn die Chiffre des Laufs schon in Gebrauch war</translation>
+    </message>
+    <message>
+        <source>Wake-ups, station</source>
+        <translation>Aufwachvorgänge, Station</translation>
+    </message>
+    <message>
+        <source>voluntary context switches of the station&apos;s I/O thread per second</source>
+        <translation>freiwillige Kontextwechsel des E/A-Threads der Station pro Sekunde</translation>
+    </message>
+    <message>
+        <source>Involuntary context switches, station</source>
+        <translation>Unfreiwillige Kontextwechsel, Station</translation>
+    </message>
+    <message>
+        <source>of the station&apos;s I/O thread per second: another program took its core</source>
+        <translation>des E/A-Threads der Station pro Sekunde: Ein anderes Programm nahm seinen Kern</translation>
+    </message>
+    <message>
+        <source>Wake-ups, agent</source>
+        <translation>Aufwachvorgänge, Agent</translation>
+    </message>
+    <message>
+        <source>voluntary context switches of the agent&apos;s main thread per second, on the same machine only</source>
+        <translation>freiwillige Kontextwechsel des Haupt-Threads des Agenten pro Sekunde, nur auf demselben Rechner</translation>
+    </message>
+    <message>
+        <source>Involuntary context switches, agent</source>
+        <translation>Unfreiwillige Kontextwechsel, Agent</translation>
+    </message>
+    <message>
+        <source>of the agent&apos;s main thread per second, on the same machine only</source>
+        <translation>des Haupt-Threads des Agenten pro Sekunde, nur auf demselben Rechner</translation>
+    </message>
+    <message>
+        <source>CPU load, simulator</source>
+        <translation>CPU-Last, Simulator</translation>
+    </message>
+    <message>
+        <source>CPU time of the simulator that the sweep started, percent of one core</source>
+        <translation>CPU-Zeit des Simulators, den die Messreihe gestartet hat, Prozent eines Kerns</translation>
+    </message>
+    <message>
+        <source>CPU load, relay</source>
+        <translation>CPU-Last, Relais</translation>
+    </message>
+    <message>
+        <source>CPU time of the relay of an impaired link, percent of one core</source>
+        <translation>CPU-Zeit des Relais einer gestörten Verbindung, Prozent eines Kerns</translation>
+    </message>
+    <message>
+        <source>CPU load, autopilot</source>
+        <translation>CPU-Last, Autopilot</translation>
+    </message>
+    <message>
+        <source>CPU time of the autopilot beside which the sweep ran, percent of one core; empty if its process was not found on this machine</source>
+        <translation>CPU-Zeit des Autopiloten, neben dem die Messreihe lief, Prozent eines Kerns; leer, wenn sein Prozess auf diesem Rechner nicht gefunden wurde</translation>
+    </message>
+    <message>
+        <source>Missed sends of the paced load</source>
+        <translation>Ausgelassene Sendungen der getakteten Last</translation>
+    </message>
+    <message>
+        <source>frames that the generator of a paced load did not send, since it was 20 ms late on its schedule or its queue was full; exact to a tenth of a second at the ends of the run; empty under other loads</source>
+        <translation>Frames, die der Generator einer getakteten Last nicht sendete, weil er 20 ms hinter seinem Zeitplan oder seine Warteschlange voll war; an den Enden des Laufs auf eine Zehntelsekunde genau; leer bei anderen Lasten</translation>
+    </message>
+    <message>
+        <source>CPU load, other programs</source>
+        <translation>CPU-Last, andere Programme</translation>
+    </message>
+    <message>
+        <source>CPU time of this machine that was used neither by the measuring program, nor by programs that the sweep started or the autopilot, percent of one core; exact to the ticks of the kernel&apos;s clock on each core</source>
+        <translation>CPU-Zeit dieses Rechners, die weder das messende Programm noch von der Messreihe gestartete Programme oder der Autopilot belegten, Prozent eines Kerns; auf die Takte der Kernel-Uhr jedes Kerns genau</translation>
+    </message>
+    <message>
+        <source>Time taken by the hypervisor</source>
+        <translation>Vom Hypervisor genommene Zeit</translation>
+    </message>
+    <message>
+        <source>time in which a virtual core had work and was not run, percent of one core</source>
+        <translation>Zeit, in der ein virtueller Kern Arbeit hatte und nicht lief, Prozent eines Kerns</translation>
+    </message>
+    <message>
+        <source>Frequency of the cores</source>
+        <translation>Takt der Kerne</translation>
+    </message>
+    <message>
+        <source>mean over the cores and over the two ends of the run, as the kernel states it</source>
+        <translation>Mittelwert über die Kerne und die beiden Enden des Laufs, nach Angabe des Kernels</translation>
+    </message>
+    <message>
+        <source>Change of the frequency of the cores</source>
+        <translation>Änderung des Takts der Kerne</translation>
+    </message>
+    <message>
+        <source>difference between the two ends of the run, percent of their mean</source>
+        <translation>Differenz zwischen den beiden Enden des Laufs, Prozent ihres Mittelwerts</translation>
+    </message>
+    <message>
+        <source>Load average per core, at the start</source>
+        <translation>Mittlere Last je Kern, zu Beginn</translation>
+    </message>
+    <message>
+        <source>load average of the last minute at the start of the run, divided by the number of cores; the sweep&apos;s own programs are part of it</source>
+        <translation>mittlere Last der letzten Minute zu Beginn des Laufs, geteilt durch die Zahl der Kerne; die eigenen Programme der Messreihe gehören dazu</translation>
+    </message>
+    <message>
+        <source>Load average per core, at the end</source>
+        <translation>Mittlere Last je Kern, am Ende</translation>
+    </message>
+    <message>
+        <source>the same at the end of the run</source>
+        <translation>dasselbe am Ende des Laufs</translation>
+    </message>
+    <message>
+        <source>Power of the idle machine</source>
+        <translation>Leistungsaufnahme des ruhenden Rechners</translation>
+    </message>
+    <message>
+        <source>mean of five seconds before the programs of the launch started and five after they ended</source>
+        <translation>Mittelwert aus fünf Sekunden vor dem Start der Programme und fünf nach ihrem Ende</translation>
+    </message>
+    <message>
+        <source>Change of the power of the idle machine</source>
+        <translation>Änderung der Leistungsaufnahme des ruhenden Rechners</translation>
+    </message>
+    <message>
+        <source>difference between the two, percent of their mean</source>
+        <translation>Differenz der beiden, Prozent ihres Mittelwerts</translation>
+    </message>
+    <message>
+        <source>Throttlings of the processor</source>
+        <translation>Drosselungen des Prozessors</translation>
+    </message>
+    <message>
+        <source>how often the processor slowed down during the run, hot or short of power: the kernel&apos;s counters of cores and packages, or one where the firmware says so at an end of the run</source>
+        <translation>wie oft der Prozessor während des Laufs langsamer wurde, wegen Hitze oder zu wenig Leistung: die Zähler des Kernels für Kerne und Prozessoren, oder eins, wo die Firmware es an einem Ende des Laufs meldet</translation>
+    </message>
+</context>
+<context>
     <name>QObject</name>
     <message>
         <source>Known peers</source>
@@ -1004,7 +1458,7 @@
     </message>
     <message>
         <source>up to %1 % under the %2 load</source>
-        <translation>bis zu %1 % unter der Last „%2“</translation>
+        <translation>bis zu %1 % (%2)</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -1152,11 +1606,11 @@
     </message>
     <message>
         <source>%1 (%2 load, link %3): %4</source>
-        <translation>%1 (Last „%2“, Verbindung „%3“): %4</translation>
+        <translation>%1 (%2, Verbindung „%3“): %4</translation>
     </message>
     <message>
         <source>%1 (%2 load): %3</source>
-        <translation>%1 (Last „%2“): %3</translation>
+        <translation>%1 (%2): %3</translation>
     </message>
     <message>
         <source>1 of 1 run failed: %1</source>
@@ -1168,7 +1622,7 @@
     </message>
     <message>
         <source>%1 of %2 runs are not valid and left out of every comparison; the first of them, %3 (%4 load): %5</source>
-        <translation>%1 von %2 Läufen sind nicht gültig und in keinem Vergleich enthalten; der erste davon, %3 (Last „%4“): %5</translation>
+        <translation>%1 von %2 Läufen sind nicht gültig und in keinem Vergleich enthalten; der erste davon, %3 (%4): %5</translation>
     </message>
     <message>
         <source>this is not JSON: %1</source>
@@ -1229,6 +1683,114 @@
     <message>
         <source>the folder cannot be created</source>
         <translation>der Ordner kann nicht angelegt werden</translation>
+    </message>
+    <message>
+        <source>a key is 32 bytes, or 64 hex digits</source>
+        <translation>ein Schlüssel hat 32 Byte oder 64 Hexadezimalziffern</translation>
+    </message>
+    <message>
+        <source>%1 hex digits are expected as nonce</source>
+        <translation>als Nonce werden %1 Hexadezimalziffern erwartet</translation>
+    </message>
+    <message>
+        <source>the library refuses the cipher</source>
+        <translation>die Bibliothek lehnt die Chiffre ab</translation>
+    </message>
+    <message>
+        <source>a system ID and a public key in hex are expected</source>
+        <translation>erwartet werden eine System-ID und ein öffentlicher Schlüssel in Hexadezimalziffern</translation>
+    </message>
+    <message>
+        <source>sysid=&apos;%1&apos;: a system ID from 1 to 255 is expected</source>
+        <translation>sysid='%1': erwartet wird eine System-ID von 1 bis 255</translation>
+    </message>
+    <message>
+        <source>from=&apos;%1&apos;: ADDRESS/PREFIX is expected</source>
+        <translation>from='%1': erwartet wird ADRESSE/PRÄFIX</translation>
+    </message>
+    <message>
+        <source>name=&apos;%1&apos;: a name of printable characters is expected</source>
+        <translation>name='%1': erwartet wird ein Name aus druckbaren Zeichen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;: write, from, sysid or name is expected</source>
+        <translation>„%1“: write, from, sysid oder name wird erwartet</translation>
+    </message>
+    <message>
+        <source>%1 is given twice</source>
+        <translation>%1 ist zweimal angegeben</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;: OPTION=VALUE is expected</source>
+        <translation>„%1“: OPTION=WERT wird erwartet</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;: clients are served over UDP or TCP</source>
+        <translation>„%1“: Clients werden über UDP oder TCP bedient</translation>
+    </message>
+    <message>
+        <source>from=: &apos;%1&apos; serves the host of its URL alone; from= is for links that listen (udpin, tcpin)</source>
+        <translation>from=: „%1“ bedient allein den Host seiner URL; from= ist für Verbindungen, die lauschen (udpin, tcpin)</translation>
+    </message>
+    <message>
+        <source>write=&apos;%1&apos;: none, all, or mission, param, command, ftp and rc are expected</source>
+        <translation>write='%1': erwartet wird none, all oder mission, param, command, ftp und rc</translation>
+    </message>
+    <message>
+        <source>natural</source>
+        <translation>natürliche Last</translation>
+    </message>
+    <message>
+        <source>saturated</source>
+        <translation>Volllast</translation>
+    </message>
+    <message>
+        <source>pps%1</source>
+        <translation>Last von %1 Frames/s</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ungeschütztes MAVLink</translation>
+    </message>
+    <message>
+        <source>%1 inline</source>
+        <translation>%1 inline</translation>
+    </message>
+    <message>
+        <source>%1 bare</source>
+        <translation>%1 ohne Rahmung</translation>
+    </message>
+    <message>
+        <source>%1 sealed</source>
+        <translation>%1 versiegelt</translation>
+    </message>
+    <message>
+        <source>%1 (A/A)</source>
+        <translation>%1 (A/A)</translation>
+    </message>
+    <message>
+        <source>%1, %2 load, %3 % for each run</source>
+        <translation>%1, %2, %3 % je Lauf</translation>
+    </message>
+    <message>
+        <source>values change with the order of the runs within a launch, so that the warm-up was too short or the machine drifts: %1</source>
+        <translation>die Werte ändern sich mit der Reihenfolge der Läufe innerhalb eines Starts; das Aufwärmen war zu kurz, oder der Rechner driftet: %1</translation>
+    </message>
+    <message>
+        <source>this build is %1</source>
+        <translation>dieser Build ist %1</translation>
+    </message>
+    <message>
+        <source>the machine was busy with other work: load average %1 on %2 cores at the start; the figures are noisier and may be wrong</source>
+        <translation>der Rechner war mit anderer Arbeit beschäftigt: mittlere Last %1 auf %2 Kernen zu Beginn; die Werte streuen stärker und können falsch sein</translation>
+    </message>
+    <message>
+        <source>not optimised: the figures of this build are not meaningful</source>
+        <translation>nicht optimiert: Seine Werte sind nicht aussagekräftig</translation>
+    </message>
+    <message>
+        <source>optimised by %1 alone, as for tests: the figures are higher than those of a release</source>
+        <translation>nur mit %1 optimiert, wie für Tests: Die Werte sind höher als die eines Releases</translation>
     </message>
 </context>
 <context>
@@ -1373,6 +1935,18 @@
         <source>Ratios to %1</source>
         <translation>Verhältnisse zu %1</translation>
     </message>
+    <message>
+        <source>load of %1 frames/s</source>
+        <translation>Last von %1 Frames/s</translation>
+    </message>
+    <message>
+        <source>frames/s</source>
+        <translation>Frames/s</translation>
+    </message>
+    <message>
+        <source>not in this framing</source>
+        <translation>nicht in dieser Rahmung</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::app::Application</name>
@@ -1395,10 +1969,6 @@
     <message>
         <source>The system does not report changes to the list of peers; it is checked once a second</source>
         <translation>Das System meldet keine Änderungen an der Liste der Gegenstellen; sie wird einmal pro Sekunde geprüft</translation>
-    </message>
-    <message>
-        <source>the key could not be opened</source>
-        <translation>der Schlüssel ließ sich nicht öffnen</translation>
     </message>
     <message>
         <source>Restart the demo</source>
@@ -3382,6 +3952,21 @@ Bis das behoben ist, wird keine Verbindung versiegelt. Ungeschütztes MAVLink wi
         <source>Start an agent, skyseal-air, beside an autopilot. If it has no key yet, the first line creates one; then pair the two in Security → Keys and peers:</source>
         <translation>Einen Agenten, skyseal-air, neben einem Autopiloten starten. Hat er noch keinen Schlüssel, erzeugt ihn die erste Zeile; danach die beiden in Sicherheit → Schlüssel und Gegenstellen koppeln:</translation>
     </message>
+    <message>
+        <source>Opening this station&apos;s key…</source>
+        <translation>Der Schlüssel dieser Station wird geöffnet…</translation>
+    </message>
+    <message>
+        <source>Its passphrase is being checked. Sealed links can start after that.</source>
+        <translation>Seine Passphrase wird geprüft. Danach können versiegelte Verbindungen beginnen.</translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::EmptyText</name>
+    <message>
+        <source>Nothing matches the filter.</source>
+        <translation>Nichts entspricht dem Filter.</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::FencePainter</name>
@@ -3699,6 +4284,10 @@ Bis das behoben ist, wird keine Verbindung versiegelt. Ungeschütztes MAVLink wi
     <message>
         <source>Find a message type</source>
         <translation>Einen Nachrichtentyp suchen</translation>
+    </message>
+    <message>
+        <source>Select a type of message to see its fields.</source>
+        <translation>Wählen Sie einen Nachrichtentyp, um seine Felder zu sehen.</translation>
     </message>
 </context>
 <context>
@@ -4286,6 +4875,10 @@ Fingerabdruck %3</translation>
         <source>New keys are being negotiated</source>
         <translation>Neue Schlüssel werden ausgehandelt</translation>
     </message>
+    <message>
+        <source>No sealed links yet: this station&apos;s key is being opened</source>
+        <translation>Noch keine versiegelte Verbindung: Der Schlüssel dieser Station wird geöffnet</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::LogsPanel</name>
@@ -4347,26 +4940,6 @@ Fingerabdruck %3</translation>
     <message>
         <source>End the demo before you add a link</source>
         <translation>Vor dem Hinzufügen einer Verbindung die Demo beenden</translation>
-    </message>
-    <message>
-        <source>Quit Skyseal</source>
-        <translation>Skyseal beenden</translation>
-    </message>
-    <message>
-        <source>Vehicle %1 is armed. Quit?</source>
-        <translation>Fahrzeug %1 ist scharf. Beenden?</translation>
-    </message>
-    <message>
-        <source>Quit</source>
-        <translation>Beenden</translation>
-    </message>
-    <message>
-        <source>Vehicles %1 are armed. Quit?</source>
-        <translation>Die Fahrzeuge %1 sind scharf. Beenden?</translation>
-    </message>
-    <message>
-        <source>While Skyseal is closed, no vehicle can be commanded from here, and failsafes may trigger.</source>
-        <translation>Solange Skyseal geschlossen ist, lässt sich kein Fahrzeug von hier steuern, und Failsafes können auslösen.</translation>
     </message>
     <message>
         <source>Menus</source>
@@ -4552,14 +5125,6 @@ Fingerabdruck %3</translation>
         <translation>Ein Kachelserver</translation>
     </message>
     <message>
-        <source>An &amp;MBTiles file on this computer</source>
-        <translation>Eine &amp;MBTiles-Datei auf diesem Rechner</translation>
-    </message>
-    <message>
-        <source>An MBTiles file</source>
-        <translation>Eine MBTiles-Datei</translation>
-    </message>
-    <message>
         <source>Address of the tiles</source>
         <translation>Adresse der Kacheln</translation>
     </message>
@@ -4576,20 +5141,8 @@ Fingerabdruck %3</translation>
         <translation>&amp;Quellenangabe</translation>
     </message>
     <message>
-        <source>MBTiles file</source>
-        <translation>MBTiles-Datei</translation>
-    </message>
-    <message>
         <source>&amp;Browse…</source>
         <translation>&amp;Durchsuchen…</translation>
-    </message>
-    <message>
-        <source>Browse for an MBTiles file</source>
-        <translation>MBTiles-Datei auswählen</translation>
-    </message>
-    <message>
-        <source>MBTiles (*.mbtiles);;All files (*)</source>
-        <translation>MBTiles (*.mbtiles);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>No file is chosen</source>
@@ -4623,6 +5176,26 @@ Fingerabdruck %3</translation>
         <source>Tiles will be requested from %1</source>
         <translation>Kacheln werden bei %1 angefragt</translation>
     </message>
+    <message>
+        <source>A &amp;file on this computer (MBTiles or GeoPackage)</source>
+        <translation>Eine &amp;Datei auf diesem Rechner (MBTiles oder GeoPackage)</translation>
+    </message>
+    <message>
+        <source>A file of map tiles</source>
+        <translation>Eine Datei mit Kartenkacheln</translation>
+    </message>
+    <message>
+        <source>File of map tiles</source>
+        <translation>Datei mit Kartenkacheln</translation>
+    </message>
+    <message>
+        <source>Browse for a file of map tiles</source>
+        <translation>Datei mit Kartenkacheln auswählen</translation>
+    </message>
+    <message>
+        <source>Map tiles (*.mbtiles *.gpkg);;All files (*)</source>
+        <translation>Kartenkacheln (*.mbtiles *.gpkg);;Alle Dateien (*)</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::MapView</name>
@@ -4637,37 +5210,6 @@ Fingerabdruck %3</translation>
     <message>
         <source>Arrow keys move the map, plus and minus zoom, Home follows the vehicle, Menu opens the commands for the centre</source>
         <translation>Pfeiltasten bewegen die Karte, Plus und Minus zoomen, Pos1 folgt dem Fahrzeug, Menütaste öffnet die Befehle für die Mitte</translation>
-    </message>
-</context>
-<context>
-    <name>skyseal::ui::MbtilesFile</name>
-    <message>
-        <source>%1 cannot be opened: %2</source>
-        <translation>%1 lässt sich nicht öffnen: %2</translation>
-    </message>
-    <message>
-        <source>%1 cannot be shown: %2</source>
-        <translation>%1 lässt sich nicht anzeigen: %2</translation>
-    </message>
-    <message>
-        <source>out of memory</source>
-        <translation>nicht genug Speicher</translation>
-    </message>
-    <message>
-        <source>it is not an MBTiles file (%1)</source>
-        <translation>es ist keine MBTiles-Datei (%1)</translation>
-    </message>
-    <message>
-        <source>a tile is larger than %1 kB</source>
-        <translation>eine Kachel ist größer als %1 kB</translation>
-    </message>
-    <message>
-        <source>the file takes too long to search</source>
-        <translation>die Suche in der Datei dauert zu lange</translation>
-    </message>
-    <message>
-        <source>it has vector tiles; only images (PNG, JPEG, WebP) can be shown</source>
-        <translation>sie enthält Vektorkacheln; darstellbar sind nur Bilder (PNG, JPEG, WebP)</translation>
     </message>
 </context>
 <context>
@@ -4850,6 +5392,14 @@ Fingerabdruck %3</translation>
         <source>Altitude</source>
         <translation>Höhe</translation>
     </message>
+    <message>
+        <source>%1 MSL</source>
+        <translation>%1 über NN</translation>
+    </message>
+    <message>
+        <source>%1 above ground</source>
+        <translation>%1 über Grund</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::MissionPanel</name>
@@ -4906,16 +5456,8 @@ Fingerabdruck %3</translation>
         <translation>Ein Punkt wird gesendet…</translation>
     </message>
     <message>
-        <source>No vehicle.</source>
-        <translation>Kein Fahrzeug.</translation>
-    </message>
-    <message>
         <source>The vehicle has no mission. Send a file to write one.</source>
         <translation>Das Fahrzeug hat keine Mission. Zum Schreiben eine Datei senden.</translation>
-    </message>
-    <message>
-        <source>The mission has not been read from the vehicle.</source>
-        <translation>Die Mission wurde noch nicht vom Fahrzeug gelesen.</translation>
     </message>
     <message>
         <source>Send a mission to vehicle %1</source>
@@ -4932,6 +5474,30 @@ Fingerabdruck %3</translation>
     <message>
         <source>%1 cannot be read: %2</source>
         <translation>%1 kann nicht gelesen werden: %2</translation>
+    </message>
+    <message>
+        <source>The vehicle is armed. Replace its mission?</source>
+        <translation>Das Fahrzeug ist scharf. Seine Mission ersetzen?</translation>
+    </message>
+    <message>
+        <source>Vehicle %1 is armed. Replace its mission?</source>
+        <translation>Fahrzeug %1 ist scharf. Seine Mission ersetzen?</translation>
+    </message>
+    <message>
+        <source>While it flies its mission, it turns to the new one at once.</source>
+        <translation>Solange es seine Mission fliegt, wechselt es sofort zur neuen.</translation>
+    </message>
+    <message>
+        <source>Replace the mission</source>
+        <translation>Mission ersetzen</translation>
+    </message>
+    <message>
+        <source>No vehicle. Its mission is listed here once it has been read.</source>
+        <translation>Kein Fahrzeug. Seine Mission steht hier, sobald sie gelesen ist.</translation>
+    </message>
+    <message>
+        <source>The mission has not been read yet: choose Read from the vehicle.</source>
+        <translation>Die Mission wurde noch nicht gelesen: Wählen Sie „Vom Fahrzeug lesen“.</translation>
     </message>
 </context>
 <context>
@@ -5472,6 +6038,10 @@ Dann ist kein Code zu vergleichen. Sie gilt nur für diese Kopplung.</translatio
         <source>Continue without sealed links</source>
         <translation>Ohne Versiegelung weiter</translation>
     </message>
+    <message>
+        <source>The remembered passphrase does not open this key.</source>
+        <translation>Die gemerkte Passphrase öffnet diesen Schlüssel nicht.</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::PeerDialog</name>
@@ -5881,16 +6451,16 @@ mit PSK</translation>
 <context>
     <name>skyseal::ui::ProfilePanel</name>
     <message>
-        <source>No vehicle.</source>
-        <translation>Kein Fahrzeug.</translation>
+        <source>No vehicle. The altitudes of its mission are drawn here once it has been read.</source>
+        <translation>Kein Fahrzeug. Die Höhen seiner Mission werden hier gezeichnet, sobald sie gelesen ist.</translation>
     </message>
     <message>
-        <source>The vehicle has no mission.</source>
-        <translation>Das Fahrzeug hat keine Mission.</translation>
+        <source>The vehicle has no mission. Send a file in the panel Mission to write one.</source>
+        <translation>Das Fahrzeug hat keine Mission. Senden Sie im Bereich „Mission“ eine Datei, um eine zu schreiben.</translation>
     </message>
     <message>
-        <source>The mission has not been read from the vehicle.</source>
-        <translation>Die Mission wurde noch nicht vom Fahrzeug gelesen.</translation>
+        <source>The mission has not been read yet: choose Read from the vehicle in the panel Mission.</source>
+        <translation>Die Mission wurde noch nicht gelesen: Wählen Sie im Bereich „Mission“ „Vom Fahrzeug lesen“.</translation>
     </message>
 </context>
 <context>
@@ -6713,6 +7283,14 @@ mit PSK</translation>
     <message>
         <source>Handshake counters cannot be stored: %1. The link stays up. If this program restarts now, agents will refuse its first handshake and return the correct counter.</source>
         <translation>Handshake-Zähler lassen sich nicht speichern: %1. Die Verbindung bleibt bestehen. Startet dieses Programm jetzt neu, lehnen Agenten seinen ersten Handshake ab und senden den richtigen Zähler zurück.</translation>
+    </message>
+    <message>
+        <source>Opening the key…</source>
+        <translation>Schlüssel wird geöffnet…</translation>
+    </message>
+    <message>
+        <source>The passphrase of this station&apos;s key is being checked. Sealed links can start after that.</source>
+        <translation>Die Passphrase für den Schlüssel dieser Station wird geprüft. Danach können versiegelte Verbindungen beginnen.</translation>
     </message>
 </context>
 <context>
@@ -7783,10 +8361,6 @@ Ein Klick öffnet die Verbindungen.</translation>
         <translation>nicht gemessen</translation>
     </message>
     <message>
-        <source>not in this framing</source>
-        <translation>nicht in dieser Rahmung</translation>
-    </message>
-    <message>
         <source>Starting…</source>
         <translation>Startet…</translation>
     </message>
@@ -7830,12 +8404,32 @@ Ein Klick öffnet die Verbindungen.</translation>
         <source>Warnings of the sweep</source>
         <translation>Warnungen der Messreihe</translation>
     </message>
+    <message>
+        <source>not compared</source>
+        <translation>nicht verglichen</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::SweepPresenter</name>
     <message>
         <source>Choose the folder in which the sweep&apos;s folder is created</source>
         <translation>Den Ordner wählen, in dem der Ordner der Messreihe angelegt wird</translation>
+    </message>
+    <message>
+        <source>Cipher sweep</source>
+        <translation>Messreihe</translation>
+    </message>
+    <message>
+        <source>The vehicle is armed. Measure on its link?</source>
+        <translation>Das Fahrzeug ist scharf. Auf seiner Verbindung messen?</translation>
+    </message>
+    <message>
+        <source>The sweep switches the suite of the link by which the vehicle is commanded before each run.</source>
+        <translation>Die Messreihe wechselt vor jedem Lauf die Chiffre der Verbindung, über die das Fahrzeug gesteuert wird.</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
     </message>
 </context>
 <context>
@@ -7866,6 +8460,49 @@ Ein Klick öffnet die Verbindungen.</translation>
     <message>
         <source>Hold the button for half a second. The propellers speed up and the vehicle climbs.</source>
         <translation>Den Knopf eine halbe Sekunde halten. Die Propeller laufen hoch, und das Fahrzeug steigt.</translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::TileFile</name>
+    <message>
+        <source>%1 cannot be opened: %2</source>
+        <translation>%1 lässt sich nicht öffnen: %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be shown: %2</source>
+        <translation>%1 lässt sich nicht anzeigen: %2</translation>
+    </message>
+    <message>
+        <source>out of memory</source>
+        <translation>nicht genug Speicher</translation>
+    </message>
+    <message>
+        <source>it is neither an MBTiles nor a GeoPackage file (%1)</source>
+        <translation>es ist weder eine MBTiles- noch eine GeoPackage-Datei (%1)</translation>
+    </message>
+    <message>
+        <source>it has vector tiles; only images (PNG, JPEG, WebP) can be shown</source>
+        <translation>sie enthält Vektorkacheln; darstellbar sind nur Bilder (PNG, JPEG, WebP)</translation>
+    </message>
+    <message>
+        <source>it has no map tiles (%1)</source>
+        <translation>sie enthält keine Kartenkacheln (%1)</translation>
+    </message>
+    <message>
+        <source>it has no map tiles in Web Mercator (EPSG:3857)</source>
+        <translation>sie enthält keine Kartenkacheln in Web Mercator (EPSG:3857)</translation>
+    </message>
+    <message>
+        <source>its tiles are not those of the usual grid, %1 pixels wide</source>
+        <translation>ihre Kacheln sind nicht die des üblichen Rasters mit %1 Pixeln Breite</translation>
+    </message>
+    <message>
+        <source>a tile is larger than %1 kB</source>
+        <translation>eine Kachel ist größer als %1 kB</translation>
+    </message>
+    <message>
+        <source>the file takes too long to search</source>
+        <translation>die Suche in der Datei dauert zu lange</translation>
     </message>
 </context>
 <context>
@@ -8521,6 +9158,10 @@ Ein Klick öffnet die Verbindungen.</translation>
     <message>
         <source>The unit of the message&apos;s definition, in the chosen system of units</source>
         <translation>Die Einheit aus der Definition der Nachricht, im gewählten Einheitensystem</translation>
+    </message>
+    <message>
+        <source>No value has these words in its name.</source>
+        <translation>Kein Wert hat diese Wörter in seinem Namen.</translation>
     </message>
 </context>
 <context>
