@@ -13,8 +13,8 @@ class QKeyEvent;
 
 namespace skyseal::ui {
 
-/// Sees every key event of the program. A key that is held presses no button but the one that it was pressed in: the focus moves
-/// under it when a dialog closes. Lives on the GUI thread.
+/// Sees every key event of the program. A key that is held presses no button but the one that it was pressed in: the focus
+/// moves under it when a dialog closes. Lives on the GUI thread.
 class HeldKeys : public QObject
 {
     Q_OBJECT

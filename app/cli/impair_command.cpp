@@ -38,8 +38,8 @@ void declare(Options &options)
         "clear frames dropped so far.");
     options.addFlag(
         "datagrams",
-        "With --json: print a line for each received datagram, with its fate and its unencrypted content, and one for each copy "
-        "that is sent. The relay waits for a reader that does not keep up; without this option, it drops lines instead.");
+        "With --json: print a line for each received datagram, with its fate and its unencrypted content, and one for each "
+        "copy that is sent. The relay waits for a reader that does not keep up; without this option, it drops lines instead.");
 }
 
 impair::ImpairmentSettings readSettings(Options &options)

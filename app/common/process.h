@@ -10,8 +10,8 @@ namespace skyseal::app {
 /// reading its /proc files, takes CAP_SYS_PTRACE.
 void protectKeysInMemory();
 
-/// Converts SIGINT, SIGTERM and SIGHUP (a terminal that is closed) into a Qt signal; a second SIGINT or SIGTERM ends the process
-/// at once. SIGHUP stays ignored in a program that was started so.
+/// Converts SIGINT, SIGTERM and SIGHUP (a terminal that is closed) into a Qt signal; a second SIGINT or SIGTERM ends the
+/// process at once. SIGHUP stays ignored in a program that was started so.
 class StopSignals : public QObject
 {
     Q_OBJECT

@@ -4,8 +4,8 @@
 // seal and open, clocked around each call, over the thread's CPU time), and the share of perf's samples of that thread whose
 // stack holds one of these functions, cipher libraries included. perf samples the thread's CPU clock, since virtual machines
 // seldom have counters of cycles. The rate is one at which the thread seldom sleeps: where it sleeps after each record, perf's
-// samples miss the kernel's part of going to sleep and waking, and the shares differ by a third. 3,000 samples with a share of a
-// seventh are exact to some 5 % of it; the limit is 15 %.
+// samples miss the kernel's part of going to sleep and waking, and the shares differ by a third. 3,000 samples with a share of
+// a seventh are exact to some 5 % of it; the limit is 15 %.
 #include "tests/support/eventually.h"
 #include "tests/support/perf_stacks.h"
 #include "tests/support/test_runner.h"
