@@ -141,6 +141,10 @@ void ServeConfigTest::clientsComeFromTheNetworkAlone()
     QVERIFY(!config->isFrom(*link::parseAddress("10.2.0.1:5000")));
     QVERIFY(!config->isFrom(*link::parseAddress("[::1]:5000")));
     QVERIFY(ServeConfig::parse("udpin:0.0.0.0:14550")->isFrom(*link::parseAddress("10.2.0.1:5000")));
+    const auto one = ServeConfig::parse("udpin:0.0.0.0:14550,from=10.1.0.9"),
+               six = ServeConfig::parse("udpin:[::]:1,from=fd00::/8");
+    QVERIFY(one && one->isFrom(*link::parseAddress("10.1.0.9:5000")) && !one->isFrom(*link::parseAddress("10.1.0.8:5000")));
+    QVERIFY(six && six->isFrom(*link::parseAddress("[fd00::9]:5000")) && !six->isFrom(*link::parseAddress("[fe00::9]:5000")));
 }
 
 void ServeConfigTest::errorsNameTheInvalidPart_data()
@@ -163,6 +167,8 @@ void ServeConfigTest::errorsNameTheInvalidPart_data()
     row("system 0", "udpin:14550,sysid=0", "sysid='0'");
     row("system 256", "udpin:14550,sysid=1,256", "sysid='256'");
     row("network", "udpin:14550,from=10.1.0.0/33", "from='10.1.0.0/33'");
+    row("part of an address", "udpin:14550,from=10.1", "from='10.1': ADDRESS/PREFIX");
+    row("no address", "udpin:14550,from=/8", "from='/8'");
     row("network of one host", "udpout:10.1.0.9:14550,from=10.1.0.0/16", "'udpout' serves the host of its URL alone");
     row("network of one server", "tcp:10.1.0.9:5760,write=all,from=10.1.0.0/16", "from= is for links that listen");
     row("name", "udpin:14550,name=\x1b[31m", "name='?[31m'");

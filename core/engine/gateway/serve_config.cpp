@@ -43,7 +43,8 @@ Result<void, Reason> setOption(ServeConfig &config, std::string_view name, std::
         config.systems = *systems;
     } else if (name == "from") {
         config.from = QHostAddress::parseSubnet(QString::fromUtf8(value.data(), static_cast<qsizetype>(value.size())));
-        if (config.from->second < 0)
+        // Qt takes "10" for 10.0.0.0/8.
+        if (config.from->second < 0 || !link::parseHost(value.substr(0, value.find('/')), 0))
             return tl::unexpected(sentence("Reason", "from='%1': ADDRESS/PREFIX is expected")(std::string(value)));
     } else if (name == "name") {
         if (value.empty() || !isPrintable(value))
