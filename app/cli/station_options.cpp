@@ -67,7 +67,7 @@ void readRecording(Options &options, engine::StationConfig &config)
     if (options.has("record") && options.has("no-record"))
         options.fail("--record and --no-record exclude each other");
     config.record = !options.has("no-record");
-    config.recordFolder = options.has("record") ? options.text("record") : defaultLogFolder();
+    config.recordFolder = options.has("record") ? options.required("record") : defaultLogFolder();
 }
 
 } // namespace skyseal::app

@@ -158,6 +158,7 @@ void CommandLineTest::usageErrors_data()
           "--vehicle udpin:14551 --ground udpin:14550 --ground udpout:127.0.0.1:14550"})
         row("skyseal-air", (QByteArray(own) + " --identity a --peers b").constData(), "the agent itself listens there");
     row("skyseal-cli", "impair --listen udpin:14550 --to udpout:127.0.0.1:14550", "the relay itself listens there");
+    row("skyseal-cli", "gateway --link udpin:14550 --identity a --peers b --serve udpin:1 --record=", "--record is missing");
     row("skyseal-cli", "status", "--control is missing");
     row("skyseal-cli", "switch --control unix:/tmp/s", "argument");
     row("skyseal-cli", "decode", "argument");

@@ -144,14 +144,14 @@ void RecorderTest::fullBufferDropsAndCounts()
 void RecorderTest::unwritableFolderIsReported()
 {
     Recorder recorder("/dev/null/flights");
-    recorder.record(timeOf(0), kFrame);
-    std::optional<RecordingSnapshot> problem;
+    std::optional<RecordingSnapshot> problem; // before a frame
     QVERIFY(test::eventually([&] { return (problem = recorder.takeProblem()).has_value(); }));
     QVERIFY(problem->file.find("/dev/null/flights") == 0);
-    QVERIFY(!problem->problem.empty());
-    QVERIFY(!recorder.takeProblem()); // reported once
-    recorder.record(timeOf(1), kFrame);
+    QCOMPARE(problem->problem.text(), std::string("cannot be created: Not a directory"));
+    for (int i = 0; i < 2; ++i)
+        recorder.record(timeOf(i), kFrame);
     EVENTUALLY_EQUAL(recorder.snapshot().dropped, std::uint64_t(2));
+    QVERIFY(!recorder.takeProblem()); // reported once
 }
 
 void RecorderTest::emptyRecordingLeavesNoFile()

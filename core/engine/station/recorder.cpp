@@ -10,6 +10,8 @@
 #include <filesystem>
 #include <utility>
 
+#include <unistd.h>
+
 namespace skyseal::engine {
 
 namespace {
@@ -125,6 +127,8 @@ void Recorder::run()
     Files files;
     Bytes writing;
     writing.reserve(m_filling.capacity());
+    if (const int error = folderError(); error != 0)
+        fail(files, kCannotCreate(std::strerror(error)));
     std::unique_lock lock(m_mutex);
     for (bool last = false; !last;) {
         m_wake.wait_for(lock, kWriteEvery, [this] { return m_stop; });
@@ -193,6 +197,18 @@ bool Recorder::hasRoom() const
     std::filesystem::create_directories(m_folder, error);
     const auto space = std::filesystem::space(m_folder, error);
     return error || space.available >= m_leaveFree;
+}
+
+/// Why no file can be created there, without creating the folder; 0 if nothing is known to prevent it.
+int Recorder::folderError() const
+{
+    std::error_code error;
+    std::filesystem::path folder = std::filesystem::absolute(m_folder, error);
+    while (!std::filesystem::exists(folder, error) && folder.has_relative_path())
+        folder = folder.parent_path();
+    if (!std::filesystem::is_directory(folder, error))
+        return ENOTDIR;
+    return ::access(folder.c_str(), W_OK | X_OK) == 0 ? 0 : errno;
 }
 
 void Recorder::fail(Files &files, const Reason &problem)

@@ -27,8 +27,9 @@ public:
     /// Space that is left free, since a full disk affects more than the recording.
     static constexpr std::uint64_t kLeaveFree = 256u << 20;
 
-    /// The first frame starts a file in `folder`, named after the time in UTC; a missing folder is created. Recording stops
-    /// with a problem when less than `leaveFree` bytes are free there, and continues in another file when there is room again.
+    /// The first frame starts a file in `folder`, named after the time in UTC; a missing folder is created. If it cannot be,
+    /// that is a problem at once. Recording stops with a problem when less than `leaveFree` bytes are free there, and continues
+    /// in another file when there is room again.
     explicit Recorder(std::string folder, std::size_t bufferBytes = 4u << 20, std::uint64_t leaveFree = kLeaveFree);
     /// Writes the buffer and closes the file.
     ~Recorder();
@@ -49,6 +50,7 @@ private:
     void write(Files &files, ByteView bytes, std::uint64_t frames);
     bool writeTo(Files &files, ByteView bytes);
     bool hasRoom() const;
+    int folderError() const;
     void fail(Files &files, const Reason &problem);
 
     const std::string m_folder;
