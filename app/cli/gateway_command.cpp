@@ -102,8 +102,11 @@ int runGateway(const QStringList &arguments)
     refuseOwnPorts(options, run.links, run.plan.serve);
     if (options.has("control"))
         run.control = readControl(options);
-    if (options.has("metrics"))
+    if (options.has("metrics")) {
         run.metrics = options.required("metrics");
+        if (!MetricsServer::isAddress(run.metrics))
+            options.fail("--metrics '" + run.metrics + "': ADDRESS:PORT is expected, such as 127.0.0.1:9464");
+    }
     run.broker = readMqtt(options);
     if (options.has("duration"))
         run.plan.duration = std::chrono::duration_cast<Duration>(

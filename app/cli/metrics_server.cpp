@@ -30,6 +30,11 @@ MetricsServer::MetricsServer(engine::Station &station)
     connect(&m_server, &QTcpServer::newConnection, this, [this] { accept(); });
 }
 
+bool MetricsServer::isAddress(const std::string &address)
+{
+    return parsed(address).has_value();
+}
+
 bool MetricsServer::isOpenToOthers(const std::string &address)
 {
     const auto named = parsed(address);

@@ -29,6 +29,8 @@ public:
 
     /// `address` is HOST:PORT; without a host, the loopback interface.
     Result<void, InputError> listen(const std::string &address);
+    /// Whether listen() understands `address`.
+    static bool isAddress(const std::string &address);
     /// Whether others than programs of this machine can read the counters at `address`.
     static bool isOpenToOthers(const std::string &address);
     quint16 port() const { return m_server.serverPort(); }

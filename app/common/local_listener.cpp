@@ -1,7 +1,11 @@
 #include "app/common/local_listener.h"
 
+#include <QtCore/QFileInfo>
 #include <QtNetwork/QLocalServer>
 #include <QtNetwork/QLocalSocket>
+
+#include <cerrno>
+#include <cstring>
 
 #include <sys/socket.h>
 #include <sys/stat.h>
@@ -34,8 +38,10 @@ Result<void, InputError> listenLocally(QLocalServer &server, const QString &path
             return fail("another program may listen there: it does not answer");
         QLocalServer::removeServer(path); // of a program that was killed
     }
+    if (::access(QFileInfo(path).absolutePath().toLocal8Bit().constData(), W_OK | X_OK) != 0)
+        return fail(std::string("cannot be created: ") + std::strerror(errno));
     if (!server.listen(path))
-        return fail(server.errorString().toStdString());
+        return fail("cannot be created: " + server.errorString().toStdString());
     return {};
 }
 

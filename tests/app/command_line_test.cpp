@@ -158,6 +158,8 @@ void CommandLineTest::usageErrors_data()
           "--vehicle udpin:14551 --ground udpin:14550 --ground udpout:127.0.0.1:14550"})
         row("skyseal-air", (QByteArray(own) + " --identity a --peers b").constData(), "the agent itself listens there");
     row("skyseal-cli", "impair --listen udpin:14550 --to udpout:127.0.0.1:14550", "the relay itself listens there");
+    row("skyseal-cli", "gateway --link udpin:14550 --identity a --peers b --serve udpin:1 --metrics 9464",
+        "--metrics '9464': ADDRESS:PORT");
     row("skyseal-cli", "gateway --link udpin:14550 --identity a --peers b --serve udpin:1 --record=", "--record is missing");
     row("skyseal-cli", "status", "--control is missing");
     row("skyseal-cli", "switch --control unix:/tmp/s", "argument");
@@ -218,7 +220,7 @@ void CommandLineTest::cannotOpen_data()
             << QString::fromUtf8(program) << words(arguments) << QString::fromUtf8(named);
     };
     row("skyseal-cli", "gateway --config /nonexistent/gateway.conf", "/nonexistent/gateway.conf");
-    row("skyseal-cli", "switch rc4 --control unix:/nonexistent/s", "/nonexistent/s");
+    row("skyseal-cli", "switch rc4 --control unix:/nonexistent/s", "/nonexistent/s: no gateway listens there\n");
     row("skyseal-cli", "decode /nonexistent/flight.tlog", "/nonexistent/flight.tlog");
     row("skyseal-cli", "decode /tmp", "/tmp");
     row("skyseal-cli", "log info /nonexistent/flight.tlog", "/nonexistent/flight.tlog");

@@ -27,7 +27,10 @@ Result<QJsonObject, std::string> ask(const QString &path, const QJsonObject &req
     socket.connectToServer(path);
     const int patience = static_cast<int>(kPatience.count());
     if (!socket.waitForConnected(patience))
-        return tl::unexpected(path.toStdString() + ": no gateway listens there (" + socket.errorString().toStdString() + ")");
+        return tl::unexpected(path.toStdString()
+                              + (socket.error() == QLocalSocket::SocketAccessError
+                                     ? ": this user has no permission to open it; only the user of the gateway has"
+                                     : ": no gateway listens there"));
     socket.write(QJsonDocument(request).toJson(QJsonDocument::Compact) + '\n');
     QElapsedTimer clock;
     clock.start();

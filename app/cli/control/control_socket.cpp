@@ -4,8 +4,8 @@
 #include "app/common/local_listener.h"
 #include "core/crypto/suite.h"
 #include "core/engine/headless/event_json.h"
-#include "core/engine/headless/event_names.h"
 #include "core/engine/station/snapshot.h"
+#include "core/engine/text/state_text.h"
 #include "core/keys/peers_file.h"
 
 #include <QtCore/QJsonArray>
@@ -171,13 +171,14 @@ void ControlSocket::noteEvent(const engine::Event &event)
 {
     if (const auto *done = std::get_if<channel::SwitchDone>(&event)) {
         const auto isWanted = [done](const Switch &pending) { return pending.suite == done->to; };
-        switchEnded(done->session, isWanted, qt(engine::keyword(done->failure)));
+        const bool failed = done->failure != channel::SwitchFailure::None;
+        switchEnded(done->session, isWanted, failed ? engine::switchFailureText(done->failure) : QString());
     } else if (const auto *up = std::get_if<channel::SessionUp>(&event)) {
         m_sessions.insert(up->session);
     } else if (const auto *down = std::get_if<channel::SessionDown>(&event)) {
         m_sessions.erase(down->session);
         const auto any = [](const Switch &) { return true; };
-        switchEnded(down->session, any, qt(engine::keyword(channel::SwitchFailure::SessionEnded)));
+        switchEnded(down->session, any, engine::switchFailureText(channel::SwitchFailure::SessionEnded));
     }
 }
 
