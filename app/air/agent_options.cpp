@@ -1,6 +1,7 @@
 #include "app/air/agent_options.h"
 
 #include "app/air/signing_command.h"
+#include "app/common/own_ports.h"
 #include "app/common/pairing_passphrase_input.h"
 #include "app/common/pairing_prompt.h"
 #include "app/common/passphrase_input.h"
@@ -85,21 +86,12 @@ SigningSetup readSigning(Options &options)
     return out;
 }
 
-/// Such an agent would talk to itself, and not to the vehicle or the station that is meant.
-void refuseOwnPorts(Options &options, const link::LinkUrl &vehicle, const std::vector<engine::GroundLink> &grounds)
+std::vector<OptionLink> linksOf(const link::LinkUrl &vehicle, const std::vector<engine::GroundLink> &grounds)
 {
-    const auto refuse = [&options](const char *option, const link::LinkUrl &url, const char *ownOption,
-                                   const link::LinkUrl &own) {
-        if (url.reaches(own))
-            options.fail(std::string("--") + option + " '" + url.toText() + "': the agent itself listens there, with --"
-                         + ownOption + " " + own.toText());
-    };
-    for (const engine::GroundLink &ground : grounds) {
-        refuse("ground", ground.url, "vehicle", vehicle);
-        refuse("vehicle", vehicle, "ground", ground.url);
-        for (const engine::GroundLink &other : grounds)
-            refuse("ground", ground.url, "ground", other.url);
-    }
+    std::vector<OptionLink> out{{"vehicle", vehicle}};
+    for (const engine::GroundLink &ground : grounds)
+        out.push_back({"ground", ground.url});
+    return out;
 }
 
 bool isSecure(crypto::SuiteId suite)
@@ -178,7 +170,7 @@ std::optional<AgentSetup> readAgent(Options &options)
         options.fail("--allow-plain: plain MAVLink requires a --ground that connects to the station, other than udpin");
     if (!vehicle || grounds.empty())
         return std::nullopt;
-    refuseOwnPorts(options, *vehicle, grounds);
+    refuseOwnPorts(options, "the agent", linksOf(*vehicle, grounds));
     return AgentSetup{{*vehicle, std::move(grounds), std::move(policy), options.has("allow-plain"), freshness},
                       std::move(keys),
                       std::move(signing)};

@@ -7,6 +7,7 @@
 #include "app/cli/station_run.h"
 #include "app/common/options.h"
 #include "app/common/output.h"
+#include "app/common/own_ports.h"
 
 namespace skyseal::app {
 
@@ -49,20 +50,14 @@ std::vector<engine::ServeConfig> readServed(Options &options)
     return out;
 }
 
-/// Such a link would serve the gateway itself, and not the station that is meant.
-void refuseOwnPorts(Options &options, const std::vector<link::LinkUrl> &links, const std::vector<engine::ServeConfig> &served)
+std::vector<OptionLink> linksOf(const StationRun &run)
 {
-    for (const engine::ServeConfig &config : served) {
-        const auto refuse = [&](const char *option, const link::LinkUrl &own) {
-            if (config.url.reaches(own))
-                options.fail("--serve '" + config.url.toText() + "': the gateway itself listens there, with --" + option + " "
-                             + own.toText() + "; the station needs another port");
-        };
-        for (const link::LinkUrl &own : links)
-            refuse("link", own);
-        for (const engine::ServeConfig &own : served)
-            refuse("serve", own.url);
-    }
+    std::vector<OptionLink> out;
+    for (const link::LinkUrl &url : run.links)
+        out.push_back({"link", url});
+    for (const engine::ServeConfig &config : run.plan.serve)
+        out.push_back({"serve", config.url});
+    return out;
 }
 
 /// Clients are not authenticated: every program that reaches the port is served.
@@ -99,7 +94,7 @@ int runGateway(const QStringList &arguments)
     readKeys(options, run.config);
     readRecording(options, run.config);
     run.plan.serve = readServed(options);
-    refuseOwnPorts(options, run.links, run.plan.serve);
+    refuseOwnPorts(options, "the gateway", linksOf(run));
     if (options.has("control"))
         run.control = readControl(options);
     if (options.has("metrics")) {

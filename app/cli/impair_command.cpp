@@ -4,6 +4,7 @@
 #include "app/common/format.h"
 #include "app/common/options.h"
 #include "app/common/output.h"
+#include "app/common/own_ports.h"
 #include "app/common/process.h"
 #include "core/engine/headless/relay_report.h"
 
@@ -109,8 +110,8 @@ int runImpair(const QStringList &arguments)
     options.arguments(0, 0);
     const auto listen = options.url("listen");
     const auto to = options.url("to");
-    if (listen && to && to->reaches(*listen))
-        options.fail("--to '" + to->toText() + "': the relay itself listens there, with --listen " + listen->toText());
+    if (listen && to)
+        refuseOwnPorts(options, "the relay", {{"listen", *listen}, {"to", *to}});
     const impair::ImpairmentSettings settings = readSettings(options);
     const double duration = options.has("duration") ? options.number("duration", 0, 1e6) : 0;
     if (const auto status = options.finish())

@@ -215,6 +215,15 @@ bool LinkUrl::reaches(const LinkUrl &listening) const
     return target->ip == bound->ip || ((isAnyAddress(*target) || isAnyAddress(*bound)) && isLocal(*target) && isLocal(*bound));
 }
 
+bool LinkUrl::sharesPort(const LinkUrl &other) const
+{
+    if (!isListening() || !other.isListening() || traits().isStream != other.traits().isStream)
+        return false;
+    const auto one = literalAddress(*this), two = literalAddress(other);
+    return one && two && one->port != 0 && one->port == two->port && isIpv4(*one) == isIpv4(*two)
+        && (one->ip == two->ip || isAnyAddress(*one) || isAnyAddress(*two));
+}
+
 std::string LinkUrl::toText() const
 {
     const std::string scheme = std::string(m_type->scheme) + ':';

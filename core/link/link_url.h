@@ -36,6 +36,8 @@ public:
     bool isListening() const { return m_type->traits.isListening; }
     /// Whether what this link sends arrives at `listening`, a link of the same machine. Of host names, only localhost is known.
     bool reaches(const LinkUrl &listening) const;
+    /// Whether both listen on one port of this machine, so that only one of them can be opened.
+    bool sharesPort(const LinkUrl &other) const;
     /// Name or address without brackets; empty unless the target is HostPort.
     const std::string &host() const { return m_host; }
     std::uint16_t port() const { return m_port; }

@@ -150,12 +150,13 @@ void CommandLineTest::usageErrors_data()
     row("skyseal-cli", "gateway --link udpin:14550 --identity a --peers b --serve udpin:1,write=everything",
         "write='everything'");
     row("skyseal-cli", "gateway --link udpin:14550 --identity a --peers b --serve udpin:1 --control tcp:1", "unix:/PATH");
-    for (const char *own : {"udpout:127.0.0.1:14550", "udpin:14551 --serve udpout:127.0.0.1:14551"})
+    for (const char *own : {"udpout:127.0.0.1:14550", "udpin:14551 --serve udpout:127.0.0.1:14551", "udpin:14550",
+                            "udpin:14551 --serve udpin:0.0.0.0:14551"})
         row("skyseal-cli", (QByteArray("gateway --link udpin:14550 --identity a --peers b --serve ") + own).constData(),
             "the gateway itself listens there");
-    for (const char *own :
-         {"--vehicle udpin:14550 --ground udpout:127.0.0.1:14550", "--vehicle tcp:localhost:5760 --ground tcpin:5760",
-          "--vehicle udpin:14551 --ground udpin:14550 --ground udpout:127.0.0.1:14550"})
+    for (const char *own : {"--vehicle udpin:14550 --ground udpout:127.0.0.1:14550",
+                            "--vehicle udpin:14550 --ground udpin:14550", "--vehicle tcp:localhost:5760 --ground tcpin:5760",
+                            "--vehicle udpin:14551 --ground udpin:14550 --ground udpout:127.0.0.1:14550"})
         row("skyseal-air", (QByteArray(own) + " --identity a --peers b").constData(), "the agent itself listens there");
     row("skyseal-cli", "impair --listen udpin:14550 --to udpout:127.0.0.1:14550", "the relay itself listens there");
     row("skyseal-cli", "gateway --link udpin:14550 --identity a --peers b --serve udpin:1 --metrics 9464",

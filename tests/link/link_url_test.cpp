@@ -22,6 +22,7 @@ private Q_SLOTS:
     void recordingIsReplayed();
     void reachesTheOwnPort_data();
     void reachesTheOwnPort();
+    void sharesAPort();
     void refuses_data();
     void refuses();
     void canonicalTextParsesBack();
@@ -143,6 +144,24 @@ void LinkUrlTest::reachesTheOwnPort()
     QFETCH(std::string, listening);
     QFETCH(bool, reaches);
     QCOMPARE(LinkUrl::parse(sending)->reaches(*LinkUrl::parse(listening)), reaches);
+}
+
+void LinkUrlTest::sharesAPort()
+{
+    const auto share = [](const char *one, const char *other) {
+        const LinkUrl first = *LinkUrl::parse(one), second = *LinkUrl::parse(other);
+        return first.sharesPort(second) && second.sharesPort(first);
+    };
+    QVERIFY(share("udpin:127.0.0.1:14550", "udpin:127.0.0.1:14550"));
+    QVERIFY(share("udpin:127.0.0.1:14550", "udpin:0.0.0.0:14550"));
+    QVERIFY(share("tcpin:localhost:5760", "tcpin:5760"));
+    QVERIFY(!share("udpin:127.0.0.1:14550", "udpin:127.0.0.1:14551"));
+    QVERIFY(!share("udpin:127.0.0.1:14550", "udpin:127.0.0.2:14550"));
+    QVERIFY(!share("udpin:127.0.0.1:0", "udpin:127.0.0.1:0"));
+    QVERIFY(!share("udpin:0.0.0.0:14550", "udpin:[::]:14550"));
+    QVERIFY(!share("udpin:5760", "tcpin:5760"));
+    QVERIFY(!share("udpin:14550", "udpout:127.0.0.1:14550"));
+    QVERIFY(!share("serial:/dev/ttyUSB0:57600", "serial:/dev/ttyUSB0:57600"));
 }
 
 void LinkUrlTest::refuses_data()
