@@ -22,6 +22,30 @@ constexpr int kLine = 6 * kGrid;
 constexpr double kWhole = 100; ///< percent
 } // namespace
 
+bool TextWidths::setTexts(const QStringList &texts)
+{
+    if (texts == m_texts)
+        return false;
+    m_texts = texts;
+    forget();
+    return true;
+}
+
+qreal TextWidths::widthOf(int index, const QFont &font) const
+{
+    if (index < 0 || index >= m_texts.size())
+        return 0;
+    qreal &width = m_widths[static_cast<std::size_t>(index)];
+    if (width < 0)
+        width = figuresWidth(QFontMetricsF(font), m_texts[index]);
+    return width;
+}
+
+void TextWidths::forget()
+{
+    m_widths.assign(static_cast<std::size_t>(m_texts.size()), -1);
+}
+
 StripItem::StripItem(const QString &accessibleName, QWidget *parent) : QAbstractButton(parent)
 {
     setAccessibleName(accessibleName);
@@ -30,13 +54,13 @@ StripItem::StripItem(const QString &accessibleName, QWidget *parent) : QAbstract
 
 void StripItem::setContent(const QStringList &variants, const QString &iconName)
 {
-    if (variants == m_variants && iconName == m_icon)
+    if (variants == m_variants.texts() && iconName == m_icon)
         return;
     const int before = variantCount() ? widthOf(m_variant) : 0;
-    m_variants = variants;
+    m_variants.setTexts(variants);
     m_icon = iconName;
     m_variant = std::min(m_variant, std::max(0, variantCount() - 1));
-    setText(m_variants.value(0)); // assistive technology reads the whole text
+    setText(variants.value(0)); // assistive technology reads the whole text
     update();
     if (widthOf(m_variant) != before)
         Q_EMIT widthChanged();
@@ -44,11 +68,8 @@ void StripItem::setContent(const QStringList &variants, const QString &iconName)
 
 void StripItem::setSamples(const QStringList &samples)
 {
-    if (samples == m_samples)
-        return;
     const int before = widthOf(m_variant);
-    m_samples = samples;
-    if (widthOf(m_variant) != before)
+    if (m_samples.setTexts(samples) && widthOf(m_variant) != before)
         Q_EMIT widthChanged();
 }
 
@@ -72,6 +93,7 @@ void StripItem::setStrong(bool strong)
 {
     if (strong != m_strong) {
         m_strong = strong;
+        forgetWidths();
         update();
         Q_EMIT widthChanged();
     }
@@ -107,6 +129,19 @@ int StripItem::lineRoom(int variant) const
     return m_hasLine && variant + 1 < variantCount() ? kLine + kIconGap : 0;
 }
 
+void StripItem::forgetWidths()
+{
+    m_variants.forget();
+    m_samples.forget();
+}
+
+void StripItem::changeEvent(QEvent *event)
+{
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
+        forgetWidths();
+    QAbstractButton::changeEvent(event);
+}
+
 /// Like the space bar, which is the key of buttons.
 void StripItem::keyPressEvent(QKeyEvent *event)
 {
@@ -126,9 +161,8 @@ QFont StripItem::textFont() const
 
 int StripItem::widthOf(int variant) const
 {
-    const QFontMetricsF metrics(textFont());
-    const qreal text = std::max(figuresWidth(metrics, m_variants.value(variant)),
-                                figuresWidth(metrics, m_samples.value(variant)));
+    const QFont font = textFont();
+    const qreal text = std::max(m_variants.widthOf(variant, font), m_samples.widthOf(variant, font));
     const int iconRoom = m_icon.isEmpty() ? 0 : kIcon + kIconGap;
     return static_cast<int>(std::ceil(text)) + 1 + iconRoom + lineRoom(variant) + 2 * kGrid;
 }
@@ -174,7 +208,8 @@ void StripItem::paintEvent(QPaintEvent *)
     painter.setFont(textFont());
     painter.setPen(text);
     const QFontMetricsF metrics(textFont());
-    drawFigures(painter, QPointF(x, (height() + metrics.ascent() - metrics.descent()) / 2), m_variants.value(m_variant));
+    drawFigures(painter, QPointF(x, (height() + metrics.ascent() - metrics.descent()) / 2),
+                m_variants.texts().value(m_variant));
 }
 
 } // namespace skyseal::ui

@@ -7,7 +7,27 @@
 #include <QtGui/QColor>
 #include <QtWidgets/QAbstractButton>
 
+#include <vector>
+
 namespace skyseal::ui {
+
+/// Texts with their widths in pixels. A width is measured when it is first needed: shaping a text costs more than all
+/// else that the strip does with a snapshot.
+class TextWidths
+{
+public:
+    /// Returns whether they differ from those before.
+    bool setTexts(const QStringList &texts);
+    const QStringList &texts() const { return m_texts; }
+    /// 0 for a text that does not exist.
+    qreal widthOf(int index, const QFont &font) const;
+    /// Measures anew, with another font.
+    void forget();
+
+private:
+    QStringList m_texts;
+    mutable std::vector<qreal> m_widths; ///< negative: not measured
+};
 
 class StripItem : public QAbstractButton
 {
@@ -34,7 +54,7 @@ public:
     const Sparkline &line() const { return m_line; }
     void clearLine();
 
-    int variantCount() const { return static_cast<int>(m_variants.size()); }
+    int variantCount() const { return static_cast<int>(m_variants.texts().size()); }
     int widthOf(int variant) const;
     void setVariant(int variant);
     int variant() const { return m_variant; }
@@ -45,14 +65,16 @@ Q_SIGNALS:
     void widthChanged();
 
 protected:
+    void changeEvent(QEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
     void paintEvent(QPaintEvent *) override;
 
 private:
     QFont textFont() const;
     int lineRoom(int variant) const;
+    void forgetWidths();
 
-    QStringList m_variants, m_samples;
+    TextWidths m_variants, m_samples;
     QString m_icon;
     QColor m_iconColor, m_textColor;
     int m_variant = 0;
