@@ -155,15 +155,20 @@ void SecureLinkPanel::arrange()
     if (m_sealed != m_counters->isVisibleTo(this))
         applyFit(m_level);
     // The fullest level that fits, computed from the current one, so that no widget changes only to be measured.
-    const int savings[kLeastFit] = {m_sealed ? m_fingerprint->heightForWidth(width() - 2 * kGrid) + layout()->spacing() : 0,
-                                    m_sealed ? 4 * m_counters->rowHeight() : 0, fontMetrics().lineSpacing(),
-                                    m_sealed ? m_since->sizeHint().height() + layout()->spacing() : 0};
+    const auto saving = [this](int level) { // only what is needed is measured: a wrapped text is laid out for it
+        switch (level) {
+        case 0: return m_sealed ? m_fingerprint->heightForWidth(width() - 2 * kGrid) + layout()->spacing() : 0;
+        case 1: return m_sealed ? 4 * m_counters->rowHeight() : 0;
+        case 2: return fontMetrics().lineSpacing();
+        default: return m_sealed ? m_since->sizeHint().height() + layout()->spacing() : 0;
+        }
+    };
     int needed = layout()->totalHeightForWidth(width());
     for (int i = 0; i < m_level; ++i)
-        needed += savings[i];
+        needed += saving(i);
     int level = 0;
     while (m_room > 0 && level < kLeastFit && needed > m_room)
-        needed -= savings[level++];
+        needed -= saving(level++);
     if (level != m_level)
         applyFit(level);
 }

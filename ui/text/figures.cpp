@@ -21,32 +21,33 @@ qreal widestDigit(const QFontMetricsF &metrics)
     return widest;
 }
 
-bool digitsAreEven(const QFontMetricsF &metrics, qreal widest)
+/// Whether the digits of a font are of one width. Where they are not, 1 is narrower than 0.
+bool digitsAreEven(const QFontMetricsF &metrics)
 {
-    return std::abs(metrics.horizontalAdvance(QLatin1String("1")) - widest) < 0.01;
+    return std::abs(metrics.horizontalAdvance(u'1') - metrics.horizontalAdvance(u'0')) < 0.01;
 }
 
 } // namespace
 
 qreal figuresWidth(const QFontMetricsF &metrics, const QString &text)
 {
-    const qreal digit = widestDigit(metrics);
-    if (digitsAreEven(metrics, digit))
+    if (digitsAreEven(metrics))
         return metrics.horizontalAdvance(text);
+    const qreal digit = widestDigit(metrics);
     qreal width = 0;
     for (const QChar c : text)
         width += c.isDigit() ? digit : metrics.horizontalAdvance(c);
     return width;
 }
 
-qreal drawFigures(QPainter &painter, const QPointF &at, const QString &text)
+void drawFigures(QPainter &painter, const QPointF &at, const QString &text)
 {
     const QFontMetricsF metrics(painter.font());
-    const qreal digit = widestDigit(metrics);
-    if (digitsAreEven(metrics, digit)) {
+    if (digitsAreEven(metrics)) {
         painter.drawText(at, text);
-        return metrics.horizontalAdvance(text);
+        return;
     }
+    const qreal digit = widestDigit(metrics);
     qreal x = at.x();
     for (const QChar c : text) {
         const qreal own = metrics.horizontalAdvance(c);
@@ -54,7 +55,6 @@ qreal drawFigures(QPainter &painter, const QPointF &at, const QString &text)
         painter.drawText(QPointF(x + (cell - own) / 2, at.y()), QString(c));
         x += cell;
     }
-    return x - at.x();
 }
 
 FigureLabel::FigureLabel(QWidget *parent) : QLabel(parent)

@@ -12,8 +12,8 @@ namespace skyseal::ui {
 /// Width of `text` with every digit as wide as the font's widest.
 qreal figuresWidth(const QFontMetricsF &metrics, const QString &text);
 
-/// Draws `text` with its left end and baseline at `at`; the width drawn.
-qreal drawFigures(QPainter &painter, const QPointF &at, const QString &text);
+/// Draws `text` with its left end and baseline at `at`.
+void drawFigures(QPainter &painter, const QPointF &at, const QString &text);
 
 /// A value, right-aligned, with its unit dimmed behind it. A stale value is grey. Sized for its widest content, given as
 /// a sample, so that it never asks for another width.
