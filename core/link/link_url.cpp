@@ -10,6 +10,7 @@ namespace skyseal::link {
 
 static constexpr std::uint32_t kSlowBaud = 230400; // telemetry radios; the wire to a companion computer is faster
 static constexpr std::size_t kLongestName = 253;   // RFC 1035 2.3.4, in text
+static constexpr std::size_t kLongestLabel = 63;
 
 /// Parses one text; offsets into it become the columns of errors.
 class LinkUrlParser
@@ -146,8 +147,7 @@ private:
         } else if (!literal) {
             if (host.find_first_not_of("0123456789.") == host.npos)
                 return error(at, sentence("Reason", "\"%1\" is not an IPv4 address")(std::string(host))).value();
-            if (host.size() > kLongestName || host.front() == '-' || host.front() == '.'
-                || !std::all_of(host.begin(), host.end(), isNameCharacter))
+            if (!isHostName(host))
                 return error(at, sentence("Reason", "\"%1\" is not a host name or address")(std::string(host.substr(0, 60))))
                     .value();
         }
@@ -157,7 +157,26 @@ private:
 
     static bool isNameCharacter(char c)
     {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '.' || c == '_';
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
+    }
+
+    /// Labels with dots between them, and perhaps one at the end (RFC 1123 2.1; underscores occur in local networks).
+    static bool isHostName(std::string_view host)
+    {
+        if (host.size() > kLongestName)
+            return false;
+        if (host.ends_with('.'))
+            host.remove_suffix(1);
+        for (bool last = false; !last;) {
+            const std::size_t dot = host.find('.');
+            const std::string_view label = host.substr(0, dot);
+            if (label.empty() || label.size() > kLongestLabel || label.front() == '-' || label.back() == '-'
+                || !std::all_of(label.begin(), label.end(), isNameCharacter))
+                return false;
+            last = dot == host.npos;
+            host.remove_prefix(last ? host.size() : dot + 1);
+        }
+        return true;
     }
 
     Result<LinkUrl, InputError> takePort(std::size_t at, std::string_view digits)

@@ -195,6 +195,9 @@ void LinkUrlTest::refuses_data()
     row("udpin:[fe80::1%eth0]:14550", 7, "zone");
     row("tcp:bad host:1", 5, "not a host name");
     row("tcp:-h:1", 5, "not a host name");
+    row("tcp:a..b:1", 5, "not a host name");
+    row("tcp:a-.b:1", 5, "not a host name");
+    row("tcp:a.-b:1", 5, "not a host name");
     row("serial:", 8, "the device is missing");
     row("serial::57600", 8, "the device is missing");
     row("serial:/dev/ttyS0:fast", 19, "the baud rate");
