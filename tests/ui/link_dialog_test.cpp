@@ -5,7 +5,10 @@
 
 #include <QtTest/QTest>
 #include <QtWidgets/QComboBox>
+#include <QtWidgets/QDialogButtonBox>
+#include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
+#include <QtWidgets/QPushButton>
 #include <QtWidgets/QSpinBox>
 
 using namespace skyseal;
@@ -19,8 +22,21 @@ class LinkDialogTest : public QObject
 
 private Q_SLOTS:
     void showsTheFieldsOfEachType();
+    void wrongAddressesAreRefused_data();
+    void wrongAddressesAreRefused();
+    void ownLinksAreRefused_data();
+    void ownLinksAreRefused();
     void startsWithTheGivenLink_data();
     void startsWithTheGivenLink();
+
+private:
+    /// Over what is there.
+    static void type(QWidget *field, const QString &text)
+    {
+        field->setFocus();
+        QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
+        QTest::keyClicks(field, text);
+    }
 };
 
 void LinkDialogTest::showsTheFieldsOfEachType()
@@ -47,6 +63,73 @@ void LinkDialogTest::showsTheFieldsOfEachType()
         if (type.target == LinkTarget::HostPort)
             QCOMPARE(url->host(), std::string(type.traits.isListening ? "0.0.0.0" : "127.0.0.1"));
     }
+}
+
+void LinkDialogTest::wrongAddressesAreRefused_data()
+{
+    QTest::addColumn<QString>("host");
+    QTest::addColumn<QString>("port");
+    QTest::addColumn<QString>("reason");
+    const auto row = [](const char *name, const char *host, const char *port, const char *reason) {
+        QTest::newRow(name) << QString::fromUtf8(host) << QString::fromUtf8(port) << QString::fromUtf8(reason);
+    };
+    row("good", "drone.example.org", "14550", "");
+    row("two dots", "nohost..bad", "14550", "\"nohost..bad\" is not a host name or address");
+    row("hyphen at the end", "drone-.org", "14550", "is not a host name");
+    row("port beyond 16 bits", "drone", "99999", "the port \"99999\" is not a number from 1 to 65535");
+    row("greatest port", "drone", "65535", "");
+}
+
+void LinkDialogTest::wrongAddressesAreRefused()
+{
+    QFETCH(QString, host);
+    QFETCH(QString, port);
+    QFETCH(QString, reason);
+    LinkDialog dialog(QStringLiteral("udpout:127.0.0.1:14550"));
+    dialog.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&dialog));
+    type(dialog.findChild<QWidget *>(QStringLiteral("linkHost")), host);
+    type(dialog.findChild<QWidget *>(QStringLiteral("linkPort")), port);
+    const auto *ok = dialog.findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok);
+    const QString said = dialog.findChild<QLabel *>(QStringLiteral("linkResult"))->text();
+    QCOMPARE(ok->isEnabled(), reason.isEmpty());
+    QVERIFY2(said.contains(reason.isEmpty() ? host + QLatin1Char(':') + port : reason), qPrintable(said));
+}
+
+void LinkDialogTest::ownLinksAreRefused_data()
+{
+    QTest::addColumn<QString>("kind");
+    QTest::addColumn<QString>("host");
+    QTest::addColumn<QString>("port");
+    QTest::addColumn<QString>("reason");
+    const auto row = [](const char *kind, const char *host, const char *port, const char *reason) {
+        QTest::addRow("%s:%s:%s", kind, host, port)
+            << QString::fromUtf8(kind) << QString::fromUtf8(host) << QString::fromUtf8(port) << QString::fromUtf8(reason);
+    };
+    row("udpout", "127.0.0.1", "14550", "itself listens there, with udpin:0.0.0.0:14550");
+    row("udpout", "127.0.0.1", "14551", "");
+    row("udpout", "192.0.2.7", "14550", "");
+    row("udpin", "0.0.0.0", "14550", "already listens there, with udpin:0.0.0.0:14550");
+    row("udpin", "127.0.0.1", "15000", "itself sends there, with udpout:127.0.0.1:15000");
+    row("tcp", "127.0.0.1", "14550", "");
+}
+
+void LinkDialogTest::ownLinksAreRefused()
+{
+    QFETCH(QString, kind);
+    QFETCH(QString, host);
+    QFETCH(QString, port);
+    QFETCH(QString, reason);
+    LinkDialog dialog(kind + QStringLiteral(":10.1.2.3:1"));
+    dialog.setOwnLinks({*link::LinkUrl::parse("udpin:0.0.0.0:14550"), *link::LinkUrl::parse("udpout:127.0.0.1:15000")});
+    dialog.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&dialog));
+    type(dialog.findChild<QWidget *>(QStringLiteral("linkHost")), host);
+    type(dialog.findChild<QWidget *>(QStringLiteral("linkPort")), port);
+    const auto *ok = dialog.findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok);
+    const QString said = dialog.findChild<QLabel *>(QStringLiteral("linkResult"))->text();
+    QVERIFY2(ok->isEnabled() == reason.isEmpty(), qPrintable(said));
+    QVERIFY2(said.contains(reason), qPrintable(said));
 }
 
 void LinkDialogTest::startsWithTheGivenLink_data()

@@ -18,6 +18,8 @@
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QSpinBox>
 
+#include <utility>
+
 namespace skyseal::ui {
 
 using link::LinkTarget;
@@ -46,7 +48,7 @@ LinkDialog::LinkDialog(const QString &url, QWidget *parent) : QDialog(parent)
     m_host->setObjectName(QStringLiteral("linkHost"));
     m_port = new QSpinBox(this);
     m_port->setObjectName(QStringLiteral("linkPort"));
-    m_port->setRange(1, 65535);
+    m_port->setRange(1, 999'999); // beyond the greatest port, which is then refused: a field that drops a digit names another
     m_path = new QLineEdit(this);
     m_path->setObjectName(QStringLiteral("linkPath"));
     m_browse = new QPushButton(tr("Browse…"), this);
@@ -205,11 +207,34 @@ void LinkDialog::showProtection()
     check();
 }
 
+void LinkDialog::setOwnLinks(std::vector<LinkUrl> own)
+{
+    m_own = std::move(own);
+    check();
+}
+
+/// Why it could never work beside the links of this program; empty if it can.
+QString LinkDialog::ownLinkProblem(const LinkUrl &wanted) const
+{
+    for (const LinkUrl &own : m_own) {
+        const QString name = fromStd(own.toText());
+        if (wanted.reaches(own))
+            return tr("Skyseal itself listens there, with %1").arg(name);
+        if (own.reaches(wanted))
+            return tr("Skyseal itself sends there, with %1").arg(name);
+        if (wanted.sharesPort(own))
+            return tr("Skyseal already listens there, with %1").arg(name);
+    }
+    return {};
+}
+
 QString LinkDialog::problem() const
 {
     const auto parsed = LinkUrl::parse(url().toStdString());
     if (!parsed)
         return reasonText(parsed.error().message);
+    if (const QString own = ownLinkProblem(*parsed); !own.isEmpty())
+        return own;
     const auto settings = mavsec();
     const auto digits = settings ? 2 * MavsecCipher::nonceLength(settings->kind) : 0;
     const bool wrongNonce = settings && !settings->nonceHex.empty()

@@ -4,11 +4,13 @@
 
 #include "core/engine/common/mavsec_settings.h"
 #include "core/link/link_type.h"
+#include "core/link/link_url.h"
 
 #include <QtCore/QString>
 #include <QtWidgets/QDialog>
 
 #include <optional>
+#include <vector>
 
 class QComboBox;
 class QDialogButtonBox;
@@ -27,6 +29,9 @@ public:
     /// Starts with the fields of `url`, if it is well-formed.
     explicit LinkDialog(const QString &url, QWidget *parent = nullptr);
 
+    /// Links of this program: the dialog refuses one that would lead back to them.
+    void setOwnLinks(std::vector<link::LinkUrl> own);
+
     /// The URL of the current fields; well-formed after the dialog was accepted.
     QString url() const;
     /// Set for a stream of MAVSec's published code, which is insecure; the link only receives then.
@@ -41,7 +46,9 @@ private:
     void browse();
     void browseKey();
     QString problem() const;
+    QString ownLinkProblem(const link::LinkUrl &wanted) const;
 
+    std::vector<link::LinkUrl> m_own;
     QComboBox *m_kind;
     QLineEdit *m_host;
     QSpinBox *m_port;

@@ -1,6 +1,6 @@
 #include "ui/window/window_dialogs.h"
 
-#include "core/engine/station/vehicle_snapshot.h"
+#include "core/engine/station/snapshot.h"
 #include "ui/charts/quantities.h"
 #include "ui/dialogs/help_dialog.h"
 #include "ui/dialogs/settings_dialog.h"
@@ -34,13 +34,26 @@ template<typename Dialog, typename... Arguments> Dialog *make(Arguments &&...arg
     return dialog;
 }
 
+/// Those that are open or will be.
+std::vector<link::LinkUrl> linksOf(const engine::Snapshot &snapshot)
+{
+    std::vector<link::LinkUrl> out;
+    for (const auto *list : {&snapshot.links, &snapshot.served})
+        for (const engine::LinkSnapshot &one : *list)
+            if (const auto url = link::LinkUrl::parse(one.url); url && one.phase != engine::LinkPhase::Closed)
+                out.push_back(*url);
+    return out;
+}
+
 } // namespace
 
 WindowDialogs::WindowDialogs(QWidget &window, StationInterface &station, VehicleCommands &commands, const Settings &settings,
                              QString recordFolder)
     : QObject(&window), m_window(window), m_station(station), m_commands(commands), m_settings(settings),
       m_recordFolder(std::move(recordFolder))
-{}
+{
+    connect(&station, &StationInterface::snapshotReady, this, [this](const SnapshotPtr &snapshot) { m_live = snapshot; });
+}
 
 void WindowDialogs::setKeyring(KeyringInterface &keyring, PairingInterface *pairing)
 {
@@ -53,6 +66,8 @@ void WindowDialogs::openLink()
     if (raiseOpen<LinkDialog>(m_window))
         return;
     auto *dialog = make<LinkDialog>(m_settings.defaultLink, &m_window);
+    if (m_live)
+        dialog->setOwnLinks(linksOf(*m_live));
     connect(dialog, &QDialog::accepted, this, [this, dialog] { Q_EMIT linkAccepted(*dialog); });
     showModeless(*dialog);
 }

@@ -2,6 +2,7 @@
 // leave as signals. Lives on the GUI thread.
 #pragma once
 
+#include "core/engine/station/snapshot_ptr.h"
 #include "ui/settings.h"
 
 #include <QtCore/QObject>
@@ -68,6 +69,7 @@ private:
     VehicleCommands &m_commands;
     const Settings &m_settings;
     QString m_recordFolder;
+    engine::SnapshotPtr m_live; ///< the newest one of the station
     KeyringInterface *m_keyring = nullptr;
     PairingInterface *m_pairing = nullptr;
 };
