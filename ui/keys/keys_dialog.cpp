@@ -185,10 +185,21 @@ void KeysDialog::revokePeer()
     const QString name = peer->name;
     const QString end = peer->connected ? tr("Its session ends at once, and it can no longer connect.")
                                         : tr("It can no longer connect.");
+    const QString armed = m_armedOf ? m_armedOf(name) : QString();
+    const bool areSeveral = armed.contains(QLatin1Char(','));
+    const QString text = armed.isEmpty() ? tr("Revoke %1?").arg(name)
+        : areSeveral                     ? tr("Vehicles %1 are armed. Revoke %2?").arg(armed, name)
+                                         : tr("Vehicle %1 is armed. Revoke %2?").arg(armed, name);
+    const QString loss = armed.isEmpty() ? QString()
+        : areSeveral                     ? tr("They cannot be commanded from here then, and failsafes may trigger.")
+                                         : tr("It cannot be commanded from here then, and failsafes may trigger.");
+    QStringList details{end, fingerprintLines(peer->key, 4)};
+    if (!loss.isEmpty())
+        details.insert(1, loss);
     askToConfirm({.objectName = QStringLiteral("confirmRevoke"),
                   .title = tr("Revoke %1?").arg(name),
-                  .text = tr("Revoke %1?").arg(name),
-                  .details = end + QStringLiteral("\n\n") + fingerprintLines(peer->key, 4),
+                  .text = text,
+                  .details = details.join(QStringLiteral("\n\n")),
                   .yes = tr("Revoke"),
                   .icon = QMessageBox::Warning},
                  this, this, [this, name] {

@@ -6,6 +6,9 @@
 
 #include <QtWidgets/QDialog>
 
+#include <functional>
+#include <utility>
+
 class QLabel;
 class QPushButton;
 class QStackedWidget;
@@ -24,6 +27,8 @@ public:
 
     /// Shows the button for pairing.
     void offerPairing();
+    /// `armedOf` returns the system IDs of the armed vehicles at the peer with this name, as "1, 2"; empty if none is.
+    void setArmed(std::function<QString(const QString &name)> armedOf) { m_armedOf = std::move(armedOf); }
 
 Q_SIGNALS:
     void pairRequested();
@@ -43,6 +48,7 @@ private:
     QStackedWidget *m_pages;
     QLabel *m_empty, *m_file, *m_problem;
     QPushButton *m_add, *m_pair, *m_change, *m_revoke;
+    std::function<QString(const QString &)> m_armedOf;
 };
 
 } // namespace skyseal::ui

@@ -1,7 +1,9 @@
 #include "ui/window/armed_questions.h"
 
 #include "core/engine/station/snapshot.h"
+#include "core/engine/text/qt_text.h"
 #include "ui/confirm_box.h"
+#include "ui/view_state.h"
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QStringList>
@@ -25,6 +27,15 @@ void ask(Question question, QWidget *window, std::function<void()> confirmed)
     askToConfirm(question, window, window, std::move(confirmed));
 }
 
+template<typename Accepts> QString armedAmong(const engine::Snapshot &snapshot, Accepts accepts)
+{
+    QStringList armed;
+    for (const engine::VehicleSnapshot &vehicle : snapshot.vehicles)
+        if (vehicle.state.armed && accepts(vehicle))
+            armed << QString::number(vehicle.state.systemId);
+    return armed.join(QStringLiteral(", "));
+}
+
 bool areSeveral(const QString &armed)
 {
     return armed.contains(QLatin1Char(','));
@@ -34,11 +45,15 @@ bool areSeveral(const QString &armed)
 
 QString armedVehicles(const engine::Snapshot &snapshot)
 {
-    QStringList armed;
-    for (const engine::VehicleSnapshot &vehicle : snapshot.vehicles)
-        if (vehicle.state.armed)
-            armed << QString::number(vehicle.state.systemId);
-    return armed.join(QStringLiteral(", "));
+    return armedAmong(snapshot, [](const engine::VehicleSnapshot &) { return true; });
+}
+
+QString armedVehiclesOf(const engine::Snapshot &snapshot, const QString &peer)
+{
+    return armedAmong(snapshot, [&](const engine::VehicleSnapshot &vehicle) {
+        const engine::SessionSnapshot *session = sessionOf(snapshot, vehicle);
+        return session && engine::fromStd(session->info.peerName) == peer;
+    });
 }
 
 void askToReplay(const QString &armed, QWidget *window, std::function<void()> replay)

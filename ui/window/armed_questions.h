@@ -15,6 +15,8 @@ namespace skyseal::ui {
 
 /// The system IDs of the armed vehicles, as "1, 2"; empty if none is.
 QString armedVehicles(const engine::Snapshot &snapshot);
+/// The same of those that are heard over a session with this peer.
+QString armedVehiclesOf(const engine::Snapshot &snapshot, const QString &peer);
 
 /// Each asks over `window` and calls the function if the operator confirms. `armed`: not empty.
 void askToReplay(const QString &armed, QWidget *window, std::function<void()> replay);

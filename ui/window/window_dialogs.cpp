@@ -19,6 +19,7 @@
 #include "ui/shortcuts/shortcut_dialog.h"
 #include "ui/values/values_editor.h"
 #include "ui/view_state.h"
+#include "ui/window/armed_questions.h"
 
 #include <QtWidgets/QMessageBox>
 
@@ -184,6 +185,7 @@ void WindowDialogs::openKeys()
     if (!m_keyring || raiseOpen<KeysDialog>(m_window))
         return;
     auto *dialog = make<KeysDialog>(*m_keyring, &m_window);
+    dialog->setArmed([this](const QString &peer) { return m_live ? armedVehiclesOf(*m_live, peer) : QString(); });
     if (m_pairing) {
         dialog->offerPairing();
         connect(dialog, &KeysDialog::pairRequested, dialog, [this, dialog] {
