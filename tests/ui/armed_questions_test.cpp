@@ -1,10 +1,12 @@
 // What an operator is asked while a vehicle is armed, so that no file chosen by mistake steers it and no sweep is begun by two
 // keys.
 #include "fake_sweep.h"
+#include "gallery_dialogs.h"
 #include "scripted_snapshots.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/mission/mission_panel.h"
+#include "ui/parameters/parameter_model.h"
 #include "ui/replay/recordings_dialog.h"
 #include "ui/sweep/sweep_dialog.h"
 #include "window_rig.h"
@@ -14,8 +16,10 @@
 #include <QtWidgets/QDialogButtonBox>
 #include <QtWidgets/QFileDialog>
 #include <QtWidgets/QLabel>
+#include <QtWidgets/QLineEdit>
 #include <QtWidgets/QMessageBox>
 #include <QtWidgets/QPushButton>
+#include <QtWidgets/QTreeView>
 
 using namespace skyseal;
 using namespace skyseal::ui;
@@ -121,7 +125,97 @@ private Q_SLOTS:
         QCOMPARE(m_station->replays.size(), std::size_t(1));
     }
 
+    void revokeSaysThatTheVehicleIsArmed()
+    {
+        FakeKeyring keyring;
+        fillKeyring(keyring);
+        keyring.list.peers[0].name = QStringLiteral("air-1");
+        m_window->setKeyring(keyring);
+        for (const bool armed : {true, false}) {
+            show(armed);
+            find<QAction>("actionKeys")->trigger();
+            auto *dialog = find<QDialog>("keysDialog");
+            EVENTUALLY(dialog->isVisible());
+            dialog->findChild<QTreeView *>(QStringLiteral("peerView"))
+                ->setCurrentIndex(dialog->findChild<QTreeView *>(QStringLiteral("peerView"))->model()->index(0, 0));
+            QTest::mouseClick(dialog->findChild<QPushButton *>(QStringLiteral("peerRevoke")), Qt::LeftButton);
+            const QMessageBox *box = question("confirmRevoke");
+            QCOMPARE(box->text(),
+                     armed ? QStringLiteral("Vehicle 1 is armed. Revoke air-1?") : QStringLiteral("Revoke air-1?"));
+            QCOMPARE(box->informativeText().contains(QStringLiteral("failsafes may trigger")), armed);
+            dialog->close();
+            EVENTUALLY(!m_window->findChild<QDialog *>(QStringLiteral("keysDialog")));
+        }
+        tearDown(); // before the keyring
+    }
+
+    void parameterIsWrittenOnceConfirmed()
+    {
+        show(true);
+        typeParameter(QStringLiteral("5200"));
+        EVENTUALLY(isAsked("confirmParameter"));
+        QMessageBox *box = question("confirmParameter");
+        QVERIFY2(box->text().contains(QStringLiteral("armed. Change BATT_CAPACITY?")), qPrintable(box->text()));
+        QVERIFY2(box->informativeText().contains(QStringLiteral("from 3300 to 5200")), qPrintable(box->informativeText()));
+        QVERIFY(box->defaultButton() == box->button(QMessageBox::Cancel));
+        QTest::keyClick(box, Qt::Key_Return);
+        EVENTUALLY(!isAsked("confirmParameter"));
+        QVERIFY(m_station->written.empty());
+        EVENTUALLY2(parameterState().startsWith(QStringLiteral("not written")), qPrintable(parameterState()));
+
+        typeParameter(QStringLiteral("5200"));
+        EVENTUALLY(isAsked("confirmParameter"));
+        QTest::mouseClick(question("confirmParameter")->button(QMessageBox::Yes), Qt::LeftButton);
+        QCOMPARE(m_station->written.size(), std::size_t(1));
+        QVERIFY(m_station->written.front() == std::pair(std::string("BATT_CAPACITY"), 5200.0));
+    }
+
+    void parameterIsNotWrittenToAnotherVehicle()
+    {
+        show(true);
+        typeParameter(QStringLiteral("5200"));
+        EVENTUALLY(isAsked("confirmParameter"));
+        engine::Snapshot other = sealedSnapshot(2);
+        other.vehicles.front().state.systemId = 2;
+        m_station->show(other);
+        EVENTUALLY(!isAsked("confirmParameter"));
+        QVERIFY(m_station->written.empty());
+    }
+
+    void parameterOfADisarmedVehicleIsWrittenAtOnce()
+    {
+        show(false);
+        typeParameter(QStringLiteral("5200"));
+        EVENTUALLY_EQUAL(m_station->written.size(), std::size_t(1));
+        QVERIFY(!isAsked("confirmParameter"));
+    }
+
 private:
+    QTreeView *parameterView() const { return find<QTreeView>("parameterView"); }
+    QString parameterState() const
+    {
+        return parameterView()->currentIndex().siblingAtColumn(ParameterModel::State).data().toString();
+    }
+
+    /// Over the value of the third one, by keys.
+    void typeParameter(const QString &value)
+    {
+        find<QAction>("view_dockParameters")->trigger();
+        QTreeView *view = parameterView();
+        EVENTUALLY(view->isVisible());
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get(), test::kDeadlineMs));
+        view->setFocus();
+        EVENTUALLY(view->hasFocus());
+        view->setCurrentIndex(view->model()->index(2, ParameterModel::Value));
+        QTest::keyClick(view, Qt::Key_F2);
+        EVENTUALLY(view->viewport()->findChild<QLineEdit *>());
+        auto *editor = view->viewport()->findChild<QLineEdit *>();
+        editor->selectAll();
+        QTest::keyClicks(editor, value);
+        QTest::keyClick(editor, Qt::Key_Return);
+    }
+
     void chooseLog()
     {
         find<QAction>("actionReplay")->trigger();

@@ -14,7 +14,9 @@
 #include <QtCore/QSettings>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QComboBox>
+#include <QtWidgets/QAbstractButton>
 #include <QtWidgets/QLabel>
+#include <QtWidgets/QMessageBox>
 #include <QtWidgets/QToolButton>
 #include <QtWidgets/QTreeView>
 
@@ -153,10 +155,14 @@ public:
         QTest::keyClick(editor, Qt::Key_A, Qt::ControlModifier);
         QTest::keyClicks(editor, value);
         QTest::keyClick(editor, Qt::Key_Return);
+        EVENTUALLY(!list->viewport()->findChild<QLineEdit *>());
         const QModelIndex state = found.front().siblingAtColumn(ParameterModel::State);
+        const auto question = [this] { return window->findChild<QMessageBox *>(QStringLiteral("confirmParameter")); };
+        EVENTUALLY(question() || state.data().toString().startsWith(QStringLiteral("writ")));
+        if (question()) // the vehicle is armed
+            QTest::mouseClick(question()->button(QMessageBox::Yes), Qt::LeftButton);
         EVENTUALLY2(state.data().toString().startsWith(QStringLiteral("written, read back as ")),
                     qPrintable(name + QStringLiteral(": ") + state.data().toString()));
-        EVENTUALLY(!list->viewport()->findChild<QLineEdit *>());
     }
     /// Waits for something of a flight, which takes longer than an answer.
     template<typename Condition> [[nodiscard]] static bool flies(Condition condition)

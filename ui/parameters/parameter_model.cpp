@@ -105,6 +105,25 @@ void ParameterModel::written(const vehicle::Parameter &parameter, bool ok, const
     touch(name);
 }
 
+void ParameterModel::showWriting(const QString &name, double value)
+{
+    showNote(name, tr("writing %1…").arg(valueText(value)));
+}
+
+void ParameterModel::showNote(const QString &name, const QString &note)
+{
+    m_states.insert(name, note);
+    touch(name);
+}
+
+std::optional<double> ParameterModel::valueOf(const QString &name) const
+{
+    for (int row = 0; row < rowCount(); ++row)
+        if (const vehicle::Parameter &one = (*m_parameters)[static_cast<std::size_t>(row)]; fromStd(one.name) == name)
+            return one.value;
+    return std::nullopt;
+}
+
 void ParameterModel::touch(const QString &name)
 {
     for (int row = 0; row < rowCount(); ++row)
@@ -133,7 +152,7 @@ QVariant ParameterModel::data(const QModelIndex &index, int role) const
         return {};
     switch (index.column()) {
     case Name: return fromStd(parameter.name);
-    case Value: return QString::number(parameter.value, 'g', 7);
+    case Value: return valueText(parameter.value);
     case State: return m_states.value(fromStd(parameter.name));
     default: return {};
     }
@@ -159,8 +178,6 @@ bool ParameterModel::setData(const QModelIndex &index, const QVariant &value, in
         touch(name);
         return false;
     }
-    m_states.insert(name, tr("writing %1…").arg(wanted));
-    touch(name);
     Q_EMIT writeRequested(name, wanted);
     return true;
 }

@@ -7,6 +7,7 @@
 #include <QtCore/QHash>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace skyseal::ui {
@@ -28,6 +29,14 @@ public:
     void setName(int vehicle);
     /// The result of a write.
     void written(const vehicle::Parameter &parameter, bool ok, const QString &reason);
+    /// Shows that this value is being sent.
+    void showWriting(const QString &name, double value);
+    /// Shows why nothing was sent, or not yet.
+    void showNote(const QString &name, const QString &note);
+    /// The value that the vehicle reported last; nullopt if it has no such parameter.
+    std::optional<double> valueOf(const QString &name) const;
+    /// As the table shows it.
+    static QString valueText(double value) { return QString::number(value, 'g', 7); }
 
     int rowCount(const QModelIndex &parent = {}) const override;
     int columnCount(const QModelIndex &parent = {}) const override;
@@ -37,6 +46,7 @@ public:
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 Q_SIGNALS:
+    /// The operator has typed another value, which the type of the parameter can hold.
     void writeRequested(const QString &name, double value);
 
 private:

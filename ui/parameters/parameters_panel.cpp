@@ -1,6 +1,7 @@
 #include "ui/parameters/parameters_panel.h"
 
 #include "core/engine/station/vehicle_snapshot.h"
+#include "ui/confirm_box.h"
 #include "ui/control_action.h"
 #include "ui/empty_text.h"
 #include "ui/result_label.h"
@@ -10,6 +11,7 @@
 #include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
 
+#include <QtCore/QLocale>
 #include <QtCore/QSortFilterProxyModel>
 #include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QHeaderView>
@@ -19,7 +21,15 @@
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QTreeView>
 
+#include <utility>
+
 namespace skyseal::ui {
+
+namespace {
+
+const QString kParameterQuestion = QStringLiteral("confirmParameter");
+
+} // namespace
 
 ParametersPanel::ParametersPanel(StationInterface &station, QWidget *parent) : DockPanel(parent), m_station(station)
 {
@@ -81,12 +91,7 @@ ParametersPanel::ParametersPanel(StationInterface &station, QWidget *parent) : D
             view->setCurrentIndex(now.siblingAtColumn(ParameterModel::Value));
     });
     connect(m_fetch, &QPushButton::clicked, this, &ParametersPanel::fetch);
-    connect(&m_model, &ParameterModel::writeRequested, this, [this](const QString &name, double value) {
-        if (m_disabledReason.isEmpty())
-            m_station.perform(m_systemId, vehicle::WriteParameter{name.toStdString(), value});
-        else
-            m_model.written({name.toStdString(), value}, false, m_disabledReason);
-    });
+    connect(&m_model, &ParameterModel::writeRequested, this, &ParametersPanel::writeOrAsk);
     connect(&station, &StationInterface::eventOccurred, this, &ParametersPanel::handleEvent);
     addActions({pressAction(*m_fetch, Qt::CTRL | Qt::Key_F7),
                 focusAction(*wanted, tr("Find a parameter"), Qt::ALT | Qt::SHIFT | Qt::Key_T)});
@@ -100,15 +105,64 @@ void ParametersPanel::fetch()
     m_station.perform(m_systemId, vehicle::ReadParameters{});
 }
 
+/// A parameter takes effect at once, and some of them change how the vehicle flies. The question comes after the field has
+/// closed, which would otherwise take the loss of its focus for the same entry once more.
+void ParametersPanel::writeOrAsk(const QString &name, double value)
+{
+    const auto before = m_model.valueOf(name);
+    if (!m_disabledReason.isEmpty() || !m_isArmed || !before)
+        return write(name, value);
+    m_model.showNote(name, tr("waits for your confirmation"));
+    const auto ask = [this, name, value, before = *before, systemId = m_systemId] {
+        if (systemId == m_systemId)
+            askToWrite(name, before, value);
+    };
+    QMetaObject::invokeMethod(this, ask, Qt::QueuedConnection);
+}
+
+void ParametersPanel::askToWrite(const QString &name, double before, double value)
+{
+    if (auto *open = findChild<QMessageBox *>(kParameterQuestion))
+        open->reject();                                        // about another value
+    m_model.showNote(name, tr("waits for your confirmation")); // also where that was about the same parameter
+    const QString from = ParameterModel::valueText(before), to = QString::number(value, 'g', QLocale::FloatingPointShortest);
+    QMessageBox *box = askToConfirm({.objectName = kParameterQuestion,
+                                     .title = tr("Write a parameter"),
+                                     .text = m_name == 0 ? tr("The vehicle is armed. Change %1?").arg(name)
+                                                         : tr("Vehicle %1 is armed. Change %2?").arg(m_name).arg(name),
+                                     .details = tr("%1: from %2 to %3. The change takes effect at once.").arg(name, from, to),
+                                     .yes = tr("Write %1").arg(to),
+                                     .icon = QMessageBox::Warning},
+                                    this, this, [this, name, value, systemId = m_systemId] {
+                                        if (systemId == m_systemId)
+                                            write(name, value);
+                                    });
+    connect(box, &QMessageBox::finished, this, [this, name, systemId = m_systemId](int result) {
+        if (result != QMessageBox::Yes && systemId == m_systemId)
+            m_model.showNote(name, tr("not written: not confirmed"));
+    });
+}
+
+void ParametersPanel::write(const QString &name, double value)
+{
+    if (!m_disabledReason.isEmpty())
+        return m_model.written({name.toStdString(), value}, false, m_disabledReason);
+    m_model.showWriting(name, value);
+    m_station.perform(m_systemId, vehicle::WriteParameter{name.toStdString(), value});
+}
+
 void ParametersPanel::showViewState(const ViewState &view)
 {
     const std::uint8_t systemId = view.vehicle ? view.vehicle->state.systemId : 0;
-    if (systemId != m_systemId && m_systemId != 0) { // the results were those of another vehicle
-        m_result->showResult({});
+    if (const std::uint8_t before = std::exchange(m_systemId, systemId); before != systemId && before != 0) {
+        m_result->showResult({}); // it was that of another vehicle, as the question is
         m_model.forgetResults();
+        if (auto *open = findChild<QMessageBox *>(kParameterQuestion))
+            open->reject();
     }
-    m_systemId = systemId;
-    showName(vehicleToName(view));
+    m_isArmed = view.vehicle && view.vehicle->state.armed;
+    m_name = vehicleToName(view);
+    showName(m_name);
     m_silence = view.stale() ? view.vehicle->state.messageAge : 0;
     m_disabledReason = commandsDisabledReason(view);
     m_fetch->setEnabled(m_disabledReason.isEmpty());

@@ -26,6 +26,9 @@ public:
 
 private:
     void fetch();
+    void writeOrAsk(const QString &name, double value);
+    void askToWrite(const QString &name, double before, double value);
+    void write(const QString &name, double value);
     void showName(int vehicle);
 
     StationInterface &m_station;
@@ -36,6 +39,8 @@ private:
     ResultLabel *m_result;
     double m_silence = 0; ///< seconds without a message of the vehicle; 0 while it is heard
     std::uint8_t m_systemId = 0;
+    int m_name = 0; ///< see vehicleToName()
+    bool m_isArmed = false;
     QString m_disabledReason; ///< reason why nothing can be sent to the vehicle
 };
 
