@@ -5,6 +5,7 @@
 #include "core/link/link_url.h"
 #include "ui/alerts/speech.h"
 #include "ui/ask_file.h"
+#include "ui/form_scroll.h"
 #include "ui/language.h"
 #include "ui/theme/form_pieces.h"
 #include "ui/theme/grid.h"
@@ -45,15 +46,21 @@ SettingsDialog::SettingsDialog(const Settings &settings, QWidget *parent) : QDia
 {
     setObjectName(QStringLiteral("settingsDialog"));
     setWindowTitle(tr("Settings"));
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(2 * kGrid, 2 * kGrid, 2 * kGrid, 2 * kGrid);
-    column->setSpacing(2 * kGrid);
+    auto *form = new QWidget(this);
+    auto *inner = new QVBoxLayout(form);
+    inner->setContentsMargins(0, 0, 0, 0);
+    inner->setSpacing(2 * kGrid);
     auto *beside = new QHBoxLayout; // touch-sized, all of them below each other would be higher than many screens
     beside->setSpacing(2 * kGrid);
     beside->addWidget(makeView(), 1);
     beside->addWidget(makeStation(), 1);
-    column->addLayout(beside);
-    column->addWidget(makeSecurity());
+    inner->addLayout(beside);
+    inner->addWidget(makeSecurity());
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(2 * kGrid, 2 * kGrid, 2 * kGrid, 2 * kGrid);
+    column->setSpacing(2 * kGrid);
+    constexpr int kWidth = 96 * kGrid; // at which the texts below the fields wrap to a few lines
+    column->addWidget(new FormScroll(form, kWidth), 1);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -64,9 +71,7 @@ SettingsDialog::SettingsDialog(const Settings &settings, QWidget *parent) : QDia
         buttons->button(QDialogButtonBox::Ok)->setEnabled(parsed.has_value());
         m_link->setToolTip(parsed ? QString() : engine::reasonText(parsed.error().message));
     });
-    // A layout's smallest height is that of its texts on one line, while they wrap at this width.
-    constexpr int kWidth = 100 * kGrid;
-    setMinimumSize(kWidth, column->totalHeightForWidth(kWidth));
+    fitToScreen(*this);
 }
 
 QWidget *SettingsDialog::makeView()

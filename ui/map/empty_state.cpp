@@ -7,6 +7,7 @@
 #include "ui/text/link_ended.h"
 #include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
+#include "ui/theme/instrument_style.h"
 
 #include <QtGui/QFontDatabase>
 #include <QtWidgets/QHBoxLayout>
@@ -16,44 +17,49 @@
 
 namespace skyseal::ui {
 
-EmptyState::EmptyState(QWidget *parent) : QFrame(parent)
+EmptyState::EmptyState(QWidget *parent) : QScrollArea(parent)
 {
     setObjectName(QStringLiteral("emptyState"));
     setFrameShape(QFrame::NoFrame);
-    auto *column = new QVBoxLayout(this);
+    setFocusPolicy(Qt::NoFocus);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setWidgetResizable(true);
+    auto *page = new QWidget(this);
+    setWidget(page);
+    auto *column = new QVBoxLayout(page);
     column->setContentsMargins(3 * kGrid, 3 * kGrid, 3 * kGrid, 3 * kGrid);
     column->setSpacing(kGrid);
-    m_title = new QLabel(this);
+    m_title = new QLabel(page);
     m_title->setObjectName(QStringLiteral("emptyTitle"));
     QFont large = font();
     large.setPointSizeF(large.pointSizeF() + 3);
     large.setWeight(QFont::DemiBold);
     m_title->setFont(large);
     m_title->setWordWrap(true);
-    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-    m_text = new QLabel(this);
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Maximum);
+    m_text = new QLabel(page);
     m_text->setObjectName(QStringLiteral("emptyText"));
     m_text->setWordWrap(true);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_command = new QLabel(this);
+    m_command = new QLabel(page);
     m_command->setObjectName(QStringLiteral("emptyCommand"));
     m_command->setAccessibleName(tr("Command to run beside the autopilot"));
     m_command->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     m_command->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    m_otherwise = new QLabel(tr("or let any autopilot send plain MAVLink here: it is shown, but not sealed."), this);
+    m_otherwise = new QLabel(tr("or let any autopilot send plain MAVLink here: it is shown, but not sealed."), page);
     m_otherwise->setWordWrap(true);
-    m_demo = new QPushButton(tr("Start the demo"), this);
+    m_demo = new QPushButton(tr("Start the demo"), page);
     m_demo->setObjectName(QStringLiteral("demoButton"));
     m_demo->setAccessibleName(m_demo->text());
     m_demo->hide();
-    m_connect = new QPushButton(tr("Add a link…"), this);
+    m_connect = new QPushButton(tr("Add a link…"), page);
     m_connect->setObjectName(QStringLiteral("connectButton"));
     m_connect->setAccessibleName(m_connect->text());
-    m_plain = new QPushButton(this);
+    m_plain = new QPushButton(page);
     m_plain->setObjectName(QStringLiteral("allowPlainButton"));
     m_plain->setAccessibleName(tr("Allow plain MAVLink"));
     m_plain->hide();
-    m_keys = new QPushButton(tr("Keys and peers…"), this);
+    m_keys = new QPushButton(tr("Keys and peers…"), page);
     m_keys->setObjectName(QStringLiteral("emptyKeys"));
     m_keys->setAccessibleName(tr("Open keys and peers"));
     m_keys->hide();
@@ -80,7 +86,14 @@ EmptyState::EmptyState(QWidget *parent) : QFrame(parent)
 QSize EmptyState::sizeHint() const
 {
     constexpr int kWidth = 54 * kGrid;
-    return {kWidth, layout()->heightForWidth(kWidth)};
+    return {kWidth, widget()->layout()->heightForWidth(kWidth)};
+}
+
+QSize EmptyState::minimumSizeHint() const
+{
+    constexpr int kLeastHeight = 18 * kGrid;
+    const QSize whole = sizeHint();
+    return leastTarget(*this) == 0 ? whole : whole.boundedTo({whole.width(), kLeastHeight});
 }
 
 void EmptyState::setDemoAvailable(bool available)

@@ -1,17 +1,18 @@
-// Shown over the map while there is no vehicle: the state of the link, and the next step for the operator.
+// Shown over the map while there is no vehicle: the state of the link, and the next step for the operator. Touch-sized, it
+// scrolls where the map is smaller.
 #pragma once
 
 #include "core/engine/station/vehicle_snapshot.h"
 #include "ui/view_state.h"
 
-#include <QtWidgets/QFrame>
+#include <QtWidgets/QScrollArea>
 
 class QLabel;
 class QPushButton;
 
 namespace skyseal::ui {
 
-class EmptyState : public QFrame
+class EmptyState : public QScrollArea
 {
     Q_OBJECT
 
@@ -23,7 +24,7 @@ public:
     void setDemoAvailable(bool available);
 
     QSize sizeHint() const override;
-    QSize minimumSizeHint() const override { return sizeHint(); }
+    QSize minimumSizeHint() const override;
 
 Q_SIGNALS:
     void demoRequested();

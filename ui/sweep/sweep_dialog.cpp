@@ -2,6 +2,7 @@
 
 #include "core/engine/station/session_snapshot.h"
 #include "core/link/link_type.h"
+#include "ui/form_scroll.h"
 #include "ui/theme/form_pieces.h"
 #include "ui/sweep/link_conditions.h"
 #include "ui/sweep/sweep_labels.h"
@@ -43,14 +44,19 @@ SweepDialog::SweepDialog(const SweepContext &context, QWidget *parent)
     m_buttons->button(QDialogButtonBox::Ok)->setText(tr("&Run"));
     named(m_summary, "sweepSummary", tr("Summary"));
     named(m_warning, "sweepWarning", tr("Warning"))->setWordWrap(true);
+    auto *groups = new QWidget(this);
+    auto *inner = new QVBoxLayout(groups);
+    inner->setContentsMargins(0, 0, 0, 0);
+    inner->setSpacing(kGrid);
+    inner->addWidget(makeTargetGroup());
+    inner->addWidget(m_link);
+    inner->addWidget(makeArmsGroup());
+    inner->addWidget(makeRunsGroup());
+    inner->addStretch(1);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(2 * kGrid, 2 * kGrid, 2 * kGrid, 2 * kGrid);
     column->setSpacing(kGrid);
-    column->addWidget(makeTargetGroup());
-    column->addWidget(m_link);
-    column->addWidget(makeArmsGroup());
-    column->addWidget(makeRunsGroup());
-    column->addStretch(1);
+    column->addWidget(new FormScroll(groups), 1);
     column->addWidget(m_warning);
     column->addWidget(m_summary);
     column->addWidget(m_buttons);
@@ -59,6 +65,7 @@ SweepDialog::SweepDialog(const SweepContext &context, QWidget *parent)
     connect(m_link, &LinkConditions::changed, this, &SweepDialog::updateSummary);
     m_warning->setMinimumWidth(72 * kGrid);
     updateChoices();
+    fitToScreen(*this);
 }
 
 QWidget *SweepDialog::makeTargetGroup()

@@ -1,9 +1,11 @@
 #include "ui/values/values_editor.h"
 
 #include "ui/empty_text.h"
+#include "ui/form_scroll.h"
 #include "ui/list_keys.h"
 #include "ui/theme/form_pieces.h"
 #include "ui/theme/grid.h"
+#include "ui/theme/instrument_style.h"
 #include "ui/theme/palettes.h"
 #include "ui/values/source_model.h"
 
@@ -61,15 +63,22 @@ ValuesEditor::ValuesEditor(const ValueChoices &choices, UnitSystem units, QWidge
     top->setSpacing(2 * kGrid);
     top->addWidget(makeChosen(), 1);
     top->addWidget(makeDetails(), 1);
+    auto *form = new QWidget(this);
+    auto *inner = new QVBoxLayout(form);
+    inner->setContentsMargins(0, 0, 0, 0);
+    inner->setSpacing(kGrid);
+    inner->addLayout(top, 1);
+    inner->addWidget(makeFinder(), 1);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(2 * kGrid, 2 * kGrid, 2 * kGrid, 2 * kGrid);
     column->setSpacing(kGrid);
-    column->addLayout(top, 1);
-    column->addWidget(makeFinder(), 1);
+    column->addWidget(new FormScroll(form), 1);
     m_problem = named(new QLabel(this), "editorProblem", tr("Problem"));
     column->addWidget(m_problem);
     column->addWidget(makeButtons());
     resize(92 * kGrid, 74 * kGrid);
+    if (leastTarget(*this) > 0)
+        fitToScreen(*this);
     fillList(m_choices.empty() ? -1 : 0);
     m_found->setCurrentIndex(m_sources->index(0, 0));
     updateButtons();

@@ -5,6 +5,7 @@
 #include "ui/window/panel_dock.h"
 #include "ui/window/panel_table.h"
 #include "ui/window/window_actions.h"
+#include "ui/yielding_scroll.h"
 
 #include <QtCore/QEvent>
 #include <QtCore/QTimer>
@@ -44,7 +45,9 @@ void WindowDocks::add(const PanelRow &row, const PanelContext &context)
     dock->setAccessibleName(dock->windowTitle());
     DockPanel *panel = row.make(context, &m_window);
     if (!panel->scrollsAsAWhole()) {
-        dock->setWidget(panel);
+        auto *scroll = new YieldingScroll(panel);
+        scroll->setAccessibleName(dock->windowTitle());
+        dock->setWidget(scroll);
     } else {
         auto *scroll = new FittingScroll(panel);
         scroll->setAccessibleName(dock->windowTitle());
