@@ -196,7 +196,7 @@ void MapPainter::paintVehicles()
     const StateColors &colors = stateColors(m_palette);
     const auto fill = [&colors](crypto::SuiteId suite, bool isStale) { return isStale ? colors.dim : suiteColor(suite); };
     const QRectF picture = QRectF(QPointF(), m_viewport.size()).adjusted(-kNameOffset, -kNameOffset, kNameOffset, kNameOffset);
-    std::vector<std::pair<QPointF, QString>> names;
+    Names names;
     if (const auto &selected = m_content.vehicle(); selected && !m_content.others().empty())
         names.emplace_back(m_viewport.toPixels(*selected),
                            markerText(m_content.systemId(), m_content.suite(), m_content.age()));
@@ -210,22 +210,27 @@ void MapPainter::paintVehicles()
     if (m_content.vehicle())
         paintArrow(m_viewport.toPixels(*m_content.vehicle()), m_content.heading(), 1,
                    fill(m_content.suite(), m_content.isStale()));
-    paintNames(names);
+    for (const auto &[place, text] : placesOfNames(names, QFontMetricsF(m_painter.font())))
+        paintCaption(m_painter, place, text, m_palette);
 }
 
-/// Below each vehicle; where several would overlap, the first one's.
-void MapPainter::paintNames(const std::vector<std::pair<QPointF, QString>> &names)
+/// Below each vehicle; where several stand at one place, below each other, as many as can be read there.
+std::vector<std::pair<QRectF, QString>> MapPainter::placesOfNames(const Names &names, const QFontMetricsF &metrics)
 {
-    const QFontMetricsF metrics(m_painter.font());
-    std::vector<QRectF> taken;
+    constexpr int kMostBelow = 4;
+    std::vector<std::pair<QRectF, QString>> out;
     for (const auto &[at, text] : names) {
         const double width = metrics.horizontalAdvance(text) + kGrid;
-        const QRectF place(at.x() - width / 2, at.y() + kNameOffset, width, metrics.height());
-        if (std::ranges::any_of(taken, [&place](const QRectF &other) { return other.intersects(place); }))
-            continue;
-        paintCaption(m_painter, place, text, m_palette);
-        taken.push_back(place);
+        QRectF place(at.x() - width / 2, at.y() + kNameOffset, width, metrics.height());
+        const auto isTaken = [&] {
+            return std::ranges::any_of(out, [&place](const auto &other) { return other.first.intersects(place); });
+        };
+        for (int row = 1; row < kMostBelow && isTaken(); ++row)
+            place.translate(0, metrics.height() + 1);
+        if (!isTaken())
+            out.emplace_back(place, text);
     }
+    return out;
 }
 
 /// `heading` in degrees; NaN paints a disc.
@@ -277,6 +282,17 @@ void MapPainter::paintMark(const QPointF &metres, const QString &label)
     }
     if (!label.isEmpty())
         paintLabel(m_painter, at + QPointF(0, kArm + kNameOffset), label, m_palette);
+}
+
+void MapPainter::paintCentre()
+{
+    constexpr double kArm = 12, kGap = 4; // pixels
+    const QPointF at(m_viewport.size().width() / 2, m_viewport.size().height() / 2);
+    for (const bool halo : {true, false}) {
+        m_painter.setPen(halo ? QPen(m_palette.color(QPalette::Base), 5) : QPen(m_palette.color(QPalette::WindowText), 2));
+        for (const QPointF &arm : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
+            m_painter.drawLine(at + arm * kGap, at + arm * kArm);
+    }
 }
 
 void MapPainter::paintScale(UnitSystem units)

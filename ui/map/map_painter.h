@@ -37,10 +37,15 @@ public:
     void paintMark(const QPointF &metres, const QString &label);
     /// The place that the selected vehicle flies to, with the way there.
     void paintTarget(const QPointF &metres, const QString &label);
+    /// The centre of the map, where commands by keys act.
+    void paintCentre();
     /// The place under the pointer, above the scale bar.
     void paintCoordinates(const QString &text);
     /// The most that paintCoordinates() covers with a text as wide as `widest`, in pixels.
     static QRectF placeOfCoordinates(const MapViewport &viewport, const QFontMetricsF &metrics, const QString &widest);
+    /// Where paintVehicles() writes the names of vehicles at these pixels.
+    using Names = std::vector<std::pair<QPointF, QString>>;
+    static std::vector<std::pair<QRectF, QString>> placesOfNames(const Names &names, const QFontMetricsF &metrics);
     /// The arrow to the north, in pixels; a click on it turns a rotated map back.
     static QRectF placeOfNorth(const MapViewport &viewport);
 
@@ -56,7 +61,6 @@ private:
     void paintNorth();
     /// Returns the height up to which the lower left corner is free.
     double paintAttribution(const TileLayer &tiles);
-    void paintNames(const std::vector<std::pair<QPointF, QString>> &names);
 
     QPainter &m_painter;
     const MapContent &m_content;

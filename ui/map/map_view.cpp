@@ -4,15 +4,18 @@
 #include "ui/map/map_painter.h"
 #include "ui/map/measure_painter.h"
 #include "ui/map/traffic_painter.h"
+#include "ui/text/plain_tip.h"
 
 #include <QtGui/QAction>
 #include <QtGui/QContextMenuEvent>
+#include <QtGui/QHelpEvent>
 #include <QtGui/QKeyEvent>
 #include <QtGui/QMouseEvent>
 #include <QtGui/QPainter>
 #include <QtGui/QTouchEvent>
 #include <QtGui/QWheelEvent>
 #include <QtWidgets/QStyle>
+#include <QtWidgets/QToolTip>
 
 #include <cmath>
 #include <utility>
@@ -53,7 +56,9 @@ void MapView::describe()
 
 void MapView::showCursor()
 {
-    if (m_pointer.position() && isOnNorth(*m_pointer.position()))
+    const auto pointed = m_pointer.position();
+    const auto arrow = pointed ? edgeArrow() : std::nullopt;
+    if (pointed && (isOnNorth(*pointed) || (arrow && arrow->contains(*pointed))))
         setCursor(Qt::PointingHandCursor);
     else if (m_measure.isOn())
         setCursor(Qt::CrossCursor);
@@ -97,8 +102,39 @@ void MapView::clearTrack()
 
 void MapView::startOver()
 {
+    m_live.reset();
+    lookAnew();
+}
+
+void MapView::lookAnew()
+{
     m_camera.followNext();
     forgetFlight();
+}
+
+void MapView::beginReplay()
+{
+    if (!m_live) // otherwise another replay was shown
+        m_live = m_content;
+    lookAnew();
+}
+
+void MapView::noteLive(const ViewState &live)
+{
+    if (!m_live)
+        return;
+    if (live.snapshot && !live.vehicle)
+        m_live = MapContent(); // as showViewState()
+    m_live->show(live, viewport().metresPerPixel());
+}
+
+void MapView::endReplay()
+{
+    lookAnew();
+    const TrackColors colors = m_content.trackColors();
+    m_content = std::exchange(m_live, std::nullopt).value_or(MapContent());
+    m_content.setTrackColors(colors);
+    m_camera.showVehicle(m_content.vehicle(), true);
 }
 
 void MapView::forgetFlight()
@@ -174,8 +210,15 @@ void MapView::setCoordinateFormat(CoordinateFormat format)
     update();
 }
 
+std::optional<EdgeArrow> MapView::edgeArrow() const
+{
+    return edgeArrowOf(m_content, viewport(), m_units, QFontMetricsF(font()));
+}
+
 std::optional<LatLong> MapView::pointedPlace() const
 {
+    if (m_byKeys && hasFocus())
+        return placeAt(QPointF(rect().center()));
     if (!m_pointer.position() && !hasFocus())
         return std::nullopt;
     return placeAt(m_pointer.position().value_or(QPointF(rect().center())));
@@ -208,6 +251,10 @@ void MapView::paintEvent(QPaintEvent *)
     if (m_measure.isOn())
         MeasurePainter(painter, viewport(), palette()).paint(m_measure, pointedPlace(), m_units);
     map.paintLegends(m_ground.tiles(), m_units);
+    if (const auto arrow = edgeArrow())
+        paintEdgeArrow(painter, *arrow, palette());
+    if (isCentreMarked())
+        map.paintCentre();
     if (const auto place = pointedPlace())
         map.paintCoordinates(coordinatesText(place->latitude, place->longitude, m_coordinates));
     if (hasFocus()) {
@@ -258,13 +305,43 @@ bool MapView::event(QEvent *event)
             return true;
         }
         break;
+    case QEvent::ToolTip: showToolTip(*static_cast<QHelpEvent *>(event)); return true;
     default: break;
     }
     return QWidget::event(event);
 }
 
+void MapView::showToolTip(const QHelpEvent &event)
+{
+    const auto arrow = edgeArrow();
+    if (!arrow || !arrow->contains(event.pos()))
+        return QToolTip::hideText();
+    const QString keys = m_followKeys ? m_followKeys() : QString();
+    const QString where = tr("The vehicle is beyond the map, %1 from its centre.").arg(arrow->distance);
+    const QString how = keys.isEmpty() ? tr("A click centres the map on it.")
+                                       : tr("A click or %1 centres the map on it.").arg(keys);
+    QToolTip::showText(event.globalPos(), plainTip(where + QLatin1Char(' ') + how), this);
+}
+
+void MapView::setByKeys(bool byKeys)
+{
+    if (m_byKeys == byKeys)
+        return;
+    m_byKeys = byKeys;
+    update();
+}
+
+void MapView::focusInEvent(QFocusEvent *event)
+{
+    const Qt::FocusReason reason = event->reason();
+    if (reason == Qt::TabFocusReason || reason == Qt::BacktabFocusReason || reason == Qt::ShortcutFocusReason)
+        setByKeys(true);
+    QWidget::focusInEvent(event);
+}
+
 void MapView::mousePressEvent(QMouseEvent *event)
 {
+    setByKeys(false);
     if (event->button() != Qt::LeftButton)
         return;
     m_pointer.press(event->position());
@@ -273,6 +350,7 @@ void MapView::mousePressEvent(QMouseEvent *event)
 
 void MapView::mouseMoveEvent(QMouseEvent *event)
 {
+    setByKeys(false);
     m_pointer.moveTo(event->position());
 }
 
@@ -283,8 +361,11 @@ void MapView::mouseReleaseEvent(QMouseEvent *event)
 
 void MapView::click(const QPointF &pixel)
 {
+    const auto arrow = edgeArrow();
     if (isOnNorth(pixel))
         m_camera.rotation().action()->setChecked(false);
+    else if (arrow && arrow->contains(pixel))
+        followVehicle();
     else if (m_measure.isOn())
         m_measure.add(placeAt(pixel));
     else if (const auto clicked = otherVehicleAt(pixel))
@@ -339,8 +420,9 @@ void MapView::keyPressEvent(QKeyEvent *event)
     case Qt::Key_Equal: zoomBy(kKeyZoom); break;
     case Qt::Key_Minus: zoomBy(1 / kKeyZoom); break;
     case Qt::Key_Home: followVehicle(); break;
-    default: QWidget::keyPressEvent(event);
+    default: return QWidget::keyPressEvent(event);
     }
+    setByKeys(true);
 }
 
 } // namespace skyseal::ui

@@ -2,9 +2,10 @@
 // mission, the track coloured by suite, the overlays of the operator, and all vehicles. A click selects another one. Drag or
 // the arrow keys move the map, the wheel or + and − zoom, Home follows the vehicle again; while the operator measures, clicks
 // and keys go to MeasureTool. MapContent, FenceContent and TrafficContent are what it shows, MapCamera is which part of it,
-// GroundPicture and MapPainter paint it, MapPointer reads mouse and fingers.
+// GroundPicture, MapPainter and EdgeArrow paint it, MapPointer reads mouse and fingers.
 #pragma once
 
+#include "ui/map/edge_arrow.h"
 #include "ui/map/fence.h"
 #include "ui/map/ground_picture.h"
 #include "ui/map/map_camera.h"
@@ -16,6 +17,11 @@
 #include "ui/text/units.h"
 
 #include <QtWidgets/QWidget>
+
+#include <functional>
+#include <utility>
+
+class QHelpEvent;
 
 namespace skyseal::ui {
 
@@ -32,6 +38,11 @@ public:
     void startOver();
     /// Forgets what the vehicle flew, and stays where it is.
     void forgetFlight();
+    /// A replay is shown in place of the live picture, which is kept and goes on by noteLive() until endReplay() shows it
+    /// again.
+    void beginReplay();
+    void noteLive(const ViewState &live);
+    void endReplay();
     void setUnits(UnitSystem units);
     void setTrackColors(TrackColors colors);
     void setCoordinateFormat(CoordinateFormat format);
@@ -52,7 +63,8 @@ public:
     OverlayModel &overlays() { return m_ground.overlays(); }
     UnitSystem units() const { return m_units; }
     CoordinateFormat coordinateFormat() const { return m_coordinates; }
-    /// The place under the pointer or, while the map has the focus without it, in the middle; nullopt otherwise.
+    /// The place under the pointer or, while the map has the focus without it or is moved by keys, in the middle; nullopt
+    /// otherwise.
     std::optional<LatLong> pointedPlace() const;
     /// Marks a place that the operator is asked about, with a word beside it; nullopt: none.
     void setMark(const std::optional<LatLong> &place, const QString &label = {});
@@ -60,6 +72,12 @@ public:
     /// Marks the place that the selected vehicle flies to; nullopt: none.
     void setTarget(const std::optional<LatLong> &place, const QString &label = {});
     std::optional<QPointF> target() const { return placeOf(m_target); }
+    /// Points to the selected vehicle while it is beyond the map.
+    std::optional<EdgeArrow> edgeArrow() const;
+    /// The keys that follow the vehicle from anywhere in the window, for the tool tip of that arrow.
+    void setFollowKeys(std::function<QString()> keys) { m_followKeys = std::move(keys); }
+    /// Whether the centre is marked: the operator moves the map by keys, and other keys act there.
+    bool isCentreMarked() const { return m_byKeys && hasFocus() && !m_measure.isOn(); }
     QPoint pixelOf(const LatLong &place) const { return viewport().toPixels(mercator::project(place)).toPoint(); }
 
 Q_SIGNALS:
@@ -83,6 +101,7 @@ protected:
     void leaveEvent(QEvent *event) override;
     void wheelEvent(QWheelEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
+    void focusInEvent(QFocusEvent *event) override;
     void contextMenuEvent(QContextMenuEvent *event) override;
 
 private:
@@ -98,6 +117,9 @@ private:
     static std::optional<QPointF> placeOf(const std::optional<Labelled> &one);
     void connectPointer();
     void openMenu(const QPoint &pixel);
+    void lookAnew();
+    void setByKeys(bool byKeys);
+    void showToolTip(const QHelpEvent &event);
     bool isOnNorth(const QPointF &pixel) const;
     std::optional<std::uint8_t> otherVehicleAt(const QPointF &pixel) const;
     void showPointer();
@@ -108,6 +130,7 @@ private:
     void describe();
 
     MapContent m_content;
+    std::optional<MapContent> m_live; ///< during a replay
     FenceContent m_fence;
     TrafficContent m_traffic;
     MapCamera m_camera;
@@ -117,6 +140,8 @@ private:
     UnitSystem m_units = UnitSystem::Metric;
     CoordinateFormat m_coordinates = CoordinateFormat::Decimal;
     std::optional<Labelled> m_mark, m_target;
+    bool m_byKeys = false; ///< the last movement of the map was not by the pointer
+    std::function<QString()> m_followKeys;
 };
 
 } // namespace skyseal::ui

@@ -49,6 +49,10 @@ MapMenu::MapMenu(MapView &map, const ViewSelection &selection, VehicleCommands &
       m_placeActions(new QMenu(&window))
 {
     connect(&map, &MapView::menuRequested, this, &MapMenu::open);
+    map.setFollowKeys([&window] { // which the operator may have changed
+        const auto *follow = window.findChild<QAction *>(QStringLiteral("actionFollow"));
+        return follow ? follow->shortcut().toString(QKeySequence::NativeText) : QString();
+    });
     makePlaceActions();
 }
 
