@@ -21,6 +21,8 @@
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QTreeView>
 
+#include <algorithm>
+
 using namespace skyseal;
 using namespace skyseal::ui;
 
@@ -145,6 +147,48 @@ private Q_SLOTS:
         m_window->startReplay(QStringLiteral("tlog:/logs/own.tlog"));
         m_station->showReplay(recorded(7));
         QCOMPARE(track.points().size(), std::size_t(1));
+    }
+
+    void liveTrackIsThereAfterAReplay()
+    {
+        for (double t = 0; t < 10; t += 0.5)
+            m_station->show(sealedSnapshot(t));
+        const auto *map = find<MapView>("map");
+        const std::size_t before = map->content().track().points().size();
+        const QPointF first = map->content().track().points().front().metres;
+        m_window->startReplay(QStringLiteral("tlog:/logs/own.tlog"));
+        m_station->showReplay(recorded(7));
+        m_window->startReplay(QStringLiteral("tlog:/logs/another.tlog"));
+        m_station->showReplay(recorded(8));
+        for (double t = 10; t < 20; t += 0.5)
+            m_station->show(sealedSnapshot(t));
+        QCOMPARE(map->content().track().points().size(), std::size_t(1)); // of the replay
+        QTest::mouseClick(find<QPushButton>("sourceEnd"), Qt::LeftButton);
+        const auto &points = map->content().track().points();
+        QVERIFY(points.size() > before + 3);
+        QCOMPARE(points.front().metres, first);
+        QCOMPARE(std::ranges::count_if(points, &TrackPoint::begins),
+                 std::ptrdiff_t(1)); // what was flown during the replay belongs to it
+        const QPointF at = map->viewport().toPixels(*map->content().vehicle());
+        QVERIFY(QRectF(map->rect()).contains(at));
+    }
+
+    void panelsHaveTheirHeightsAfterAReplay()
+    {
+        m_window->resize(1366, 768);
+        find<QAction>("workspace_lab")->trigger();
+        find<QAction>("actionResetView")->trigger();
+        m_station->show(sealedSnapshot(1));
+        auto *dock = find<QDockWidget>("dockDiagnostics");
+        EVENTUALLY(dock->isVisible());
+        m_window->resizeDocks({dock}, {700}, Qt::Vertical); // until the map has its least height
+        QCoreApplication::processEvents();
+        const int before = dock->height();
+        m_window->startReplay(QStringLiteral("tlog:/logs/own.tlog"));
+        m_station->showReplay(recorded(7));
+        EVENTUALLY(dock->height() < before);
+        QTest::mouseClick(find<QPushButton>("sourceEnd"), Qt::LeftButton);
+        EVENTUALLY_EQUAL(dock->height(), before);
     }
 
     /// A jump to another time shows the way that led there.

@@ -60,12 +60,6 @@ constexpr int kSweepHeight = 320; ///< pixels: room for a row of each suite
 constexpr int kListHeight = 260;  ///< pixels: room for nine vehicles
 constexpr QSize kFirstSize(1280, 800);
 constexpr QSize kFrame(16, 48); ///< pixels: about what a window manager adds
-
-/// True if the second picture of a replay does not continue the first one.
-bool isAfterSeek(const engine::Snapshot &before, const engine::Snapshot &after)
-{
-    return before.replay && after.replay && (before.replay->seeking || before.replay->seeks != after.replay->seeks);
-}
 } // namespace
 
 MainWindow::MainWindow(StationInterface &station, QSettings &store, const ProgramFacts &facts, QWidget *parent)
@@ -272,7 +266,7 @@ void MainWindow::connectParts()
 void MainWindow::connectSources()
 {
     connect(&m_station, &StationInterface::replaySnapshotReady, this, [this](const SnapshotPtr &snapshot) {
-        if (m_selection->isReplaying() && isAfterSeek(*view().snapshot, *snapshot))
+        if (m_selection->isAfterSeek(*snapshot))
             m_map->forgetFlight();
         m_selection->setReplaySnapshot(snapshot);
         if (m_selection->isReplaying())
@@ -280,6 +274,7 @@ void MainWindow::connectSources()
     });
     connect(m_source->replayBar(), &ReplayBar::commandRequested, &m_station, &StationInterface::controlReplay);
     connect(m_selection, &ViewSelection::liveChanged, m_source, &SourceBar::showLive);
+    connect(m_selection, &ViewSelection::liveChanged, m_map, &MapView::noteLive);
     connect(m_source, &SourceBar::endRequested, this, [this] {
         if (m_source->source() == SourceBar::Source::Replay)
             endReplay();
@@ -350,9 +345,10 @@ void MainWindow::startReplay(const QString &url)
     if (const auto started = m_station.startReplay(url.toStdString()); !started)
         return reportProblem(reasonText(started.error().reason()));
     const auto parsed = link::LinkUrl::parse(url.toStdString());
+    m_docks->keepHeights(); // which may give way to the bar of the replay
     m_source->showSource(SourceBar::Source::Replay, parsed ? QFileInfo(fromStd(parsed->path())).fileName() : url);
     m_source->showLive(m_selection->liveView());
-    m_map->startOver();
+    m_map->beginReplay();
     m_selection->beginReplay();
 }
 
@@ -360,8 +356,9 @@ void MainWindow::endReplay()
 {
     m_station.endReplay();
     m_source->showSource(SourceBar::Source::Live);
-    m_map->startOver();
+    m_map->endReplay();
     m_selection->endReplay();
+    m_docks->returnHeights();
 }
 
 void MainWindow::offerRescue(const UnfinishedRun &run)

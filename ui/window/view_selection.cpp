@@ -35,6 +35,13 @@ void ViewSelection::beginReplay()
     show(std::make_shared<const engine::Snapshot>()); // nothing of the live picture remains
 }
 
+bool ViewSelection::isAfterSeek(const engine::Snapshot &next) const
+{
+    if (!m_replaying || !m_view.snapshot->replay || !next.replay)
+        return false;
+    return m_view.snapshot->replay->seeking || m_view.snapshot->replay->seeks != next.replay->seeks;
+}
+
 void ViewSelection::setReplaySnapshot(const SnapshotPtr &snapshot)
 {
     if (m_replaying)

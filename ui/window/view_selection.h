@@ -27,6 +27,8 @@ public:
     void setReplaySnapshot(const SnapshotPtr &snapshot);
     void endReplay();
     bool isReplaying() const { return m_replaying; }
+    /// True if this picture of the replay does not continue the one that is shown.
+    bool isAfterSeek(const engine::Snapshot &next) const;
     /// The view of the station, also during a replay.
     ViewState liveView() const;
     void selectVehicle(std::uint8_t systemId);

@@ -18,6 +18,7 @@
 #include <array>
 #include <cstdlib>
 #include <map>
+#include <utility>
 
 namespace skyseal::ui {
 
@@ -219,6 +220,31 @@ void WindowDocks::shrinkBack()
     if (m_grown && !m_grown->widget->isFloating() && m_grown->widget->height() <= m_grown->height)
         m_window.resizeDocks({m_grown->widget}, {m_grown->before}, Qt::Vertical);
     m_grown.reset();
+}
+
+void WindowDocks::keepHeights()
+{
+    if (!m_kept.empty())
+        return;
+    for (const Dock &dock : m_docks)
+        if (dock.panel->isExposed() && !dock.widget->isFloating())
+            m_kept.push_back({dock.widget, tabsAbove(dock.widget) + dock.widget->height(), dock.widget->height()});
+}
+
+void WindowDocks::returnHeights()
+{
+    // Once the bar's room is free.
+    QTimer::singleShot(0, this, [this] {
+        QList<QDockWidget *> docks;
+        QList<int> heights;
+        for (const GrownDock &kept : std::exchange(m_kept, {})) {
+            if (!kept.widget->isVisible() || kept.widget->isFloating() || kept.widget->height() >= kept.height)
+                continue;
+            docks << kept.widget;
+            heights << kept.before;
+        }
+        m_window.resizeDocks(docks, heights, Qt::Vertical);
+    });
 }
 
 bool WindowDocks::eventFilter(QObject *watched, QEvent *event)

@@ -55,6 +55,11 @@ public:
     void growTo(const char *id, int height);
     /// Returns a dock to the height that it had before growTo(), unless the operator has made it even higher.
     void shrinkBack();
+    /// Remembers the heights of the docks that are seen, before a bar comes that some of them have to give way to; a second
+    /// call keeps those of the first.
+    void keepHeights();
+    /// The bar has gone: those that gave way get their heights back, unless another workspace is shown now.
+    void returnHeights();
 
     /// Arranges all docks as the tables say for this workspace.
     void arrange(Workspace workspace);
@@ -80,7 +85,7 @@ private:
     void toFront(QDockWidget *dock);
     int tabsAbove(const QDockWidget *dock) const;
 
-    /// A dock that is higher than the operator left it.
+    /// A dock that is higher than the operator left it, or lower.
     struct GrownDock
     {
         QDockWidget *widget;
@@ -92,6 +97,7 @@ private:
     QPointer<QDockWidget> m_focused; ///< the dock that has the focus of the window
     QAction *m_close, *m_float;      ///< of that dock: what the buttons of its title bar do
     std::optional<GrownDock> m_grown;
+    std::vector<GrownDock> m_kept; ///< `before` is the height to return to
 };
 
 } // namespace skyseal::ui
