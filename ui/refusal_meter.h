@@ -1,11 +1,17 @@
-// Counts, for each vehicle, the refused frames that claimed to be it, over the last minute. They belong to no session, so that
-// no session counts them.
+// Counts, for each vehicle, the refused frames that claimed to be it. They belong to no session, so that no session counts
+// them. Whether an attack lasts is judged by the last minute; what is shown of it is counted since the link came up, so that it
+// never goes down.
 #pragma once
 
 #include "core/engine/station/event.h"
 
 #include <cstdint>
 #include <deque>
+#include <map>
+
+namespace skyseal::engine {
+struct SessionSnapshot;
+} // namespace skyseal::engine
 
 namespace skyseal::ui {
 
@@ -21,6 +27,10 @@ public:
     /// once a second and kind.
     std::uint64_t handleEvent(const engine::Event &event, double now);
     std::uint64_t lastMinute(std::uint8_t systemId, double now) const;
+    /// Since the last session began, or since the start.
+    std::uint64_t total(std::uint8_t systemId) const;
+    /// The vehicles of which a frame was refused since then.
+    const std::map<std::uint8_t, std::uint64_t> &totals() const { return m_totals; }
 
 private:
     struct Refusal
@@ -31,7 +41,19 @@ private:
     };
 
     std::deque<Refusal> m_refusals;
+    std::map<std::uint8_t, std::uint64_t> m_totals; ///< by system ID
     double m_countsFrom = 0;
 };
+
+/// What a session has refused since it came up, of each kind of attack that lasts; 0 of the others. A few repeated records
+/// alone are no attack, see engine::isAttacked().
+struct RefusedFrames
+{
+    std::uint64_t forged = 0, replayed = 0;
+
+    std::uint64_t all() const { return forged + replayed; }
+};
+/// `outside`: whether frames outside the session claim to be its vehicle at present; they are not counted here.
+RefusedFrames refusedFrames(const engine::SessionSnapshot &session, bool outside);
 
 } // namespace skyseal::ui

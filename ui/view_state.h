@@ -42,6 +42,7 @@ struct ViewState
     bool plainRun = false; ///< the sweep measures plain MAVLink with the consent of the operator
 
     std::uint64_t refusedLastMinute = 0; ///< frames that claimed to be this vehicle and were refused
+    std::uint64_t refused = 0;           ///< the same since the link came up
 
     /// True if the values of the vehicle are older than the limit.
     bool stale() const;

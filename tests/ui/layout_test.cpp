@@ -405,8 +405,9 @@ private:
             }
             if (state == QLatin1String("attack")) {
                 snapshot.security = engine::Security::UnderAttack;
-                snapshot.sessions.front().forgedLastMinute = 12'345;
-                snapshot.sessions.front().replayedLastMinute = 678;
+                auto &session = snapshot.sessions.front();
+                session.stats.rx.forged = session.forgedLastMinute = 12'345;
+                session.stats.rx.replayed = session.replayedLastMinute = 678;
             }
             m_station->show(snapshot);
         }

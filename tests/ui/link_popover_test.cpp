@@ -51,7 +51,7 @@ private Q_SLOTS:
     {
         clickLock();
         engine::Snapshot attacked = sealedSnapshot(++m_time);
-        attacked.sessions.front().forgedLastMinute = 87;
+        attacked.sessions.front().stats.rx.forged = attacked.sessions.front().forgedLastMinute = 87;
         attacked.security = engine::Security::UnderAttack;
         m_station->show(attacked);
         EVENTUALLY(find<QLabel>("popoverFacts")->text().contains(QStringLiteral("87 forged")));

@@ -24,7 +24,7 @@ inline engine::Snapshot attackedSnapshot()
 {
     engine::Snapshot snapshot = sealedSnapshot(5);
     snapshot.security = engine::Security::UnderAttack;
-    snapshot.sessions.front().forgedLastMinute = 87;
+    snapshot.sessions.front().stats.rx.forged = snapshot.sessions.front().forgedLastMinute = 87;
     snapshot.vehicles.front().state.batteryPercent = 8;
     snapshot.vehicles.push_back(snapshot.vehicles.front());
     snapshot.vehicles.back().state.systemId = 2;

@@ -25,6 +25,12 @@ enum class AlertKind : std::uint8_t {
     SuiteSwitch
 };
 
+/// Shown in the colour of the lock that is under attack, although nothing is lost: all of these were refused.
+constexpr bool isAttack(AlertKind kind)
+{
+    return kind == AlertKind::ForgedFrames || kind == AlertKind::ReplayedFrames;
+}
+
 enum class AlertSeverity : std::uint8_t { Information, Warning, Severe };
 
 /// There is one alert of each kind and vehicle; for limits, of each value.

@@ -152,46 +152,37 @@ void AlertList::showMode(const engine::VehicleSnapshot &vehicle, double now)
                now);
 }
 
-/// Forged frames are records with a wrong tag, and frames outside the session with the system id of this vehicle.
+/// Forged frames are records with a wrong tag, and frames outside the session with the system id of this vehicle. They are
+/// counted as the lock counts them, see LockFace.
 void AlertList::showAttacks(const engine::Snapshot &snapshot, double now)
 {
     std::map<std::uint8_t, Attack> attacks;
     for (const engine::SessionSnapshot &session : snapshot.sessions) {
-        Attack &attack = attacks[vehicleOf(session.info.session)];
-        attack.forged += session.stats.rx.forged;
-        attack.forgedLastMinute += session.forgedLastMinute;
-        attack.replayed += session.stats.rx.replayed;
-        if (engine::isAttacked(session))
-            attack.replayedLastMinute += session.replayedLastMinute;
+        const std::uint8_t systemId = vehicleOf(session.info.session);
+        const RefusedFrames refused = refusedFrames(session, m_refusals.lastMinute(systemId, now) > 0);
+        attacks[systemId].forged += refused.forged;
+        attacks[systemId].replayed += refused.replayed;
     }
-    for (const auto &[id, tally] : m_tallies)
-        attacks.try_emplace(id.systemId);
+    for (const auto &[systemId, total] : m_refusals.totals())
+        if (m_refusals.lastMinute(systemId, now) > 0)
+            attacks[systemId].forged += total;
+    const QString details = Text::tr("All were refused. Counted since the link came up, as the Secure link panel does.");
     for (const auto &[systemId, attack] : attacks) {
-        const AlertId forged{AlertKind::ForgedFrames, systemId}, replayed{AlertKind::ReplayedFrames, systemId};
-        const bool refuses = m_refusals.lastMinute(systemId, now) > 0;
-        const QString details = Text::tr("All were refused. The Secure link panel counts them.");
-        if (const auto count = countUp(forged, attack.forged, attack.forgedLastMinute, attack.forgedLastMinute > 0 || refuses))
-            raiseState({forged, AlertSeverity::Warning,
-                        framesText(*count, Text::tr("One forged frame"), Text::tr("%1 forged frames")), details, *count},
+        if (attack.forged > 0)
+            raiseState({{AlertKind::ForgedFrames, systemId},
+                        AlertSeverity::Warning,
+                        framesText(attack.forged, Text::tr("One forged frame"), Text::tr("%1 forged frames")),
+                        details,
+                        attack.forged},
                        now);
-        if (const auto count = countUp(replayed, attack.replayed, attack.replayedLastMinute, attack.replayedLastMinute > 0))
-            raiseState({replayed, AlertSeverity::Warning,
-                        framesText(*count, Text::tr("One replayed frame"), Text::tr("%1 replayed frames")), details, *count},
+        if (attack.replayed > 0)
+            raiseState({{AlertKind::ReplayedFrames, systemId},
+                        AlertSeverity::Warning,
+                        framesText(attack.replayed, Text::tr("One replayed frame"), Text::tr("%1 replayed frames")),
+                        details,
+                        attack.replayed},
                        now);
     }
-}
-
-/// Returns the count of an attack that lasts; forgets it otherwise.
-std::optional<std::uint64_t> AlertList::countUp(AlertId id, std::uint64_t total, std::uint64_t lastMinute, bool lasts)
-{
-    if (!lasts) {
-        m_tallies.erase(id);
-        return std::nullopt;
-    }
-    Tally &tally = m_tallies[id];
-    const std::uint64_t before = std::exchange(tally.total, total).value_or(total - std::min(total, lastMinute));
-    tally.count += total >= before ? total - before : std::min(total, lastMinute); // less: of another session
-    return tally.count > 0 ? std::optional(tally.count) : std::nullopt;
 }
 
 void AlertList::showStorage(const engine::Snapshot &snapshot, double now)
@@ -229,7 +220,7 @@ void AlertList::showStorage(const engine::Snapshot &snapshot, double now)
 void AlertList::handleEvent(const engine::Event &event, double now)
 {
     m_names.note(event);
-    handleRefusal(event, now);
+    m_refusals.handleEvent(event, now);
     if (const auto *result = std::get_if<vehicle::CommandResult>(&event)) {
         const auto sent = m_commands.find(result->systemId);
         if (result->outcome == vehicle::CommandOutcome::Accepted && sent != m_commands.end()
@@ -263,16 +254,6 @@ void AlertList::handleEvent(const engine::Event &event, double now)
                             .arg(engine::eventText(event, m_names).sentence)},
                        now);
     }
-}
-
-void AlertList::handleRefusal(const engine::Event &event, double now)
-{
-    const std::uint64_t frames = m_refusals.handleEvent(event, now);
-    if (frames == 0)
-        return;
-    const auto *clear = std::get_if<engine::PlaintextRefused>(&event);
-    const std::uint8_t systemId = clear ? clear->systemId : std::get<engine::SystemRefused>(event).systemId;
-    m_tallies[{AlertKind::ForgedFrames, systemId}].count += frames;
 }
 
 void AlertList::handleSwitch(const channel::SwitchDone &done, const engine::Event &event, double now)

@@ -55,17 +55,10 @@ private:
         AlertSeverity dismissedAs{};   ///< with this severity
         std::uint64_t dismissedAt = 0; ///< with this count
     };
-    /// Frames of one attack, counted from totals that begin anew with each session.
-    struct Tally
-    {
-        std::optional<std::uint64_t> total; ///< of the last view
-        std::uint64_t count = 0;
-    };
-    /// Attacks on one vehicle as its sessions report them.
+    /// Attacks on one vehicle that last: what was refused since its link came up.
     struct Attack
     {
-        std::uint64_t forged = 0, forgedLastMinute = 0;
-        std::uint64_t replayed = 0, replayedLastMinute = 0; ///< the latter 0 while only the network may repeat records
+        std::uint64_t forged = 0, replayed = 0;
     };
     struct FailsafeText
     {
@@ -78,8 +71,6 @@ private:
     void showMode(const engine::VehicleSnapshot &vehicle, double now);
     void showAttacks(const engine::Snapshot &snapshot, double now);
     void showStorage(const engine::Snapshot &snapshot, double now);
-    std::optional<std::uint64_t> countUp(AlertId id, std::uint64_t total, std::uint64_t lastMinute, bool lasts);
-    void handleRefusal(const engine::Event &event, double now);
     void handleSwitch(const channel::SwitchDone &done, const engine::Event &event, double now);
     /// The vehicle that is heard over a session; 0 without one.
     std::uint8_t vehicleOf(channel::SessionId session) const;
@@ -92,7 +83,6 @@ private:
 
     std::map<AlertId, Entry> m_entries;
     std::vector<AlertId> m_raised;
-    std::map<AlertId, Tally> m_tallies;
     std::map<std::uint8_t, std::string> m_modes;
     std::map<std::uint8_t, double> m_commands; ///< time of the last one
     std::map<std::uint8_t, FailsafeText> m_failsafeTexts;

@@ -95,7 +95,8 @@ void AlertRow::paintEvent(QPaintEvent *)
         return;
     QPainter painter(this);
     const bool severe = m_alert->severity == AlertSeverity::Severe;
-    const QColor color = severityColor(m_alert->severity, palette());
+    const QColor color = isAttack(m_alert->id.kind) ? stateColors(palette()).alarm
+                                                    : severityColor(m_alert->severity, palette());
     QFont strong = font();
     strong.setBold(severe);
     painter.setFont(strong);

@@ -267,10 +267,10 @@ void SecureLinkPanel::showHead(const ViewState &view)
     case Security::UnderAttack:
         title = tr("Under attack, all refused");
         if (view.session)
-            advice = tr("%1 forged, %2 replayed in a minute")
-                         .arg(grouped(view.session->forgedLastMinute), grouped(view.session->replayedLastMinute));
+            advice = tr("%1 forged, %2 replayed in this session")
+                         .arg(grouped(view.session->stats.rx.forged), grouped(view.session->stats.rx.replayed));
         if (view.refusedLastMinute > 0)
-            advice += QLatin1Char('\n') + tr("%1 spoofed frames in a minute").arg(grouped(view.refusedLastMinute));
+            advice += QLatin1Char('\n') + tr("%1 spoofed frames in this session").arg(grouped(view.refused));
         color = colors.alarm;
         break;
     }

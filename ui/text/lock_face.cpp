@@ -2,6 +2,7 @@
 
 #include "core/engine/station/snapshot.h"
 #include "core/engine/text/state_text.h"
+#include "ui/refusal_meter.h"
 #include "ui/text/link_ended.h"
 #include "ui/text/one_way.h"
 #include "ui/text/units.h"
@@ -147,18 +148,19 @@ LockFace lockFaceOf(const ViewState &view)
         break;
     }
     case Security::UnderAttack: {
-        const std::uint64_t records = session.forgedLastMinute + session.replayedLastMinute;
-        const QString brief = Text::tr("%1 refused").arg(grouped(records + view.refusedLastMinute));
+        const std::uint64_t records = refusedFrames(session, view.refusedLastMinute > 0).all();
+        const std::uint64_t outside = view.refusedLastMinute > 0 ? view.refused : 0;
+        const QString brief = Text::tr("%1 refused").arg(grouped(records + outside));
         face.icon = QStringLiteral("lock-alert");
-        face.variants = {suite + dot + peer + dot + Text::tr("under attack, %1").arg(brief), suite + dot + brief};
+        face.variants = {suite + dot + peer + dot + Text::tr("under attack, %1").arg(brief), suite + dot + brief, brief};
         if (records > 0)
             face.toolTip += QLatin1Char('\n')
-                + Text::tr("Under attack: %1 forged or replayed records in the last minute. All of them were refused.")
+                + Text::tr("Under attack: %1 forged or replayed records since the link came up. All of them were refused.")
                       .arg(grouped(records));
-        if (view.refusedLastMinute > 0)
+        if (outside > 0)
             face.toolTip += QLatin1Char('\n')
-                + Text::tr("Under attack: %1 spoofed frames of this vehicle in the last minute. All of them were refused.")
-                      .arg(grouped(view.refusedLastMinute));
+                + Text::tr("Under attack: %1 spoofed frames of this vehicle since the link came up. All of them were refused.")
+                      .arg(grouped(outside));
         break;
     }
     default: {

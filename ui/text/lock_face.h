@@ -12,7 +12,7 @@ struct LockFace
 {
     engine::Security security = engine::Security::Nothing;
     QString icon;
-    QStringList variants; ///< texts, longest first; each names the suite
+    QStringList variants; ///< texts, longest first; each names the suite, except the shortest of an attack
     QString toolTip;
     std::optional<crypto::SuiteId> suite; ///< for the colour
     bool lost = false;                    ///< the session has ended, or the agent does not answer

@@ -1,12 +1,13 @@
 #include "ui/text/units.h"
 
+#include <QtCore/QLocale>
+
 #include <cmath>
 
 namespace skyseal::ui {
 
 namespace {
 
-const QChar kThinSpace(0x2009);
 const QChar kMinus(0x2212);
 
 // Of the international foot, mile and nautical mile.
@@ -42,10 +43,9 @@ QString number(double value, int decimals)
 
 QString grouped(std::uint64_t value)
 {
-    QString text = QString::number(value);
-    for (qsizetype at = text.size() - 3; at > 0; at -= 3)
-        text.insert(at, kThinSpace);
-    return text;
+    QLocale locale;
+    locale.setNumberOptions(locale.numberOptions() & ~QLocale::OmitGroupSeparator);
+    return locale.toString(static_cast<qulonglong>(value));
 }
 
 UnitScale altitudeScale(UnitSystem units)

@@ -41,7 +41,7 @@ QString dash();
 
 /// `value` with `decimals` places; a dash for NaN. Never "-0.0".
 QString number(double value, int decimals);
-/// Digits in groups of three, separated by a thin space.
+/// Digits in groups as the locale writes them: "2,481".
 QString grouped(std::uint64_t value);
 
 /// `value` of SI in this unit.

@@ -199,8 +199,10 @@ void MainWindow::connectParts()
 {
     m_selection->setAnnotation([this](ViewState &view) {
         view.key = m_keyState;
-        if (view.vehicle && !view.isReplay())
+        if (view.vehicle && !view.isReplay()) {
             view.refusedLastMinute = m_refusals.lastMinute(view.vehicle->state.systemId, now());
+            view.refused = m_refusals.total(view.vehicle->state.systemId);
+        }
         if (m_sweep)
             m_sweep->mark(view);
     });
