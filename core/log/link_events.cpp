@@ -14,7 +14,7 @@ namespace skyseal::tlog {
 
 namespace {
 
-constexpr std::array<std::string_view, 2> kKinds{"sealed", "switched"}; // in the order of LinkEvent::Kind
+constexpr std::array<std::string_view, 3> kKinds{"sealed", "switched", "plain"}; // in the order of LinkEvent::Kind
 
 bool isSuiteName(std::string_view text)
 {

@@ -4,9 +4,10 @@
 //
 //     1700000000000000 sealed chacha20-poly1305 air-1
 //     1700000031000000 switched aes-256-gcm air-1
+//     1700000052000000 plain none 2
 //
 // microseconds since 1970-01-01 UTC, by the clock of the .tlog; what happened; the suite, by its name in options; the peer, up
-// to the end of the line. A line that begins with # is a comment.
+// to the end of the line, or the system ID of a vehicle without one. A line that begins with # is a comment.
 #pragma once
 
 #include "core/base/clock.h"
@@ -23,8 +24,9 @@ namespace skyseal::tlog {
 struct LinkEvent
 {
     enum class Kind : std::uint8_t {
-        Sealed,  ///< a sealed link came up with this suite, or was up when the recording began
-        Switched ///< from another suite to this one
+        Sealed,   ///< a sealed link came up with this suite, or was up when the recording began
+        Switched, ///< from another suite to this one
+        Plain     ///< a vehicle was heard in plain MAVLink, for the first time or after it was heard sealed
     };
 
     static constexpr std::size_t kLongestSuite = 40, kLongestPeer = 100; ///< bytes

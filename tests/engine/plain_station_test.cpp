@@ -3,6 +3,7 @@
 #include "core/engine/station/snapshot.h"
 #include "core/engine/station/station_core.h"
 #include "core/keys/peers_file.h"
+#include "core/log/link_events.h"
 #include "core/mavlink/messages.h"
 #include "tests/engine/ground.h"
 #include "tests/support/eventually.h"
@@ -25,6 +26,7 @@ class PlainStationTest : public QObject
 
 private Q_SLOTS:
     void plainVehicleIsShownAsPlain();
+    void plainVehicleIsNotedBesideTheRecording();
     void plainVehicleAwaitsApproval();
     void recordingApprovesNoVehicle();
     void pendingVehicleIsNotReportedAsAnAttack();
@@ -53,6 +55,31 @@ void PlainStationTest::plainVehicleIsShownAsPlain()
     EVENTUALLY_EQUAL(int(ears.snapshot->security), int(engine::Security::Plain));
     // It also receives us: streams start only on request.
     EVENTUALLY(!ears.snapshot->vehicles.empty() && !std::isnan(ears.snapshot->vehicles[0].state.roll));
+}
+
+void PlainStationTest::plainVehicleIsNotedBesideTheRecording()
+{
+    FlightRig rig;
+    QTemporaryDir folder;
+    engine::StationConfig config = rig.stationConfig(engine::SecureMode::Preferred);
+    QVERIFY(keys::PeersFile().save(config.keys.peers));
+    config.recordFolder = folder.path().toStdString();
+    config.record = true;
+    Ground ground(config);
+    VehicleOnUdp vehicle(ground.ears->listening());
+    for (int recording = 0; recording < 2; ++recording) { // each of them says so
+        EVENTUALLY(ground.ears->snapshot->recording.frames > 50);
+        const std::string file = ground.ears->snapshot->recording.file;
+        ground.station->setRecording(false);
+        EVENTUALLY(!ground.ears->snapshot->recording.active);
+        const tlog::LinkEvents noted = tlog::linkEventsOf(file);
+        QCOMPARE(noted.unreadable, std::uint64_t(0));
+        QCOMPARE(noted.events.size(), std::size_t(1));
+        QVERIFY(noted.events[0].kind == tlog::LinkEvent::Kind::Plain);
+        QCOMPARE(noted.events[0].suite, std::string("none"));
+        QCOMPARE(noted.events[0].peer, std::string("1"));
+        ground.station->setRecording(true);
+    }
 }
 
 void PlainStationTest::plainVehicleAwaitsApproval()

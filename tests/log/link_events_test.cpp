@@ -40,6 +40,9 @@ private Q_SLOTS:
         QCOMPARE(lineOf(aes("air-1")), std::string("1700000000000000 switched aes-256-gcm air-1\n"));
         const LinkEvent up{LinkEvent::Kind::Sealed, kTime, "chacha20-poly1305", {}};
         QCOMPARE(lineOf(up), std::string("1700000000000000 sealed chacha20-poly1305\n"));
+        const LinkEvent plain{LinkEvent::Kind::Plain, kTime, "none", "2"};
+        QCOMPARE(lineOf(plain), std::string("1700000000000000 plain none 2\n"));
+        QVERIFY(linkEventOf("1700000000000000 plain none 2") == plain);
         QVERIFY(linkEventOf("1700000000000000 sealed chacha20-poly1305") == up);
         QVERIFY(linkEventOf("1700000000000000 switched aes-256-gcm air-1") == aes("air-1"));
         QVERIFY(linkEventOf("1700000000000000 switched aes-256-gcm the other  one") == aes("the other  one"));

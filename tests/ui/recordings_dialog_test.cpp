@@ -8,8 +8,10 @@
 #include "core/mavlink/enums.h"
 
 #include <QtTest/QAbstractItemModelTester>
+#include <QtGui/QImage>
 #include <QtTest/QTest>
 #include <QtWidgets/QFileDialog>
+#include <QtWidgets/QHeaderView>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QTreeView>
@@ -90,6 +92,41 @@ private Q_SLOTS:
         const QModelIndex none = m_view->model()->index(1, RecordingModel::Ciphers);
         QVERIFY(none.data(Qt::ToolTipRole).toString().contains(QStringLiteral("No cipher suite is noted")));
         QCOMPARE(text(2, RecordingModel::Ciphers), QStringLiteral("ChaCha20-Poly1305, one unreadable line about ciphers"));
+    }
+
+    void plainMavlinkIsOneOfTheCiphers()
+    {
+        engine::RecordingInfo one = file("a.tlog", 1000s);
+        list({one});
+        auto index = *indexed(1'600'000'000s, 754s, {1});
+        index.suites.push_back({{}, {tlog::LinkEvent::Kind::Plain, {}, "none", "1"}});
+        index.suites.push_back({400s, {tlog::LinkEvent::Kind::Sealed, {}, "aes-256-gcm", "air-1"}});
+        one.index = std::make_shared<const tlog::LogIndex>(index);
+        Q_EMIT m_station->recordingRead(one);
+        QCOMPARE(text(0, RecordingModel::Ciphers), QStringLiteral("plain MAVLink, AES-256-GCM"));
+    }
+
+    /// As the recorder names them.
+    void namesAreLegible()
+    {
+        const char *name = "2026-11-27T08-24-12Z.tlog";
+        list({file(name, 1000s)});
+        EVENTUALLY(m_view->isVisible());
+        const int room = m_view->visualRect(m_view->model()->index(0, RecordingModel::File)).width();
+        QVERIFY(room > m_view->fontMetrics().horizontalAdvance(QLatin1String(name)) + 4);
+        QVERIFY(m_view->model()
+                    ->index(0, RecordingModel::File)
+                    .data(Qt::ToolTipRole)
+                    .toString()
+                    .contains(QStringLiteral("/logs/") + QLatin1String(name)));
+        const std::string longName(80, 'm');
+        list({file(longName + "1.tlog", 1000s), file(longName + "2.tlog", 1000s)});
+        m_view->setCurrentIndex({});
+        m_view->clearSelection();
+        const auto picture = [this](int row) {
+            return m_view->viewport()->grab(m_view->visualRect(m_view->model()->index(row, RecordingModel::File))).toImage();
+        };
+        QVERIFY(picture(0) != picture(1)); // their ends are seen
     }
 
     /// A file beside a recording may name any number of suites.

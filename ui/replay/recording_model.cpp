@@ -42,7 +42,7 @@ QString vehicleOf(const RecordingInfo &recording)
     return out.isEmpty() ? RecordingModel::tr("no vehicle") : out.join(QStringLiteral(", "));
 }
 
-/// Each suite once, in the order of their use.
+/// Each suite once, in the order of their use, and plain MAVLink among them.
 QString ciphersOf(const RecordingInfo &recording)
 {
     constexpr qsizetype kMostNamed = 8;
@@ -50,7 +50,8 @@ QString ciphersOf(const RecordingInfo &recording)
         return {};
     QStringList out;
     for (const tlog::SuiteMark &mark : recording.index->suites) {
-        const QString name = suiteNameOf(mark.event.suite);
+        const bool isPlain = mark.event.kind == tlog::LinkEvent::Kind::Plain;
+        const QString name = isPlain ? RecordingModel::tr("plain MAVLink") : suiteNameOf(mark.event.suite);
         if (out.contains(name))
             continue;
         if (out.size() == kMostNamed) {

@@ -10,10 +10,32 @@
 #include <QtWidgets/QHeaderView>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QPushButton>
+#include <QtWidgets/QScrollBar>
+#include <QtWidgets/QStyledItemDelegate>
 #include <QtWidgets/QTreeView>
 #include <QtWidgets/QVBoxLayout>
 
+#include <algorithm>
+
 namespace skyseal::ui {
+
+namespace {
+
+/// Names of recordings differ at their ends as much as at their beginnings.
+class NameDelegate : public QStyledItemDelegate
+{
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const override
+    {
+        QStyledItemDelegate::initStyleOption(option, index);
+        option->textElideMode = Qt::ElideMiddle;
+    }
+};
+
+} // namespace
 
 RecordingsDialog::RecordingsDialog(StationInterface &station, const QString &folder, QWidget *parent)
     : QDialog(parent), m_station(station), m_folder(folder), m_sorted(new QSortFilterProxyModel(this)),
@@ -37,10 +59,12 @@ RecordingsDialog::RecordingsDialog(StationInterface &station, const QString &fol
         header->resizeSection(column, metrics.horizontalAdvance(sample) + 4 * kGrid);
     };
     widen(RecordingModel::Date, QStringLiteral("8888-88-88 88:88"));
-    widen(RecordingModel::Vehicle, QStringLiteral("cannot be read: permission"));
+    widen(RecordingModel::Vehicle, QStringLiteral("quadrotor 1, rover 2"));
     widen(RecordingModel::Length, QStringLiteral("88:88:88"));
-    widen(RecordingModel::Ciphers, QStringLiteral("ChaCha20-Poly1305, AES-256-GCM, RC4 (insecure)"));
+    widen(RecordingModel::Ciphers, QStringLiteral("ChaCha20-Poly1305, AES-256-GCM"));
     widen(RecordingModel::Size, QStringLiteral("888.8 MB"));
+    widen(RecordingModel::File, QStringLiteral("8888-88-88T88-88-88Z.tlog"));
+    m_view->setItemDelegateForColumn(RecordingModel::File, new NameDelegate(m_view));
     m_state->setObjectName(QStringLiteral("recordingState"));
     m_state->setTextFormat(Qt::PlainText);
     m_state->setWordWrap(true);
@@ -58,7 +82,8 @@ RecordingsDialog::RecordingsDialog(StationInterface &station, const QString &fol
     column->addWidget(m_view, 1);
     column->addWidget(m_state);
     column->addLayout(buttons);
-    resize(122 * kGrid, 50 * kGrid);
+    const int columns = header->length() + m_view->verticalScrollBar()->sizeHint().width() + 6 * kGrid;
+    resize(std::max(columns, 122 * kGrid), 50 * kGrid);
 
     connect(m_view->selectionModel(), &QItemSelectionModel::selectionChanged, this, &RecordingsDialog::showState);
     connect(m_view, &QTreeView::doubleClicked, this, &RecordingsDialog::replaySelected); // Enter is the default button's

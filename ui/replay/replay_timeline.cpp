@@ -126,9 +126,11 @@ void ReplayTimeline::collectSuites()
         suites, [&](const tlog::SuiteMark &mark) { return mark.event.peer != suites.front().event.peer; });
     for (const tlog::SuiteMark &mark : suites) {
         const bool switched = mark.event.kind == tlog::LinkEvent::Kind::Switched;
-        QString text = (switched ? tr("%1 switched to %2") : tr("%1 sealed with %2"))
-                           .arg(timeText(mark.at), suiteNameOf(mark.event.suite));
-        if (several)
+        const bool isPlain = mark.event.kind == tlog::LinkEvent::Kind::Plain;
+        QString text = isPlain ? tr("%1 vehicle %2 in plain MAVLink").arg(timeText(mark.at), fromStd(mark.event.peer))
+                               : (switched ? tr("%1 switched to %2") : tr("%1 sealed with %2"))
+                                     .arg(timeText(mark.at), suiteNameOf(mark.event.suite));
+        if (several && !isPlain)
             text += tr(" (link to %1)").arg(fromStd(mark.event.peer));
         const auto known = crypto::suiteFromName(mark.event.suite);
         m_marks.push_back({mark.at, mark.at, text, Mark::Kind::Suite, suiteColor(known.value_or(crypto::SuiteId::None))});

@@ -71,7 +71,9 @@ public:
     void field(WallTime &value) { value = WallTime(std::chrono::microseconds(number())); }
     void field(tlog::LinkEvent::Kind &value)
     {
-        value = number() == 0 ? tlog::LinkEvent::Kind::Sealed : tlog::LinkEvent::Kind::Switched;
+        using enum tlog::LinkEvent::Kind;
+        const qint64 kind = number();
+        value = kind == 0 ? Sealed : kind == 1 ? Switched : Plain;
     }
     void field(std::string &value)
     {

@@ -65,8 +65,11 @@ bool LinkEventFile::write(const tlog::LinkEvent &event)
     return false;
 }
 
+/// A vehicle in clear may have been sealed by the time of the next recording, under the name of its peer.
 void LinkEventFile::remember(const tlog::LinkEvent &event)
 {
+    if (event.kind == tlog::LinkEvent::Kind::Plain)
+        return;
     const auto known = std::ranges::find(m_inUse, event.peer, &tlog::LinkEvent::peer);
     if (known != m_inUse.end())
         *known = event;

@@ -43,4 +43,9 @@ void noteLinkEvent(Recorder *recorder, const StationChannel &channel, const chan
     }
 }
 
+tlog::LinkEvent plainVehicle(WallTime time, std::uint8_t systemId)
+{
+    return {Kind::Plain, time, std::string(crypto::suiteInfo(crypto::SuiteId::None).name), std::to_string(systemId)};
+}
+
 } // namespace skyseal::engine

@@ -1,4 +1,4 @@
-// Tells the recorder the cipher suites of the station's sessions. I/O thread.
+// Tells the recorder the cipher suites of the station's sessions, and which vehicles have none. I/O thread.
 #pragma once
 
 #include "core/channel/events.h"
@@ -17,5 +17,8 @@ std::unique_ptr<Recorder> startRecording(const std::string &folder, const Statio
 /// Notes a session that came up, or that switched its suite; ignores all other events. Call before the session is forgotten;
 /// `recorder` is null while nothing is recorded.
 void noteLinkEvent(Recorder *recorder, const StationChannel &channel, const channel::Event &event);
+
+/// The event of a vehicle that was heard in plain MAVLink.
+tlog::LinkEvent plainVehicle(WallTime time, std::uint8_t systemId);
 
 } // namespace skyseal::engine

@@ -3,6 +3,7 @@
 #include "core/channel/endpoint.h"
 #include "core/crypto/mavsec_cipher.h"
 #include "core/engine/gateway/late_answers.h"
+#include "core/engine/station/recording_link_events.h"
 #include "core/link/steady_now.h"
 #include "core/mavlink/frame_header.h"
 #include "core/mavlink/messages.h"
@@ -200,12 +201,25 @@ void StationReceiver::acceptFrame(TimePoint now, const Path &from, const mavlink
         serve(frame.bytes());
     if (session) {
         m_parts.routes.heardSealed(systemId, *session);
+        m_notedPlain.reset(systemId);
     } else if (frame.messageId() == mavlink::Heartbeat::kId && live) {
         m_parts.routes.heardClear(now, systemId, from);
         m_parts.links.noteRemote(from.link, from.remote);
     }
+    if (!session && live)
+        notePlain(frame, wall);
     if (const auto found = m_parts.fleet.take(now, wall, from.link, frame, session))
         m_parts.notify(*found);
+}
+
+/// The frames of a recording do not say whether they were sealed.
+void StationReceiver::notePlain(const mavlink::Frame &frame, WallTime wall)
+{
+    const std::uint8_t systemId = frame.systemId();
+    if (!m_recorder || m_notedPlain.test(systemId) || !m_parts.fleet.vehicles().announcesVehicle(frame))
+        return;
+    m_notedPlain.set(systemId);
+    m_recorder->note(plainVehicle(wall, systemId));
 }
 
 /// Does not change the routes: the vehicle may have another address by now.

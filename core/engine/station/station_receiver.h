@@ -17,6 +17,7 @@
 #include "core/engine/station/security_settings.h"
 #include "core/engine/station/station_channel.h"
 
+#include <bitset>
 #include <map>
 #include <optional>
 
@@ -50,7 +51,11 @@ public:
     /// The channel, null without keys; it must outlive this object.
     void setChannel(StationChannel *channel) { m_channel = channel; }
     /// Null when nothing is recorded.
-    void setRecorder(Recorder *recorder) { m_recorder = recorder; }
+    void setRecorder(Recorder *recorder)
+    {
+        m_recorder = recorder;
+        m_notedPlain.reset();
+    }
     /// Receives the accepted frames of vehicles; null when no clients are served.
     void setGateway(Gateway *gateway) { m_gateway = gateway; }
 
@@ -103,6 +108,7 @@ private:
     void acceptLateFrame(TimePoint now, const Path &from, const mavlink::Frame &frame, channel::Freshness freshness);
     void takeUnknownMessage(const channel::Delivery &delivery, ByteView frame);
     void record(const mavlink::Frame &frame, WallTime wall);
+    void notePlain(const mavlink::Frame &frame, WallTime wall);
     void serve(ByteView frame)
     {
         if (m_gateway)
@@ -118,6 +124,7 @@ private:
     const Parts m_parts;
     StationChannel *m_channel = nullptr;
     Recorder *m_recorder = nullptr;
+    std::bitset<256> m_notedPlain; ///< system IDs of which the recording says that they are heard in clear
     Gateway *m_gateway = nullptr;
     Feed *m_feed = nullptr;
     FrameGate m_gate;
