@@ -42,6 +42,8 @@ public:
     virtual void setAllowResearch(bool allow) = 0;
     virtual void setWeakestSuite(crypto::SuiteId weakest) = 0;
     virtual void allowPlaintext(std::uint8_t systemId) = 0;
+    /// Shows a vehicle that is lost no longer, until it is heard again.
+    virtual void forgetVehicle(std::uint8_t systemId) = 0;
     /// Sends a request to a vehicle; its result arrives as an event with the returned id.
     virtual vehicle::RequestId perform(std::uint8_t systemId, vehicle::Request request) = 0;
     virtual void setInspecting(bool inspecting) = 0;

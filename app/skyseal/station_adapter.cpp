@@ -96,6 +96,12 @@ void StationAdapter::allowPlaintext(std::uint8_t systemId)
         m_station->allowPlaintext(systemId);
 }
 
+void StationAdapter::forgetVehicle(std::uint8_t systemId)
+{
+    if (m_station)
+        m_station->forgetVehicle(systemId);
+}
+
 void StationAdapter::setAllowResearch(bool allow)
 {
     if (m_station)

@@ -34,6 +34,7 @@ public:
     void setAllowResearch(bool allow) override;
     void setWeakestSuite(crypto::SuiteId weakest) override;
     void allowPlaintext(std::uint8_t systemId) override;
+    void forgetVehicle(std::uint8_t systemId) override;
     vehicle::RequestId perform(std::uint8_t systemId, vehicle::Request request) override;
     void setInspecting(bool inspecting) override;
     void chooseFields(std::vector<engine::FieldChoice> choices) override;

@@ -25,8 +25,10 @@ public:
     void handleDeadline(TimePoint now);
     TimePoint nextDeadline() const;
 
-    /// Null for an unknown vehicle. Valid as long as the set.
+    /// Null for an unknown vehicle. Valid until the vehicle is forgotten.
     Vehicle *find(std::uint8_t systemId);
+    /// Its next heartbeat announces it anew. Its requests end without a result.
+    void forget(std::uint8_t systemId) { m_vehicles.erase(systemId); }
     /// By system id, in rising order.
     std::map<std::uint8_t, Vehicle> &all() { return m_vehicles; }
     const std::map<std::uint8_t, Vehicle> &all() const { return m_vehicles; }

@@ -27,6 +27,7 @@ class PlainStationTest : public QObject
 private Q_SLOTS:
     void plainVehicleIsShownAsPlain();
     void plainVehicleIsNotedBesideTheRecording();
+    void lostVehicleIsForgotten();
     void plainVehicleAwaitsApproval();
     void recordingApprovesNoVehicle();
     void pendingVehicleIsNotReportedAsAnAttack();
@@ -80,6 +81,29 @@ void PlainStationTest::plainVehicleIsNotedBesideTheRecording()
         QCOMPARE(noted.events[0].peer, std::string("1"));
         ground.station->setRecording(true);
     }
+}
+
+void PlainStationTest::lostVehicleIsForgotten()
+{
+    FlightRig rig;
+    const engine::StationConfig config = rig.stationConfig(engine::SecureMode::Preferred);
+    QVERIFY(keys::PeersFile().save(config.keys.peers));
+    Ground ground(config);
+    QUdpSocket vehicle;
+    const auto heartbeat = [&] { vehicle.writeDatagram(clearHeartbeat(1, 1, false), QHostAddress::LocalHost, ground.port()); };
+    const auto vehicles = [&] { return ground.ears->snapshot->vehicles.size(); };
+    heartbeat();
+    EVENTUALLY_EQUAL(vehicles(), std::size_t(1));
+    ground.station->forgetVehicle(1); // it is not lost
+    QVERIFY(!QTest::qWaitFor([&] { return vehicles() == 0; }, 500));
+    EVENTUALLY(ground.ears->snapshot->vehicles[0].state.lost);
+    ground.station->forgetVehicle(2);
+    ground.station->forgetVehicle(1);
+    EVENTUALLY_EQUAL(vehicles(), std::size_t(0));
+    heartbeat();
+    EVENTUALLY_EQUAL(vehicles(), std::size_t(1));
+    QVERIFY(!ground.ears->snapshot->vehicles[0].state.lost);
+    QCOMPARE(ground.ears->all<engine::VehicleFound>().size(), std::size_t(2));
 }
 
 void PlainStationTest::plainVehicleAwaitsApproval()

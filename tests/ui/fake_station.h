@@ -32,6 +32,7 @@ public:
     void setAllowResearch(bool allow) override { allowResearch = allow; }
     void setWeakestSuite(crypto::SuiteId suite) override { weakest = suite; }
     void allowPlaintext(std::uint8_t systemId) override { allowedClear.push_back(systemId); }
+    void forgetVehicle(std::uint8_t systemId) override { forgotten.push_back(systemId); }
     vehicle::RequestId perform(std::uint8_t systemId, vehicle::Request request) override
     {
         if (const auto *command = std::get_if<vehicle::VehicleCommand>(&request)) {
@@ -81,6 +82,7 @@ public:
     std::vector<std::pair<std::uint8_t, vehicle::VehicleCommand>> commands;
     std::vector<vehicle::Request> requests; ///< all of them; commands and writes also stand in the lists below
     std::vector<std::uint8_t> allowedClear;
+    std::vector<std::uint8_t> forgotten;
     std::vector<std::pair<std::string, double>> written;
     std::vector<std::pair<std::uint8_t, std::vector<vehicle::MissionItem>>> missionWrites;
     std::vector<engine::FieldChoice> chosenFields; ///< the newest request

@@ -285,6 +285,27 @@ private Q_SLOTS:
         QCOMPARE(cell(1, Row::Alerts), QStringLiteral("–"));
     }
 
+    void lostVehicleIsRemovedFromTheList()
+    {
+        const auto *remove = find<QPushButton>("vehicleRemove");
+        engine::Snapshot snapshot = fleet(1, 3);
+        m_station->show(snapshot);
+        reveal();
+        QTest::mouseClick(list().viewport(), Qt::LeftButton, {}, placeOf(2));
+        QVERIFY(!remove->isEnabled());
+        QVERIFY(remove->toolTip().contains(QStringLiteral("whose link is lost")));
+        snapshot.time = 2;
+        snapshot.vehicles[1].state.lost = true;
+        snapshot.vehicles[1].state.messageAge = 3600;
+        m_station->show(snapshot);
+        EVENTUALLY(remove->isEnabled());
+        QTest::mouseClick(list().viewport(), Qt::LeftButton, {}, placeOf(3));
+        QVERIFY(!remove->isEnabled()); // it is heard
+        QTest::mouseClick(list().viewport(), Qt::LeftButton, {}, placeOf(2));
+        QTest::mouseClick(find<QPushButton>("vehicleRemove"), Qt::LeftButton);
+        QCOMPARE(m_station->forgotten, std::vector<std::uint8_t>{2});
+    }
+
     void emptyListSaysWhatToDo()
     {
         m_station->show(waitingSnapshot());

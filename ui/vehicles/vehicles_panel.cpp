@@ -16,6 +16,8 @@
 #include <QtWidgets/QStackedWidget>
 #include <QtWidgets/QTreeView>
 
+#include <algorithm>
+
 namespace skyseal::ui {
 
 namespace {
@@ -49,7 +51,7 @@ QTreeView *makeList(QAbstractItemModel *model, QWidget *parent)
 
 } // namespace
 
-VehiclesPanel::VehiclesPanel(StationInterface &station, QWidget *parent) : DockPanel(parent)
+VehiclesPanel::VehiclesPanel(StationInterface &station, QWidget *parent) : DockPanel(parent), m_station(station)
 {
     m_clock.start();
     m_order.setSourceModel(&m_model);
@@ -58,6 +60,8 @@ VehiclesPanel::VehiclesPanel(StationInterface &station, QWidget *parent) : DockP
     m_typed->setClearButtonEnabled(true);
     m_typed->installEventFilter(this);
     m_count = named(new QLabel(this), "vehicleCount", tr("Vehicles shown"));
+    m_remove = named(new QPushButton(tr("Remove from the list"), this), "vehicleRemove",
+                     tr("Remove the lost vehicle from the list"));
     m_list = makeList(&m_order, this);
     m_list->installEventFilter(this);
     m_pages = new QStackedWidget(this);
@@ -67,13 +71,15 @@ VehiclesPanel::VehiclesPanel(StationInterface &station, QWidget *parent) : DockP
     tools->setSpacing(kGrid);
     tools->addWidget(m_typed, 1);
     tools->addWidget(m_count, 1);
+    tools->addWidget(m_remove);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(kGrid, kGrid, kGrid, kGrid);
     column->setSpacing(kGrid);
     column->addLayout(tools);
     column->addWidget(m_pages, 1);
     setFocusProxy(m_list);
-    addAction(focusAction(*m_typed, tr("Find a vehicle"), Qt::CTRL | Qt::SHIFT | Qt::Key_V));
+    addActions({focusAction(*m_typed, tr("Find a vehicle"), Qt::CTRL | Qt::SHIFT | Qt::Key_V),
+                pressAction(*m_remove, Qt::ALT | Qt::SHIFT | Qt::Key_Z)});
 
     connect(m_typed, &QLineEdit::textChanged, this, [this](const QString &typed) {
         m_order.setTyped(typed);
@@ -82,6 +88,9 @@ VehiclesPanel::VehiclesPanel(StationInterface &station, QWidget *parent) : DockP
     connect(m_list, &QTreeView::clicked, this, &VehiclesPanel::choose);
     connect(m_list, &QTreeView::activated, this, &VehiclesPanel::choose); // by Enter
     connect(m_connect, &QPushButton::clicked, this, &VehiclesPanel::connectRequested);
+    connect(m_remove, &QPushButton::clicked, this, &VehiclesPanel::removeCurrent);
+    connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this, &VehiclesPanel::showRemove);
+    showRemove();
     connect(&station, &StationInterface::eventOccurred, this,
             [this](const engine::Event &event) { m_refusals.handleEvent(event, now()); });
 }
@@ -139,6 +148,31 @@ void VehiclesPanel::refresh()
     keepOrder();
     followSelection();
     showCount();
+    showRemove();
+}
+
+/// The row on which the cursor stands; 0 without one.
+std::uint8_t VehiclesPanel::currentVehicle() const
+{
+    return static_cast<std::uint8_t>(m_list->currentIndex().data(VehicleListModel::SystemIdRole).toInt());
+}
+
+/// Only what is not heard can be removed: the next frame would show it again.
+void VehiclesPanel::showRemove()
+{
+    const auto &vehicles = m_shown.vehicles();
+    const auto at = std::ranges::find(vehicles, currentVehicle(), [](const auto &one) { return one.state.systemId; });
+    const bool isLost = at != vehicles.end() && at->state.lost;
+    m_remove->setEnabled(isLost && !m_shown.isReplay());
+    m_remove->setToolTip(m_shown.isReplay() ? tr("A replay is shown")
+                             : isLost       ? tr("It appears again as soon as it is heard")
+                                            : tr("Select a vehicle whose link is lost"));
+}
+
+void VehiclesPanel::removeCurrent()
+{
+    if (const std::uint8_t systemId = currentVehicle(); systemId != 0)
+        m_station.forgetVehicle(systemId);
 }
 
 /// Nothing moves while the pointer is over the list: a click would hit another vehicle.

@@ -49,14 +49,18 @@ private:
     void showCount();
     void followSelection();
     void choose(const QModelIndex &at);
+    void showRemove();
+    void removeCurrent();
+    std::uint8_t currentVehicle() const;
     double now() const; ///< seconds
 
+    StationInterface &m_station;
     VehicleListModel m_model;
     VehicleListOrder m_order;
     QTreeView *m_list;
     QLineEdit *m_typed;
     QLabel *m_count, *m_empty;
-    QPushButton *m_connect;
+    QPushButton *m_connect, *m_remove;
     QStackedWidget *m_pages;
     ViewState m_shown;
     std::vector<Alert> m_alerts;

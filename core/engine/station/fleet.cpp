@@ -49,6 +49,16 @@ void Fleet::takeLate(TimePoint now, LinkId link, const mavlink::Frame &frame)
         vehicle->handleLateFrame(now, frame);
 }
 
+bool Fleet::forget(TimePoint now, std::uint8_t systemId)
+{
+    const vehicle::Vehicle *vehicle = m_vehicles.find(systemId);
+    if (!vehicle || !vehicle->isLost(now))
+        return false;
+    m_vehicles.forget(systemId);
+    m_watches.forget(systemId);
+    return true;
+}
+
 void Fleet::publishEvents(vehicle::Vehicle &vehicle, bool sealed, const Notify &notify)
 {
     const auto publish = [&](auto &event) {

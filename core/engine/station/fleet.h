@@ -28,6 +28,8 @@ public:
 
     /// Null if the vehicle is not known.
     vehicle::Vehicle *find(std::uint8_t systemId) { return m_vehicles.find(systemId); }
+    /// Forgets a vehicle that is lost. Returns false if it is not, or not known.
+    bool forget(TimePoint now, std::uint8_t systemId);
     vehicle::VehicleSet &vehicles() { return m_vehicles; }
     const vehicle::VehicleSet &vehicles() const { return m_vehicles; }
     VehicleWatches &watches() { return m_watches; }

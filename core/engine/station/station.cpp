@@ -257,6 +257,11 @@ void Station::allowPlaintext(std::uint8_t systemId)
     d->post([systemId](StationCore &core) { core.allowPlaintext(systemId); });
 }
 
+void Station::forgetVehicle(std::uint8_t systemId)
+{
+    d->post([systemId](StationCore &core) { core.forgetVehicle(systemId); });
+}
+
 void Station::openPairing(std::string name, std::shared_ptr<const crypto::Passphrase> passphrase)
 {
     d->post([name = std::move(name), passphrase = std::move(passphrase)](StationCore &core) mutable {

@@ -21,6 +21,7 @@
 #include "core/engine/station/station_sender.h"
 #include "core/engine/station/station_storage.h"
 #include "core/engine/station/station_snapshot.h"
+#include "core/link/steady_now.h"
 
 #include <functional>
 #include <memory>
@@ -73,6 +74,13 @@ public:
     void cancelPairing();
 
     // Vehicles.
+    /// See Station.
+    void forgetVehicle(std::uint8_t systemId)
+    {
+        if (m_fleet.forget(steadyNow(), systemId))
+            m_pace.markChanged();
+        finishWake();
+    }
     /// Starts a request; its result arrives as an event with this id, at once if the vehicle is unknown.
     void perform(vehicle::RequestId id, std::uint8_t systemId, const vehicle::Request &request);
 

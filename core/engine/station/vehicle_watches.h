@@ -26,6 +26,7 @@ public:
 
     /// Call four times a second for each vehicle, with the counts of all its frames and whether its heartbeat is overdue.
     Presence sample(std::uint8_t systemId, const metrics::SequenceCounts &counts, bool lost);
+    void forget(std::uint8_t systemId) { m_watches.erase(systemId); }
     /// The session over which the vehicle was heard ended, and the peer has no other.
     bool isEnded(std::uint8_t systemId) const;
     /// The vehicle has a session, or had one when it was heard last.
