@@ -231,7 +231,10 @@ private Q_SLOTS:
         m_station->show(sealedSnapshot(1));
         m_station->notify(channel::SessionDown{channel::SessionId{7}, channel::DownReason::PeerClosed, {}});
         QVERIFY2(note()->text().startsWith(QStringLiteral("Sealed link to the peer ended")), qPrintable(note()->text()));
-        m_station->show(plainSnapshot(2));
+        engine::Snapshot ended = sealedSnapshot(2);
+        ended.sessions.clear();
+        ended.vehicles.front().ended = engine::EndedSession{"air-1", channel::DownReason::PeerClosed, 1};
+        m_station->show(ended);
         QVERIFY(!note()->text().isEmpty());
         engine::Snapshot again = sealedSnapshot(3);
         again.sessions.front().info.session = channel::SessionId{8};
@@ -239,6 +242,26 @@ private Q_SLOTS:
         m_station->show(again);
         QVERIFY2(note()->text().isEmpty(), qPrintable(note()->text()));
         QCOMPARE(m_window->findChild<QLabel *>(QStringLiteral("secureTitle"))->text(), QStringLiteral("Sealed"));
+    }
+
+    /// The end of one vehicle's session says nothing about another one in plain MAVLink.
+    void endIsNotSaidOfAnotherVehicle()
+    {
+        m_station->show(sealedSnapshot(1));
+        m_station->notify(channel::SessionDown{channel::SessionId{7}, channel::DownReason::TimedOut, {}});
+        QVERIFY(!note()->text().isEmpty());
+        m_station->show(plainSnapshot(2));
+        QVERIFY2(note()->text().isEmpty(), qPrintable(note()->text()));
+    }
+
+    void nothingIsSaidOfTheDemoThatHasEnded()
+    {
+        m_window->setDemo(true);
+        m_station->show(sealedSnapshot(1));
+        m_station->notify(channel::SessionDown{channel::SessionId{7}, channel::DownReason::TimedOut, {}});
+        QVERIFY(!note()->text().isEmpty());
+        m_window->setDemo(false);
+        QVERIFY2(note()->text().isEmpty(), qPrintable(note()->text()));
     }
 
     void rowsAreReachedByKeys()

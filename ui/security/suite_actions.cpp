@@ -1,7 +1,7 @@
 #include "ui/security/suite_actions.h"
 
 #include "core/engine/station/session_snapshot.h"
-#include "core/engine/text/common_event_text.h"
+#include "core/engine/station/vehicle_snapshot.h"
 #include "core/engine/text/common_event_text.h"
 #include "ui/text/units.h"
 #include "ui/text/vehicle_text.h"
@@ -97,8 +97,10 @@ void SuiteActions::showViewState(const ViewState &view)
 {
     m_plain = view.vehicle && !view.session;
     if (!view.session) {
-        if (!m_noteIsProblem && !m_note.isEmpty())
-            setNote({}, false); // a switch of a session that is no more
+        // The end of a session is told while its vehicle is shown; a switch is told no longer than the session lasts.
+        const bool isOfAnother = view.vehicle && view.vehicle->session != m_noteSession;
+        if (!m_note.isEmpty() && (!m_noteIsProblem || isOfAnother))
+            setNote({}, false);
         m_info.reset();
         m_asked.reset();
         m_keysAsked = false;
@@ -131,14 +133,14 @@ void SuiteActions::handleEvent(const engine::Event &event)
             m_info->suite = done->to; // the suite in use, for a change of keys
             m_info->epoch = done->epoch;
         }
-        setNote(engine::channelEventText(*done, m_names).sentence, !committed);
+        setNote(engine::channelEventText(*done, m_names).sentence, !committed, done->session);
         refresh();
     } else if (const auto *down = std::get_if<channel::SessionDown>(&event)) {
         const bool wanted = m_held && down->reason == channel::DownReason::Closed; // by the sweep
         if (wanted)
             setNote({}, false);
         else if (m_info && down->session == m_info->session && down->reason != channel::DownReason::PeerRestarted)
-            setNote(engine::channelEventText(*down, m_names).sentence, true);
+            setNote(engine::channelEventText(*down, m_names).sentence, true, down->session);
     }
 }
 
@@ -160,9 +162,16 @@ void SuiteActions::setWeakest(SuiteId suite)
     refresh();
 }
 
-void SuiteActions::setNote(const QString &note, bool problem)
+void SuiteActions::startOver()
+{
+    m_names = {};
+    setNote({}, false);
+}
+
+void SuiteActions::setNote(const QString &note, bool problem, std::optional<channel::SessionId> session)
 {
     m_note = note;
+    m_noteSession = session;
     m_noteIsProblem = problem;
     Q_EMIT noteChanged();
 }

@@ -33,6 +33,8 @@ public:
 
     void showViewState(const ViewState &view);
     void handleEvent(const engine::Event &event);
+    /// Another station begins, as that of the demo: what the former one said is over.
+    void startOver();
     void setResearchAllowed(bool allowed);
     /// Disables suites that are weaker than this one; see crypto::SuiteStrength.
     void setWeakest(crypto::SuiteId suite);
@@ -58,7 +60,7 @@ private:
     QString freshKeysDisabledReason() const;
     void refresh();
     void refreshChangeKeys();
-    void setNote(const QString &note, bool problem);
+    void setNote(const QString &note, bool problem, std::optional<channel::SessionId> session = {});
 
     StationInterface &m_station;
     QActionGroup *m_group;
@@ -75,6 +77,7 @@ private:
     bool m_held = false;
     QString m_note;
     bool m_noteIsProblem = false;
+    std::optional<channel::SessionId> m_noteSession; ///< that the note is about
 };
 
 } // namespace skyseal::ui

@@ -381,6 +381,7 @@ void MainWindow::setDemo(bool on)
     m_source->showSource(on ? SourceBar::Source::Demo : SourceBar::Source::Live);
     m_empty->setDemoAvailable(m_demoAvailable && !on);
     m_map->startOver();
+    m_suites->startOver();
     setWindowTitle(on ? tr("Skyseal: demo") : tr("Skyseal"));
 }
 
