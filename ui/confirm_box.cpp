@@ -9,8 +9,18 @@
 
 namespace skyseal::ui {
 
+QMessageBox *openQuestion(const QWidget &parent, const QString &objectName)
+{
+    for (QMessageBox *box : parent.findChildren<QMessageBox *>(objectName, Qt::FindDirectChildrenOnly))
+        if (!box->isHidden()) // else closed, and about to be deleted
+            return box;
+    return nullptr;
+}
+
 QMessageBox *askToConfirm(const Question &question, QWidget *parent, QObject *context, std::function<void()> confirmed)
 {
+    if (QMessageBox *open = openQuestion(*parent, question.objectName))
+        open->reject();
     auto *box = new QMessageBox(question.icon, question.title, question.text, QMessageBox::Yes | QMessageBox::Cancel, parent);
     box->setObjectName(question.objectName);
     box->setAttribute(Qt::WA_DeleteOnClose);

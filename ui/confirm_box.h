@@ -19,7 +19,11 @@ struct Question
 };
 
 /// Opens the box over `parent` and returns it; it deletes itself when it closes. `confirmed` is called if the operator confirms
-/// while `context` exists.
+/// while `context` exists. There is one question of an object name over `parent`: an open one closes as if the answer were no,
+/// because the newest is what the operator wants.
 QMessageBox *askToConfirm(const Question &question, QWidget *parent, QObject *context, std::function<void()> confirmed);
+
+/// The open question of this object name over `parent`; null if there is none.
+QMessageBox *openQuestion(const QWidget &parent, const QString &objectName);
 
 } // namespace skyseal::ui

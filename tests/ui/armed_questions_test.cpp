@@ -11,6 +11,7 @@
 #include "ui/sweep/sweep_dialog.h"
 #include "window_rig.h"
 
+#include <QtCore/QPointer>
 #include <QtGui/QAction>
 #include <QtTest/QTest>
 #include <QtWidgets/QDialogButtonBox>
@@ -98,6 +99,20 @@ private Q_SLOTS:
         runSweep();
         QTest::mouseClick(question("confirmSweep")->button(QMessageBox::Yes), Qt::LeftButton);
         QCOMPARE(m_sweeps.orders.size(), std::size_t(1));
+    }
+
+    void theNewestSweepTakesThePlaceOfTheFirst()
+    {
+        show(true);
+        runSweep();
+        const QPointer<QMessageBox> first = question("confirmSweep");
+        runSweep();
+        EVENTUALLY(!first);
+        QCOMPARE(m_window->findChildren<QMessageBox *>(QStringLiteral("confirmSweep")).size(), 1);
+        QVERIFY(m_sweeps.orders.empty()); // the first was not confirmed
+        QTest::mouseClick(question("confirmSweep")->button(QMessageBox::Yes), Qt::LeftButton);
+        QCOMPARE(m_sweeps.orders.size(), std::size_t(1));
+        m_sweeps.finish();
     }
 
     void sweepOfADisarmedVehicleBeginsAtOnce()

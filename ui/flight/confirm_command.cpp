@@ -19,22 +19,6 @@ struct Text
 const QString kQuestion = QStringLiteral("confirmCommand");
 constexpr const char *kVehicle = "skyseal_vehicle"; ///< property of a question: the system ID of its vehicle
 
-/// The open question with this text about this vehicle, which comes to the front; null if there is none. One about something
-/// else is closed as if the answer were no: the newest is what the operator wants.
-QMessageBox *openQuestion(const QWidget &window, const QString &text, std::uint8_t systemId)
-{
-    for (QMessageBox *box : window.findChildren<QMessageBox *>(kQuestion)) {
-        if (box->isHidden()) // closed, and about to be deleted
-            continue;
-        if (box->text() == text && box->property(kVehicle).toInt() == systemId) {
-            showModeless(*box);
-            return box;
-        }
-        box->reject();
-    }
-    return nullptr;
-}
-
 } // namespace
 
 QMessageBox *confirmCommand(VehicleCommands &commands, const vehicle::VehicleCommand &command, const QString &question,
@@ -42,8 +26,10 @@ QMessageBox *confirmCommand(VehicleCommands &commands, const vehicle::VehicleCom
 {
     const std::uint8_t systemId = commands.systemId();
     const QString text = commands.isOneOfSeveral() ? Text::tr("Vehicle %1: %2").arg(systemId).arg(question) : question;
-    if (QMessageBox *open = openQuestion(*window, text, systemId)) { // as by a key that is held
+    QMessageBox *open = openQuestion(*window, kQuestion);
+    if (open && open->text() == text && open->property(kVehicle).toInt() == systemId) { // as by a key that is held
         open->setInformativeText(details);
+        showModeless(*open);
         return open;
     }
     QMessageBox *box = askToConfirm({.objectName = kQuestion,

@@ -139,10 +139,7 @@ void MissionPanel::sendFile(const QString &file, std::uint8_t systemId)
 /// A vehicle that flies its mission turns to the new one as soon as it has it.
 void MissionPanel::askToReplace(const std::vector<vehicle::MissionItem> &items, std::uint8_t systemId)
 {
-    const QString name = QStringLiteral("confirmSendMission");
-    if (auto *open = findChild<QMessageBox *>(name))
-        open->reject(); // about another file
-    askToConfirm({.objectName = name,
+    askToConfirm({.objectName = QStringLiteral("confirmSendMission"),
                   .title = tr("Send a mission"),
                   .text = m_name == 0 ? tr("The vehicle is armed. Replace its mission?")
                                       : tr("Vehicle %1 is armed. Replace its mission?").arg(m_name),

@@ -169,10 +169,7 @@ void ShortcutDialog::assign(const QKeySequence &keys)
 
 void ShortcutDialog::askResetAll()
 {
-    const QString object = QStringLiteral("confirmResetShortcuts");
-    if (auto *open = findChild<QMessageBox *>(object))
-        return open->raise();
-    askToConfirm({.objectName = object,
+    askToConfirm({.objectName = QStringLiteral("confirmResetShortcuts"),
                   .title = tr("Reset all shortcuts"),
                   .text = tr("Give every action its default shortcut?"),
                   .yes = tr("Reset all")},

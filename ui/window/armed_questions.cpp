@@ -21,8 +21,6 @@ struct Text
 
 void ask(Question question, QWidget *window, std::function<void()> confirmed)
 {
-    if (auto *open = window->findChild<QMessageBox *>(question.objectName))
-        open->close(); // the newest is what the operator wants
     question.icon = QMessageBox::Warning;
     askToConfirm(question, window, window, std::move(confirmed));
 }
