@@ -73,6 +73,8 @@ private Q_SLOTS:
         row("flying a while ago", "takeOffButton", "Not now: the vehicle was flying when it was last heard");
         row("without a mission", "startMissionButton", "Not now: the mission last read is empty: read it again");
         row("without a position", "pauseButton", "Not now: its position is not known");
+        row("disarmed a while ago", "startMissionButton", "Not now: the vehicle is not heard");
+        row("armed a while ago", "startMissionButton", "Not now: the vehicle is not heard");
         row("disarmed a while ago", "landButton", ""); // it may have been armed since
         row("disarmed a while ago", "unlockStop", "");
         row("armed", "landButton", "");
@@ -211,6 +213,52 @@ private Q_SLOTS:
         for (const HoldButton *button : m_window->findChildren<HoldButton *>())
             QVERIFY2(!button->isHeld(), qPrintable(button->objectName()));
         QTest::keyRelease(m_window->focusWidget(), Qt::Key_Space);
+    }
+
+    /// Row by row, whatever the width that a workspace leaves to the bar.
+    void controlsKeepTheirOrder()
+    {
+        const char *const order[] = {"armButton",  "preArmButton", "takeOffAltitude", "takeOffButton", "startMissionButton",
+                                     "pauseButton", "landButton",   "returnButton",    "setModeButton", "emergencyStopButton"};
+        VehicleCommands commands(*m_station);
+        ActionBar bar(commands);
+        bar.show();
+        QSet<int> heights;
+        for (int width = bar.minimumSizeHint().width(); width < 2000; width += 37) {
+            bar.resize(width, bar.height());
+            QCoreApplication::processEvents();
+            heights.insert(bar.height());
+            QRect before;
+            for (const char *name : order) {
+                const auto *control = bar.findChild<QWidget *>(QLatin1String(name));
+                const QRect place(control->mapTo(&bar, QPoint()), control->size());
+                const bool follows = place.left() > before.right() || place.top() > before.bottom();
+                QVERIFY2(before.isNull() || follows, qPrintable(QStringLiteral("%1 at %2").arg(QLatin1String(name)).arg(width)));
+                before = place;
+            }
+        }
+        QVERIFY(heights.size() >= 3); // every arrangement was seen
+    }
+
+    void takeOffDialogFollowsTheVehicle()
+    {
+        m_station->show(sealedSnapshot(1));
+        find<QAction>("actionTakeOff")->trigger();
+        auto *go = find<HoldButton>("takeOffDialogGo");
+        EVENTUALLY(go->isVisible());
+        QVERIFY2(go->isEnabled(), qPrintable(go->toolTip()));
+        QTest::mousePress(go, Qt::LeftButton);
+        engine::Snapshot disarmed = sealedSnapshot(2);
+        disarmed.vehicles.front().state.armed = false; // by itself
+        m_station->show(disarmed);
+        QVERIFY(!go->isEnabled() && !go->isHeld());
+        QCOMPARE(find<QLabel>("takeOffDialogHint")->text(), QStringLiteral("Not now: take-off needs an armed vehicle, it is disarmed"));
+        QCOMPARE(go->toolTip(), find<QLabel>("takeOffDialogHint")->text());
+        QTest::mouseRelease(go, Qt::LeftButton);
+        QVERIFY(m_station->commands.empty());
+        m_station->show(sealedSnapshot(3));
+        QVERIFY(go->isEnabled());
+        QVERIFY(find<QLabel>("takeOffDialogHint")->text().startsWith(QStringLiteral("Hold the button")));
     }
 
     void nothingMovesWhateverTheVehicleDoes()

@@ -64,7 +64,8 @@ private Q_SLOTS:
         closeVehicleMenu();
         show("GUIDED", false);
         openVehicleMenu();
-        QVERIFY(arm->isEnabled() && disarm->isEnabled()); // an armed vehicle may be shown as disarmed
+        QVERIFY(arm->isEnabled() && !disarm->isEnabled());
+        QCOMPARE(disarm->toolTip(), QStringLiteral("Not now: the vehicle is disarmed"));
         closeVehicleMenu();
     }
 
@@ -86,7 +87,8 @@ private Q_SLOTS:
         row("GUIDED", false, "actionTakeOff", "Not now: take-off needs an armed vehicle, it is disarmed");
         row("LOITER", true, "actionTakeOff", "Not now: take-off needs the mode GUIDED, the vehicle is in LOITER");
         row("GUIDED", true, "actionTakeOff", "");
-        for (const char *action : {"actionDisarm", "actionLand", "actionReturn"}) // anybody can claim that on a plain link
+        row("GUIDED", false, "actionDisarm", disarmed); // the emergency stop does not depend on it
+        for (const char *action : {"actionLand", "actionReturn"}) // anybody can claim that on a plain link
             row("GUIDED", false, action, "");
     }
 

@@ -145,7 +145,8 @@ std::vector<std::vector<ActionBar::Piece>> ActionBar::rowsOf(Shape shape) const
     case Shape::TwoRows: return {join({arming, {gap}, flight}), {mode, gap, stop, gap, result}};
     case Shape::ThreeRows: break;
     }
-    return {flight, join({arming, {{nullptr, kGrid, 1}, mode}}), {stop, gap, result}};
+    // The controls in the order of the other shapes, since the hand knows where they are.
+    return {join({arming, {gap, result}}), flight, {mode, {nullptr, kGrid, 1}, stop}};
 }
 
 QString ActionBar::nameOf(int systemId, bool brief)

@@ -26,6 +26,7 @@ AltitudeDialog::AltitudeDialog(VehicleCommands &commands, UnitSystem units, doub
     altitude->setHighest(wording.highest);
     altitude->setMetres(metres);
     auto *hint = new QLabel(wording.hint, this);
+    hint->setObjectName(wording.id + QStringLiteral("Hint"));
     hint->setWordWrap(true);
     hint->setForegroundRole(QPalette::PlaceholderText);
     auto *go = new HoldButton(wording.verb, this);
@@ -54,9 +55,19 @@ AltitudeDialog::AltitudeDialog(VehicleCommands &commands, UnitSystem units, doub
     column->addLayout(buttons);
     setMinimumWidth(44 * kGrid);
 
-    const auto permit = [go](const QString &reason) { go->setDisabledReason(nothingCanBeSent(reason)); };
-    permit(commands.disabledReason());
-    connect(&commands, &VehicleCommands::disabledReasonChanged, go, permit);
+    const auto permit = [go, hint, wording, systemId, &commands] {
+        QString reason = nothingCanBeSent(commands.disabledReason());
+        if (reason.isEmpty() && commands.systemId() != systemId)
+            reason = tr("Not now: vehicle %1 is no longer selected").arg(systemId);
+        else if (reason.isEmpty() && wording.permit)
+            reason = commands.disabledReason(*wording.permit);
+        go->setDisabledReason(reason);
+        const QString text = reason.isEmpty() ? wording.hint : reason;
+        if (hint->text() != text)
+            hint->setText(text);
+    };
+    permit();
+    connect(&commands, &VehicleCommands::permitsChanged, go, permit);
     connect(go, &HoldButton::confirmed, this, [this, &commands, altitude, systemId] {
         command(commands, systemId, altitude->metres());
         accept();

@@ -2,12 +2,14 @@
 // selected when it opened.
 #pragma once
 
+#include "core/vehicle/vehicle_command.h"
 #include "ui/settings.h"
 #include "ui/text/units.h"
 
 #include <QtWidgets/QDialog>
 
 #include <cstdint>
+#include <optional>
 
 namespace skyseal::ui {
 
@@ -29,6 +31,8 @@ protected:
         QString hint;                     ///< what will happen
         QString verb;                     ///< text of the hold button
         double highest = kHighestTakeOff; ///< metres above home
+        /// Reasons against it disable the button, which else is disabled only if nothing can be sent.
+        std::optional<vehicle::VehicleCommand> permit = {};
     };
 
     /// `metres`: the altitude that is offered.

@@ -11,7 +11,8 @@ ChangeAltitudeDialog::ChangeAltitudeDialog(VehicleCommands &commands, UnitSystem
                       .hint = tr("Hold the button for half a second. The vehicle leaves its mission, and climbs or descends "
                                  "where it is."),
                       .verb = tr("Change altitude"),
-                      .highest = kHighestFlown},
+                      .highest = kHighestFlown,
+                      .permit = vehicle::ChangeAltitude{metres, true}},
                      parent)
 {}
 

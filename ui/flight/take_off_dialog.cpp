@@ -9,7 +9,8 @@ TakeOffDialog::TakeOffDialog(VehicleCommands &commands, UnitSystem units, QWidge
                      {.id = QStringLiteral("takeOffDialog"),
                       .title = tr("Take off"),
                       .hint = tr("Hold the button for half a second. The propellers speed up and the vehicle climbs."),
-                      .verb = tr("Take off")},
+                      .verb = tr("Take off"),
+                      .permit = vehicle::TakeOff{commands.takeOffAltitude()}},
                      parent)
 {}
 

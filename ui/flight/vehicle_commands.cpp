@@ -3,6 +3,7 @@
 #include "core/engine/station/vehicle_snapshot.h"
 #include "core/engine/text/event_text.h"
 #include "core/vehicle/mission_edit.h"
+#include "ui/text/action_permits.h"
 #include "ui/text/command_permits.h"
 #include "ui/text/vehicle_text.h"
 
@@ -33,11 +34,14 @@ void VehicleCommands::showViewState(const ViewState &view)
     }
     m_severalVehicles = view.vehicles().size() > 1;
     m_preflight.showViewState(view);
-    const QString reason = commandsDisabledReason(view);
-    if (reason == m_disabledReason)
-        return;
-    m_disabledReason = reason;
-    Q_EMIT disabledReasonChanged(reason);
+    m_disabledReason = commandsDisabledReason(view);
+    m_view = view;
+    Q_EMIT permitsChanged();
+}
+
+QString VehicleCommands::disabledReason(const vehicle::VehicleCommand &command) const
+{
+    return actionDisabledReason(command, m_view);
 }
 
 void VehicleCommands::send(std::uint8_t systemId, const vehicle::VehicleCommand &command)

@@ -22,6 +22,8 @@ public:
     void showViewState(const ViewState &view);
     /// Returns the reason why commands cannot be sent; empty if they can.
     const QString &disabledReason() const { return m_disabledReason; }
+    /// Returns the reason, in a sentence, why `command` makes no sense for the selected vehicle now; empty if it does.
+    QString disabledReason(const vehicle::VehicleCommand &command) const;
     /// System id of the selected vehicle; 0 without one.
     std::uint8_t systemId() const { return m_systemId; }
     /// True if there are several vehicles, so that a question must name the vehicle.
@@ -48,7 +50,8 @@ public:
 
 Q_SIGNALS:
     void takeOffAltitudeChanged(double metres);
-    void disabledReasonChanged(const QString &reason);
+    /// The vehicle or its state may have changed, and with it the reasons against commands.
+    void permitsChanged();
     /// A command has been sent; commandEnded() follows with its answer.
     void commandSent(std::uint8_t systemId, skyseal::vehicle::RequestId id, const skyseal::vehicle::VehicleCommand &command);
     void commandEnded(skyseal::vehicle::RequestId id, skyseal::vehicle::CommandOutcome outcome);
@@ -62,6 +65,7 @@ private:
     void reportResult(vehicle::RequestId id, const QString &outcome, bool ok);
 
     StationInterface &m_station;
+    ViewState m_view;
     Preflight m_preflight;
     std::uint8_t m_systemId = 0;
     bool m_severalVehicles = false;

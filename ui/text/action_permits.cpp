@@ -32,6 +32,9 @@ public:
         return heard() && m_vehicle.state.armed ? Text::tr("the vehicle is armed") : QString();
     }
 
+    /// The emergency stop does not depend on it.
+    QString operator()(const vehicle::Disarm &order) const { return order.force ? QString() : disarmed(); }
+
     QString operator()(const vehicle::TakeOff &) const
     {
         if (!m_vehicle.state.inAir)
@@ -46,6 +49,8 @@ public:
         const std::size_t home = m_kind.isArduPilot() ? 1 : 0; // ArduPilot's item 0
         if (m_vehicle.mission && m_vehicle.mission->size() <= home)
             return Text::tr("the mission last read is empty: read it again");
+        if (!heard()) // it begins a flight that nobody would see
+            return Text::tr("the vehicle is not heard");
         return m_kind.isPx4() ? QString() : disarmed(); // PX4 arms by itself
     }
 
