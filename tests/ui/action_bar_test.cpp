@@ -218,7 +218,7 @@ private Q_SLOTS:
     /// Row by row, whatever the width that a workspace leaves to the bar.
     void controlsKeepTheirOrder()
     {
-        const char *const order[] = {"armButton",  "preArmButton", "takeOffAltitude", "takeOffButton", "startMissionButton",
+        const char *const order[] = {"armButton",   "preArmButton", "takeOffAltitude", "takeOffButton", "startMissionButton",
                                      "pauseButton", "landButton",   "returnButton",    "setModeButton", "emergencyStopButton"};
         VehicleCommands commands(*m_station);
         ActionBar bar(commands);
@@ -233,7 +233,8 @@ private Q_SLOTS:
                 const auto *control = bar.findChild<QWidget *>(QLatin1String(name));
                 const QRect place(control->mapTo(&bar, QPoint()), control->size());
                 const bool follows = place.left() > before.right() || place.top() > before.bottom();
-                QVERIFY2(before.isNull() || follows, qPrintable(QStringLiteral("%1 at %2").arg(QLatin1String(name)).arg(width)));
+                QVERIFY2(before.isNull() || follows,
+                         qPrintable(QStringLiteral("%1 at %2").arg(QLatin1String(name)).arg(width)));
                 before = place;
             }
         }
@@ -252,7 +253,8 @@ private Q_SLOTS:
         disarmed.vehicles.front().state.armed = false; // by itself
         m_station->show(disarmed);
         QVERIFY(!go->isEnabled() && !go->isHeld());
-        QCOMPARE(find<QLabel>("takeOffDialogHint")->text(), QStringLiteral("Not now: take-off needs an armed vehicle, it is disarmed"));
+        QCOMPARE(find<QLabel>("takeOffDialogHint")->text(),
+                 QStringLiteral("Not now: take-off needs an armed vehicle, it is disarmed"));
         QCOMPARE(go->toolTip(), find<QLabel>("takeOffDialogHint")->text());
         QTest::mouseRelease(go, Qt::LeftButton);
         QVERIFY(m_station->commands.empty());

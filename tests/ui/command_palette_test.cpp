@@ -8,6 +8,7 @@
 #include <QtGui/QStandardItemModel>
 #include <QtTest/QTest>
 #include <QtWidgets/QDialog>
+#include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QMenuBar>
@@ -30,7 +31,10 @@ private Q_SLOTS:
         openPalette();
         type(QStringLiteral("zoom lab")); // no entry has these words
         QCOMPARE(shown(), QStringList());
+        QVERIFY(find<QLabel>("paletteNone")->isVisible());
+        QCOMPARE(find<QLabel>("paletteNone")->text(), QStringLiteral("No command matches"));
         clear();
+        QVERIFY(!find<QLabel>("paletteNone")->isVisible());
         type(QStringLiteral("view LAB"));
         QCOMPARE(shown(), QStringList{QStringLiteral("View › Lab")});
         QTest::keyClick(typed(), Qt::Key_Return);

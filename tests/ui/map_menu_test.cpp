@@ -256,6 +256,29 @@ private Q_SLOTS:
                          coordinatesToCopy(middle.latitude, middle.longitude, CoordinateFormat::Decimal));
     }
 
+    /// For keyboards without that key.
+    void shiftF10OpensInTheMiddle()
+    {
+        m_map->setFocus();
+        EVENTUALLY(m_map->hasFocus());
+        QTest::keyClick(m_map, Qt::Key_F10, Qt::ShiftModifier);
+        EVENTUALLY(shownMenu());
+        QVERIFY(isMarked(placeAt(m_map->rect().center())));
+    }
+
+    void entriesShowTheirKeys()
+    {
+        const QMenu *menu = openMenu(m_map->rect().center());
+        const auto *entry = menu->findChild<QAction *>(QStringLiteral("mapGoHere"));
+        QCOMPARE(entry->shortcut(), QKeySequence(Qt::CTRL | Qt::Key_G));
+        QVERIFY(entry->isShortcutVisibleInContextMenu());
+        QTest::keyClick(shownMenu(), Qt::Key_Escape);
+        EVENTUALLY(!shownMenu());
+        m_map->setFocus();
+        QTest::keyClick(m_map, Qt::Key_G, Qt::ControlModifier); // which are still the keys of one action only
+        EVENTUALLY(question());
+    }
+
     void copiesInTheFormatOfTheSettings()
     {
         Settings settings;

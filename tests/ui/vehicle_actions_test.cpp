@@ -87,12 +87,12 @@ private Q_SLOTS:
         row("GUIDED", false, "actionTakeOff", "Not now: take-off needs an armed vehicle, it is disarmed");
         row("LOITER", true, "actionTakeOff", "Not now: take-off needs the mode GUIDED, the vehicle is in LOITER");
         row("GUIDED", true, "actionTakeOff", "");
-        row("GUIDED", false, "actionDisarm", disarmed); // the emergency stop does not depend on it
+        row("GUIDED", false, "actionDisarm", disarmed);           // the emergency stop does not depend on it
         for (const char *action : {"actionLand", "actionReturn"}) // anybody can claim that on a plain link
             row("GUIDED", false, action, "");
     }
 
-    /// As in the action bar; the shortcut does nothing then either.
+    /// As in the action bar; the shortcut says why it does nothing.
     void whatMakesNoSenseIsDisabled()
     {
         QFETCH(QString, mode);
@@ -110,6 +110,8 @@ private Q_SLOTS:
         QTest::keyClick(m_window.get(), keys.key(), keys.keyboardModifiers());
         const auto dialogs = m_window->findChildren<QDialog *>();
         QCOMPARE(std::ranges::any_of(dialogs, &QDialog::isVisible), reason.isEmpty()); // each of them asks
+        const QString line = find<QLabel>("commandResult")->text();
+        QVERIFY2(reason.isEmpty() ? line.isEmpty() : line.endsWith(QStringLiteral(": ") + reason), qPrintable(line));
     }
 
     void modesAreRadioButtons()
@@ -126,6 +128,32 @@ private Q_SLOTS:
                 checked << action->text();
         }
         QCOMPARE(checked, QStringList{QStringLiteral("GUIDED…")});
+        closeVehicleMenu();
+    }
+
+    void lettersChooseTheMode()
+    {
+        show("GUIDED");
+        const auto active = [this] {
+            const QAction *entry = find<QMenu>("menuMode")->activeAction();
+            return entry ? entry->text() : QString();
+        };
+        openModeMenu();
+        QTest::keyClick(find<QMenu>("menuMode"), Qt::Key_L);
+        QCOMPARE(active(), QStringLiteral("LOITER…"));
+        QTest::keyClick(find<QMenu>("menuMode"), Qt::Key_A);
+        QCOMPARE(active(), QStringLiteral("LAND…"));
+        QTest::keyClick(find<QMenu>("menuMode"), Qt::Key_Escape);
+        closeVehicleMenu();
+        openModeMenu();
+        QStringList seen;
+        for (int i = 0; i < 2; ++i) { // the same letter leads on
+            QTest::keyClick(find<QMenu>("menuMode"), Qt::Key_A);
+            seen << active();
+        }
+        seen.sort();
+        QCOMPARE(seen, (QStringList{QStringLiteral("ALT_HOLD…"), QStringLiteral("AUTO…")}));
+        QTest::keyClick(find<QMenu>("menuMode"), Qt::Key_Escape);
         closeVehicleMenu();
     }
 
@@ -199,6 +227,14 @@ private:
         QTest::mouseClick(m_window->menuBar(), Qt::LeftButton, {},
                           m_window->menuBar()->actionGeometry(menu->menuAction()).center());
         EVENTUALLY(menu->isVisible());
+    }
+    void openModeMenu()
+    {
+        openVehicleMenu();
+        auto *menu = find<QMenu>("menuVehicle");
+        menu->setActiveAction(find<QMenu>("menuMode")->menuAction());
+        QTest::keyClick(menu, Qt::Key_Right);
+        EVENTUALLY(find<QMenu>("menuMode")->isVisible());
     }
     void closeVehicleMenu()
     {

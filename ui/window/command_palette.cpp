@@ -11,6 +11,7 @@
 #include <QtGui/QKeyEvent>
 #include <QtGui/QStandardItemModel>
 #include <QtWidgets/QHeaderView>
+#include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QMainWindow>
 #include <QtWidgets/QMenu>
@@ -62,6 +63,12 @@ CommandPalette::CommandPalette(QMainWindow &window, WindowActions &others) : QDi
     m_list->header()->setStretchLastSection(false);
     m_list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     m_list->header()->setSectionResizeMode(1, QHeaderView::Fixed);
+    m_none = new QLabel(tr("No command matches"), m_list);
+    m_none->setObjectName(QStringLiteral("paletteNone"));
+    m_none->setForegroundRole(QPalette::PlaceholderText);
+    m_none->hide();
+    auto *middle = new QVBoxLayout(m_list);
+    middle->addWidget(m_none, 0, Qt::AlignCenter);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(kGrid, kGrid, kGrid, kGrid);
     column->setSpacing(kGrid);
@@ -124,14 +131,17 @@ void CommandPalette::add(QAction &action, const QString &path)
 void CommandPalette::filter(const QString &typed)
 {
     QModelIndex first;
+    bool any = false;
     for (int row = 0; row < m_model->rowCount(); ++row) {
         const bool matches = containsWords(m_model->item(row)->text(), typed);
         m_list->setRowHidden(row, {}, !matches);
+        any = any || matches;
         if (matches && !first.isValid() && m_model->item(row)->isEnabled())
             first = m_model->index(row, 0);
     }
     m_list->setCurrentIndex(first);
     m_list->scrollTo(first);
+    m_none->setVisible(!any);
 }
 
 void CommandPalette::choose()

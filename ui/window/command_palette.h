@@ -8,6 +8,7 @@
 #include <vector>
 
 class QAction;
+class QLabel;
 class QLineEdit;
 class QMainWindow;
 class QMenu;
@@ -39,6 +40,7 @@ private:
 
     QLineEdit *m_typed;
     QTreeView *m_list;
+    QLabel *m_none; ///< shown where nothing is listed
     QStandardItemModel *m_model;
     std::vector<QPointer<QAction>> m_actions; ///< of the rows; menus that fill themselves again delete theirs
 };

@@ -15,6 +15,7 @@
 #include "ui/security/allow_plain.h"
 #include "ui/security/link_popover.h"
 #include "ui/security/suite_actions.h"
+#include "ui/shortcuts/disabled_shortcuts.h"
 #include "ui/shortcuts/shortcuts.h"
 #include "ui/status/status_strip.h"
 #include "ui/status/traffic_bar.h"
@@ -28,6 +29,7 @@
 #include "ui/window/map_alerts.h"
 #include "ui/window/map_menu.h"
 #include "ui/window/menu_bar_focus.h"
+#include "ui/window/menu_key.h"
 #include "ui/window/panel_table.h"
 #include "ui/window/problem_reports.h"
 #include "ui/window/remembered_checklists.h"
@@ -172,10 +174,7 @@ void MainWindow::makeMenus(const ProgramFacts &facts)
                         .actions = *m_actions,
                         .goToAlerts = alerts->goToAction(),
                         .version = facts.version,
-                        .openSweep = [this] { openSweep(); },
-                        .startDemo = {},
-                        .endDemo = {},
-                        .inDemo = {}};
+                        .openSweep = [this] { openSweep(); }};
     if (facts.demoAvailable) {
         targets.startDemo = [this] { Q_EMIT demoRequested(); };
         targets.endDemo = [this] { Q_EMIT demoEndRequested(); };
@@ -193,6 +192,9 @@ void MainWindow::makeMenus(const ProgramFacts &facts)
     m_actions->add(tr("Alerts"), alerts->actions());
     m_actions->add(tr("Replay and demo"), m_source->actions());
     m_actions->add(tr("Problem"), m_banner->actions());
+    connect(new DisabledShortcuts(*shortcuts, *this), &DisabledShortcuts::refused, m_actionBar,
+            [this](const QString &line) { m_actionBar->say(line, false); });
+    new MenuKey(*this);
 }
 
 void MainWindow::connectParts()

@@ -29,6 +29,8 @@ namespace skyseal::ui {
 
 namespace {
 
+const QString kAtPlace = QStringLiteral("at_"); ///< begins the object names of the actions that are not in the menu
+
 bool flies(const vehicle::VehicleState &state)
 {
     const vehicle::VehicleKind kind{state.type, state.autopilot};
@@ -81,7 +83,7 @@ void MapMenu::makePlaceActions()
             const MenuItems now = itemsFor(place());
             std::ranges::find(now, id, &MenuItem::id)->trigger();
         };
-        item.id = QStringLiteral("at_") + item.id;
+        item.id = kAtPlace + item.id;
         items.push_back(std::move(item));
     }
     const auto refresh = fillMenu(*m_placeActions, items);
@@ -107,7 +109,13 @@ void MapMenu::open(const LatLong &place, const QPoint &at)
     auto *menu = new QMenu(&m_map);
     menu->setObjectName(QStringLiteral("mapMenu"));
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    fillMenu(*menu, itemsFor(place));
+    MenuItems items = itemsFor(place);
+    for (MenuItem &item : items)
+        if (const auto *sameByKeys = item.id.isEmpty() ? nullptr : m_placeActions->findChild<QAction *>(kAtPlace + item.id))
+            item.shortcut = sameByKeys->shortcut();
+    fillMenu(*menu, items);
+    for (QAction *entry : menu->actions())
+        entry->setShortcutVisibleInContextMenu(true);
     connect(menu, &QMenu::aboutToHide, &m_map, [this] { m_map.setMark(std::nullopt); });
     m_map.setMark(place);
     menu->popup(at);

@@ -1,5 +1,7 @@
 #include "ui/window/menu_table.h"
 
+#include "ui/window/type_ahead.h"
+
 #include <QtGui/QAction>
 #include <QtGui/QActionGroup>
 #include <QtWidgets/QMenu>
@@ -20,6 +22,7 @@ QAction *addSubmenu(QMenu &menu, const MenuItem &item)
 {
     QMenu *submenu = menu.addMenu(item.text);
     submenu->setObjectName(item.id);
+    new TypeAhead(*submenu);
     auto *choices = new QActionGroup(submenu); // one of the checkable items: shown with radio buttons
     QObject::connect(submenu, &QMenu::aboutToShow, submenu, [submenu, choices, items = item.submenu] {
         submenu->clear();

@@ -37,9 +37,9 @@ struct MenuTargets
     QAction *goToAlerts;
     QString version;
     std::function<void()> openSweep;
-    std::function<void()> startDemo; ///< empty: there is no demo to start
-    std::function<void()> endDemo;
-    std::function<bool()> inDemo;
+    std::function<void()> startDemo = {}; ///< empty: there is no demo to start
+    std::function<void()> endDemo = {};
+    std::function<bool()> inDemo = {};
 };
 
 std::vector<Menu> windowMenus(const MenuTargets &targets);
