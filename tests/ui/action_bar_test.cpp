@@ -315,8 +315,7 @@ private Q_SLOTS:
             EVENTUALLY(m_window->size() == QSize(width, height));
             QCoreApplication::processEvents();
             const QRect arm = find<HoldButton>("armButton")->geometry();
-            const QRect result = find<QLabel>("commandResult")->geometry();
-            m_apart = result.top() >= arm.bottom();
+            m_apart = find<HoldButton>("emergencyStopButton")->mapTo(bar, QPoint()).y() >= arm.bottom();
             m_barHeight = bar->height();
         };
         rows(1366, 768);
