@@ -52,6 +52,13 @@ WindowTranslation::WindowTranslation(const QString &code)
         QCoreApplication::installTranslator(&m_qt);
     if (m_program.load(QStringLiteral(":/skyseal/translations/skyseal_") + code))
         QCoreApplication::installTranslator(&m_program);
+    const QLocale own(code), desktop = QLocale::system();
+    QLocale::setDefault(desktop.language() == own.language() ? desktop : own);
+}
+
+WindowTranslation::~WindowTranslation()
+{
+    QLocale::setDefault(m_before);
 }
 
 } // namespace skyseal::ui

@@ -2,6 +2,7 @@
 // makes a WindowTranslation is translated.
 #pragma once
 
+#include <QtCore/QLocale>
 #include <QtCore/QStringList>
 #include <QtCore/QTranslator>
 
@@ -29,15 +30,20 @@ QString languageInUse();
 /// English. `folder` ends with a slash.
 QString translatedFile(const QString &folder, const QString &name);
 
-/// Translates the texts of the program, and Qt's own ("Cancel") where its translations are installed, as long as it lives. To
-/// be made before the first text is, since many texts are made once.
+/// Translates the texts of the program, and Qt's own ("Cancel") where its translations are installed, and makes QLocale() that
+/// of the language, as long as it lives: the desktop's own one if it has this language. To be made before the first text is,
+/// since many texts are made once.
 class WindowTranslation
 {
 public:
     explicit WindowTranslation(const QString &code);
+    ~WindowTranslation();
+    WindowTranslation(const WindowTranslation &) = delete;
+    WindowTranslation &operator=(const WindowTranslation &) = delete;
 
 private:
     QTranslator m_program, m_qt;
+    const QLocale m_before;
 };
 
 } // namespace skyseal::ui

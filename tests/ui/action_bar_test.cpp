@@ -34,7 +34,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("button");
         QTest::addColumn<QString>("line");
-        QTest::newRow("take off") << QStringLiteral("takeOffButton") << QStringLiteral("Take off to 10 m: requested…");
+        QTest::newRow("take off") << QStringLiteral("takeOffButton") << QStringLiteral("Take off to 10\u00a0m: requested…");
         QTest::newRow("start") << QStringLiteral("startMissionButton") << QStringLiteral("Start mission: requested…");
         QTest::newRow("pause") << QStringLiteral("pauseButton") << QStringLiteral("Pause: requested…");
         QTest::newRow("land") << QStringLiteral("landButton") << QStringLiteral("Land: requested…");

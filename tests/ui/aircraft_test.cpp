@@ -49,14 +49,14 @@ private Q_SLOTS:
         QTest::addColumn<double>("above");
         QTest::addColumn<bool>("isNear");
         QTest::addColumn<QString>("text");
-        QTest::newRow("near, above") << 320.0 << 80.0 << true << QStringLiteral("SWR12A · +80 m · near");
-        QTest::newRow("near, below") << -320.0 << -80.0 << true << QStringLiteral("SWR12A · −80 m · near");
+        QTest::newRow("near, above") << 320.0 << 80.0 << true << QStringLiteral("SWR12A · +80\u00a0m · near");
+        QTest::newRow("near, below") << -320.0 << -80.0 << true << QStringLiteral("SWR12A · −80\u00a0m · near");
         QTest::newRow("near, height unknown")
             << 100.0 << vehicle::kUnknown << true << QStringLiteral("SWR12A · altitude unknown · near");
-        QTest::newRow("just near enough") << 499.0 << 149.0 << true << QStringLiteral("SWR12A · +149 m · near");
-        QTest::newRow("too far") << 501.0 << 0.0 << false << QStringLiteral("SWR12A · +0 m");
-        QTest::newRow("too high") << 100.0 << 151.0 << false << QStringLiteral("SWR12A · +151 m");
-        QTest::newRow("too low") << 100.0 << -151.0 << false << QStringLiteral("SWR12A · −151 m");
+        QTest::newRow("just near enough") << 499.0 << 149.0 << true << QStringLiteral("SWR12A · +149\u00a0m · near");
+        QTest::newRow("too far") << 501.0 << 0.0 << false << QStringLiteral("SWR12A · +0\u00a0m");
+        QTest::newRow("too high") << 100.0 << 151.0 << false << QStringLiteral("SWR12A · +151\u00a0m");
+        QTest::newRow("too low") << 100.0 << -151.0 << false << QStringLiteral("SWR12A · −151\u00a0m");
     }
 
     void nearOnesAreFound()

@@ -343,9 +343,9 @@ private Q_SLOTS:
         show(10, at(121));
         QVERIFY(m_list.alerts().empty());
         show(11, at(122.5));
-        QCOMPARE(texts(), QStringList{QStringLiteral("alt high: 122.5 m")});
+        QCOMPARE(texts(), QStringList{QStringLiteral("alt high: 122.5\u00a0m")});
         QCOMPARE(m_list.alerts().front().severity, AlertSeverity::Warning);
-        QCOMPARE(m_list.alerts().front().details, QStringLiteral("The high limit is 120.0 m."));
+        QCOMPARE(m_list.alerts().front().details, QStringLiteral("The high limit is 120.0\u00a0m."));
         QCOMPARE(m_list.takeRaised().size(), std::size_t(1));
         for (double t = 12; t < 40; t += 1) // it swings
             show(t, at(int(t) % 2 == 0 ? 119 : 121));
@@ -358,10 +358,10 @@ private Q_SLOTS:
         QVERIFY(m_list.alerts().empty());
         show(50, at(4));
         show(51, at(4));
-        QCOMPARE(texts(), QStringList{QStringLiteral("alt low: 4.0 m")});
+        QCOMPARE(texts(), QStringList{QStringLiteral("alt low: 4.0\u00a0m")});
         QVERIFY(m_list.alerts().front().details.endsWith(QStringLiteral("Passed 2 times.")));
         show(60, at(50, 4)); // old: nothing is known
-        QVERIFY(texts().contains(QStringLiteral("alt low: 4.0 m")));
+        QVERIFY(texts().contains(QStringLiteral("alt low: 4.0\u00a0m")));
         show(61, at(50));
         show(63, at(50));
         QCOMPARE(m_list.alerts().size(), std::size_t(1));
@@ -379,7 +379,7 @@ private Q_SLOTS:
         };
         show(0, at(130));
         show(1, at(130));
-        QCOMPARE(texts(), QStringList{QStringLiteral("alt high: 427 ft")});
+        QCOMPARE(texts(), QStringList{QStringLiteral("alt high: 427\u00a0ft")});
         m_list.dismiss(m_list.alerts().front().id);
         show(100, at(140));
         QVERIFY(m_list.alerts().empty());
@@ -410,7 +410,7 @@ private Q_SLOTS:
         };
         show(0, two);
         show(1, two);
-        QCOMPARE(texts(), QStringList{QStringLiteral("Vehicle 2: alt high: 150.0 m")});
+        QCOMPARE(texts(), QStringList{QStringLiteral("Vehicle 2: alt high: 150.0\u00a0m")});
         show(2); // it is gone
         QVERIFY(m_list.alerts().empty());
     }

@@ -1,9 +1,13 @@
 // The window in another language, and which language that is.
+#include "core/engine/text/state_text.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/dialogs/help_dialog.h"
 #include "ui/dialogs/settings_dialog.h"
 #include "ui/language.h"
+#include "ui/sweep/sweep_labels.h"
+#include "ui/text/coordinates.h"
+#include "ui/text/units.h"
 #include "window_rig.h"
 
 #include <QtCore/QDir>
@@ -68,6 +72,30 @@ private Q_SLOTS:
         QCOMPARE(languageInUse(), QStringLiteral("en"));
         setUp();
         QCOMPARE(menus().first(), QStringLiteral("File"));
+    }
+
+    void numbersHaveTheDecimalPointOfTheLanguage()
+    {
+        QCOMPARE(number(12, 1), QStringLiteral("12.0"));
+        QCOMPARE(engine::switchTimeText(std::chrono::microseconds(430)), QStringLiteral("0.4 ms"));
+        {
+            const WindowTranslation german(QStringLiteral("de"));
+            QCOMPARE(number(12, 1), QStringLiteral("12,0"));
+            QCOMPARE(altitudeFigure(-0.5, UnitSystem::Metric).text(), QStringLiteral("−0,5\u00a0m"));
+            QCOMPARE(rateText(3200), QStringLiteral("3,2\u00a0kB/s"));
+            QCOMPARE(localNumber("1,234.5 ± 0.1"), QStringLiteral("1.234,5 ± 0,1"));
+            QCOMPARE(coordinatesText(-35.363261, 149.16523, CoordinateFormat::Decimal),
+                     QStringLiteral("−35,363261 149,165230"));
+            QCOMPARE(engine::switchTimeText(std::chrono::microseconds(430)), QStringLiteral("0,4 ms"));
+            // Of the compass, German has another letter for the east.
+            QCOMPARE(compassLetter(Compass::East), QStringLiteral("O"));
+            QVERIFY(coordinatesText(47.5, 8.25, CoordinateFormat::DegreesMinutesSeconds).endsWith(QStringLiteral("0,0\" O")));
+            // Other programs read these.
+            QCOMPARE(coordinatesToCopy(-35.363261, 149.16523, CoordinateFormat::Decimal),
+                     QStringLiteral("-35.363261, 149.165230"));
+            QVERIFY(coordinatesToCopy(47.5, 8.25, CoordinateFormat::DegreesMinutesSeconds).endsWith(QStringLiteral("0.0\" E")));
+        }
+        QCOMPARE(number(12, 1), QStringLiteral("12.0"));
     }
 
     void everyHelpPageIsGerman()

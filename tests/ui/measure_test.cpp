@@ -82,7 +82,7 @@ private Q_SLOTS:
         const QString text = measuredText(*m_tool, UnitSystem::Metric);
         QVERIFY2(text.endsWith(QStringLiteral("in 2 legs")), qPrintable(text));
         QVERIFY(m_map->accessibleDescription().startsWith(text));
-        QVERIFY(measuredText(*m_tool, UnitSystem::Imperial).contains(QStringLiteral(" ft ")));
+        QVERIFY(measuredText(*m_tool, UnitSystem::Imperial).contains(QStringLiteral("\u00a0ft ")));
     }
 
     void clicksAreNotForTheVehicle()

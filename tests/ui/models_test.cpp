@@ -312,9 +312,10 @@ private Q_SLOTS:
         QTest::addColumn<float>("altitude");
         QTest::addColumn<QString>("shown"); // latitude and altitude
         const QString none = QString(QChar(0x2013));
-        QTest::newRow("waypoint") << int(mavlink::MAV_CMD_NAV_WAYPOINT) << true << 0.f << QStringLiteral("47.5000000 0.0 m");
+        QTest::newRow("waypoint") << int(mavlink::MAV_CMD_NAV_WAYPOINT) << true << 0.f
+                                  << QStringLiteral("47.5000000 0.0\u00a0m");
         QTest::newRow("take-off here") << int(mavlink::MAV_CMD_NAV_TAKEOFF) << false << 20.f
-                                       << none + QStringLiteral(" 20.0 m");
+                                       << none + QStringLiteral(" 20.0\u00a0m");
         QTest::newRow("return") << int(mavlink::MAV_CMD_NAV_RETURN_TO_LAUNCH) << false << 0.f << none + QLatin1Char(' ') + none;
         QTest::newRow("jump") << int(mavlink::MAV_CMD_DO_JUMP) << false << 0.f << none + QLatin1Char(' ') + none;
         QTest::newRow("camera, whose last parameter is no altitude")
@@ -342,9 +343,9 @@ private Q_SLOTS:
         items[2].frame = mavlink::MAV_FRAME_GLOBAL_TERRAIN_ALT;
         MissionModel model;
         model.setMission(std::make_shared<const std::vector<vehicle::MissionItem>>(items), -1, true);
-        QCOMPARE(cell(model, 0, MissionModel::Altitude), QStringLiteral("584.0 m MSL"));
-        QCOMPARE(cell(model, 1, MissionModel::Altitude), QStringLiteral("584.0 m"));
-        QCOMPARE(cell(model, 2, MissionModel::Altitude), QStringLiteral("584.0 m above ground"));
+        QCOMPARE(cell(model, 0, MissionModel::Altitude), QStringLiteral("584.0\u00a0m MSL"));
+        QCOMPARE(cell(model, 1, MissionModel::Altitude), QStringLiteral("584.0\u00a0m"));
+        QCOMPARE(cell(model, 2, MissionModel::Altitude), QStringLiteral("584.0\u00a0m above ground"));
     }
 
     void clientsShowTheirRights()

@@ -30,11 +30,17 @@ private Q_SLOTS:
     {
         QTest::addColumn<int>("units");
         QTest::addColumn<QStringList>("texts"); // of 100 m, 10 m/s, 2 m/s, and of 50 m, 926 m and 20 km
-        QTest::newRow("metric") << 0 << QStringLiteral("100.0 m|10.0 m/s|2.0 m/s|50 m|926 m|20.0 km").split(QLatin1Char('|'));
-        QTest::newRow("imperial")
-            << 1 << QStringLiteral("328 ft|22.4 mph|394 ft/min|164 ft|3038 ft|12.43 mi").split(QLatin1Char('|'));
-        QTest::newRow("aviation")
-            << 2 << QStringLiteral("328 ft|19.4 kt|394 ft/min|164 ft|0.50 NM|10.80 NM").split(QLatin1Char('|'));
+        QTest::newRow("metric") << 0
+                                << QStringLiteral("100.0\u00a0m|10.0\u00a0m/s|2.0\u00a0m/s|50\u00a0m|926\u00a0m|20.0\u00a0km")
+                                       .split(QLatin1Char('|'));
+        QTest::newRow("imperial") << 1
+                                  << QStringLiteral(
+                                         "328\u00a0ft|22.4\u00a0mph|394\u00a0ft/min|164\u00a0ft|3038\u00a0ft|12.43\u00a0mi")
+                                         .split(QLatin1Char('|'));
+        QTest::newRow("aviation") << 2
+                                  << QStringLiteral(
+                                         "328\u00a0ft|19.4\u00a0kt|394\u00a0ft/min|164\u00a0ft|0.50\u00a0NM|10.80\u00a0NM")
+                                         .split(QLatin1Char('|'));
     }
 
     void figures()
@@ -54,22 +60,22 @@ private Q_SLOTS:
     {
         const ValueUnit speed{.measure = Measure::Speed, .name = QStringLiteral("m/s"), .decimals = 1};
         QCOMPARE(unitName(speed, UnitSystem::Aviation), QStringLiteral("kt"));
-        QCOMPARE(valueFigure(10, speed, 3, UnitSystem::Aviation).text(), QStringLiteral("19.438 kt"));
+        QCOMPARE(valueFigure(10, speed, 3, UnitSystem::Aviation).text(), QStringLiteral("19.438\u00a0kt"));
         const ValueUnit way{.measure = Measure::Distance, .name = QStringLiteral("m"), .decimals = 0};
-        QCOMPARE(valueFigure(1852, way, 0, UnitSystem::Aviation).text(), QStringLiteral("6076 ft"));
-        QCOMPARE(valueFigure(1852, way, -1, UnitSystem::Aviation).text(), QStringLiteral("1.00 NM"));
+        QCOMPARE(valueFigure(1852, way, 0, UnitSystem::Aviation).text(), QStringLiteral("6076\u00a0ft"));
+        QCOMPARE(valueFigure(1852, way, -1, UnitSystem::Aviation).text(), QStringLiteral("1.00\u00a0NM"));
         const ValueUnit volts{.name = QStringLiteral("V"), .decimals = 2};
-        QCOMPARE(valueFigure(12, volts, -1, UnitSystem::Aviation).text(), QStringLiteral("12.00 V"));
+        QCOMPARE(valueFigure(12, volts, -1, UnitSystem::Aviation).text(), QStringLiteral("12.00\u00a0V"));
     }
 
     void scaleBarIsRound_data()
     {
         QTest::addColumn<double>("least"); // metres
         QTest::addColumn<QStringList>("texts");
-        QTest::newRow("near") << 30.0 << QStringLiteral("50 m|100 ft|100 ft").split(QLatin1Char('|'));
-        QTest::newRow("between") << 600.0 << QStringLiteral("1 km|2000 ft|2000 ft").split(QLatin1Char('|'));
-        QTest::newRow("a mile") << 700.0 << QStringLiteral("1 km|5000 ft|0.5 NM").split(QLatin1Char('|'));
-        QTest::newRow("far") << 15'000.0 << QStringLiteral("20 km|10 mi|10 NM").split(QLatin1Char('|'));
+        QTest::newRow("near") << 30.0 << QStringLiteral("50\u00a0m|100\u00a0ft|100\u00a0ft").split(QLatin1Char('|'));
+        QTest::newRow("between") << 600.0 << QStringLiteral("1\u00a0km|2000\u00a0ft|2000\u00a0ft").split(QLatin1Char('|'));
+        QTest::newRow("a mile") << 700.0 << QStringLiteral("1\u00a0km|5000\u00a0ft|0.5\u00a0NM").split(QLatin1Char('|'));
+        QTest::newRow("far") << 15'000.0 << QStringLiteral("20\u00a0km|10\u00a0mi|10\u00a0NM").split(QLatin1Char('|'));
     }
 
     void scaleBarIsRound()
@@ -85,10 +91,10 @@ private Q_SLOTS:
 
     void commandsNameTheirAltitude()
     {
-        QCOMPARE(commandText(vehicle::TakeOff{10}, UnitSystem::Metric), QStringLiteral("Take off to 10 m"));
-        QCOMPARE(commandText(vehicle::TakeOff{10}, UnitSystem::Aviation), QStringLiteral("Take off to 33 ft"));
+        QCOMPARE(commandText(vehicle::TakeOff{10}, UnitSystem::Metric), QStringLiteral("Take off to 10\u00a0m"));
+        QCOMPARE(commandText(vehicle::TakeOff{10}, UnitSystem::Aviation), QStringLiteral("Take off to 33\u00a0ft"));
         QCOMPARE(commandText(vehicle::ChangeAltitude{30.48, true}, UnitSystem::Imperial),
-                 QStringLiteral("Change altitude to 100 ft"));
+                 QStringLiteral("Change altitude to 100\u00a0ft"));
     }
 
     void aviationIsChosenByKeys()
@@ -118,10 +124,10 @@ private Q_SLOTS:
         EVENTUALLY_EQUAL(m_station->commands.size(), std::size_t(1));
         QTest::mouseRelease(takeOff, Qt::LeftButton);
         QCOMPARE(std::get<vehicle::TakeOff>(m_station->commands[0].second).altitude, 10.0);
-        QCOMPARE(find<QLabel>("commandResult")->text(), QStringLiteral("Take off to 33 ft: requested…"));
+        QCOMPARE(find<QLabel>("commandResult")->text(), QStringLiteral("Take off to 33\u00a0ft: requested…"));
         const auto *items = find<QTreeView>("missionView")->model();
         QVERIFY(items->rowCount() > 1);
-        QVERIFY(items->index(1, 4).data().toString().endsWith(QStringLiteral(" ft")));
+        QVERIFY(items->index(1, 4).data().toString().endsWith(QStringLiteral("\u00a0ft")));
         m_store->sync();
         QCOMPARE(loadSettings(*m_store).units, UnitSystem::Aviation);
 

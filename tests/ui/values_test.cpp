@@ -114,11 +114,11 @@ private Q_SLOTS:
         pressButton(Qt::Key_P, "editorApply");
         showFields({readingOf(kSatellites, 14)});
         QCOMPARE(cell(kSatellites)->unit(), QStringLiteral("pcs and"));
-        QCOMPARE(cell(kSatellites)->text(), QStringLiteral("14 pcs and"));
+        QCOMPARE(cell(kSatellites)->text(), QStringLiteral("14\u00a0pcs and"));
         editor()->close();
         open(); // it is stored
         showFields({readingOf(kSatellites, 15)});
-        QCOMPARE(cell(kSatellites)->text(), QStringLiteral("15 pcs and"));
+        QCOMPARE(cell(kSatellites)->text(), QStringLiteral("15\u00a0pcs and"));
     }
 
     void unitsOfTheDefinitionFollowTheSystem()
@@ -152,7 +152,7 @@ private Q_SLOTS:
         };
         QCOMPARE(noteAt(120.4), QString());
         QCOMPARE(noteAt(120.6), QStringLiteral("▲ high"));
-        QCOMPARE(cell(QStringLiteral("alt_rel"))->text(), QStringLiteral("120.6 m, ▲ high")); // what a screen reader says
+        QCOMPARE(cell(QStringLiteral("alt_rel"))->text(), QStringLiteral("120.6\u00a0m, ▲ high")); // what a screen reader says
         QCOMPARE(noteAt(5.1), QString());
         QCOMPARE(noteAt(4.9), QStringLiteral("▼ low"));
         QCOMPARE(noteAt(vehicle::kUnknown), QString());
@@ -173,7 +173,7 @@ private Q_SLOTS:
             return first ? first->text : QString();
         };
         QCOMPARE(alertAt(130), QString()); // it may be an outlier
-        EVENTUALLY_EQUAL(alertAt(130), QStringLiteral("alt high: 130.0 m"));
+        EVENTUALLY_EQUAL(alertAt(130), QStringLiteral("alt high: 130.0\u00a0m"));
         m_window->activateWindow();
         QTest::mouseClick(find<AlertRow>("alertRow0")->button(), Qt::LeftButton);
         QCOMPARE(alertAt(131), QString()); // dismissed
@@ -193,7 +193,7 @@ private Q_SLOTS:
         auto snapshot = sealedSnapshot(1);
         snapshot.vehicles.front().state.altitudeRelative = 122;
         m_station->show(snapshot);
-        QCOMPARE(cell(QStringLiteral("alt_rel"))->text(), QStringLiteral("400 ft, ▲ high"));
+        QCOMPARE(cell(QStringLiteral("alt_rel"))->text(), QStringLiteral("400\u00a0ft, ▲ high"));
     }
 
     void unsoundLimitsAreNotTakenOver()
@@ -255,9 +255,9 @@ private Q_SLOTS:
         QCOMPARE(captions().last(), QStringLiteral("third cell"));
         QVERIFY(cell(kCell)->choice().line);
         showFields({readingOf(kCell, 3456)}); // millivolts
-        QCOMPARE(cell(kCell)->text(), QStringLiteral("3.456 V, ▼ low"));
+        QCOMPARE(cell(kCell)->text(), QStringLiteral("3.456\u00a0V, ▼ low"));
         showFields({readingOf(kCell, 65535)}); // "unknown" in the definition
-        QCOMPARE(cell(kCell)->text(), dash() + QStringLiteral(" V"));
+        QCOMPARE(cell(kCell)->text(), dash() + QStringLiteral("\u00a0V"));
     }
 
     void cancelChangesNothing()

@@ -246,7 +246,7 @@ private Q_SLOTS:
         QTest::keyRelease(button, Qt::Key_Return);
         QCOMPARE(std::get<vehicle::TakeOff>(m_station->commands[0].second).altitude, 25.0);
         m_station->notify(vehicle::CommandResult{vehicle::RequestId{1}, 1, vehicle::CommandOutcome::Accepted, 0, {}});
-        QCOMPARE(find<QLabel>("commandResult")->text(), QStringLiteral("Take off to 25 m: accepted"));
+        QCOMPARE(find<QLabel>("commandResult")->text(), QStringLiteral("Take off to 25\u00a0m: accepted"));
     }
 
     void menuCommandIsConfirmed()

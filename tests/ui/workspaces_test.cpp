@@ -161,15 +161,15 @@ private Q_SLOTS:
         // Two legs of 0.001 degrees on the sphere of the projection; item 0 is home.
         const auto *profile = find<QWidget>("profileView");
         EVENTUALLY(profile->isVisible());
-        QVERIFY2(profile->accessibleDescription().contains(QStringLiteral("highest 48.5 m above home")),
+        QVERIFY2(profile->accessibleDescription().contains(QStringLiteral("highest 48.5\u00a0m above home")),
                  qPrintable(profile->accessibleDescription()));
-        QVERIFY2(profile->accessibleDescription().startsWith(QStringLiteral("223 m")),
+        QVERIFY2(profile->accessibleDescription().startsWith(QStringLiteral("223\u00a0m")),
                  qPrintable(profile->accessibleDescription()));
         items[2].altitude = 60;
         snapshot.vehicles.front().mission = std::make_shared<const std::vector<vehicle::MissionItem>>(items);
         snapshot.time = 3;
         m_station->show(snapshot);
-        EVENTUALLY(profile->accessibleDescription().contains(QStringLiteral("highest 60.0 m")));
+        EVENTUALLY(profile->accessibleDescription().contains(QStringLiteral("highest 60.0\u00a0m")));
     }
 
     /// A dock alone has its name above it; of several behind each other, each tab has it.

@@ -1,5 +1,6 @@
 #include "ui/flight/tape.h"
 
+#include "ui/text/coordinates.h"
 #include "ui/text/figures.h"
 #include "ui/text/units.h"
 
@@ -15,10 +16,10 @@ namespace {
 QString compassText(int degrees)
 {
     switch (degrees) {
-    case 0: return QStringLiteral("N");
-    case 90: return QStringLiteral("E");
-    case 180: return QStringLiteral("S");
-    case 270: return QStringLiteral("W");
+    case 0: return compassLetter(Compass::North);
+    case 90: return compassLetter(Compass::East);
+    case 180: return compassLetter(Compass::South);
+    case 270: return compassLetter(Compass::West);
     default: return QString::number(degrees / 10);
     }
 }

@@ -1,6 +1,8 @@
 #include "ui/map/graticule.h"
 
 #include "ui/map/nice_step.h"
+#include "ui/text/coordinates.h"
+#include "ui/text/units.h"
 
 namespace skyseal::ui {
 
@@ -13,10 +15,10 @@ int degreeDecimals(double step)
     return std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
 }
 
-QString label(double degrees, int decimals, QChar positive, QChar negative)
+QString label(double degrees, int decimals, Compass positive, Compass negative)
 {
-    const QString figure = QString::number(std::abs(degrees), 'f', decimals) + QStringLiteral("°");
-    return degrees == 0 ? figure : figure + QLatin1Char(' ') + (degrees > 0 ? positive : negative);
+    const QString figure = number(std::abs(degrees), decimals) + QStringLiteral("°");
+    return degrees == 0 ? figure : figure + QLatin1Char(' ') + compassLetter(degrees > 0 ? positive : negative);
 }
 
 } // namespace
@@ -35,7 +37,7 @@ Graticule graticuleOf(const MapViewport &viewport)
         const double around = degrees - 360 * std::floor((degrees + 180) / 360);
         const double x = degrees * mercator::kMetresPerDegree;
         out.meridians.push_back({{viewport.toPixels({x, shown.bottom()}), viewport.toPixels({x, shown.top()})},
-                                 label(around, decimals, QLatin1Char('E'), QLatin1Char('W')),
+                                 label(around, decimals, Compass::East, Compass::West),
                                  i % 5 == 0});
     }
     const double south = mercator::unproject({0, shown.top()}).latitude,
@@ -45,7 +47,7 @@ Graticule graticuleOf(const MapViewport &viewport)
         const double y = mercator::project({degrees, 0}).y();
         if (std::abs(degrees) <= mercator::kLastLatitude)
             out.parallels.push_back({{viewport.toPixels({shown.left(), y}), viewport.toPixels({shown.right(), y})},
-                                     label(degrees, decimals, QLatin1Char('N'), QLatin1Char('S')),
+                                     label(degrees, decimals, Compass::North, Compass::South),
                                      i % 5 == 0});
     }
     return out;

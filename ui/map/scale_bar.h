@@ -18,7 +18,7 @@ inline ScaleBar scaleBar(double least, UnitSystem units)
 {
     const auto length = [least](const UnitScale &scale) {
         const double round = niceStep(least * scale.factor);
-        return ScaleBar{QStringLiteral("%1 %2").arg(round).arg(QLatin1String(scale.name)), round / scale.factor};
+        return ScaleBar{withUnit(withDecimalPoint(QString::number(round)), QLatin1String(scale.name)), round / scale.factor};
     };
     // Beside a single length, the large unit reads well from half or one of it on.
     const double longest = (units == UnitSystem::Aviation ? 0.5 : 1) / largeDistanceScale(units).factor;

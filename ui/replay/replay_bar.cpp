@@ -28,7 +28,7 @@ constexpr double kSpeeds[] = {0.1, 0.25, 0.5, 1, 2, 5, 10, 20, 50};
 
 QString speedText(double speed)
 {
-    return QStringLiteral("%1 ×").arg(QLocale::c().toString(speed));
+    return QStringLiteral("%1 ×").arg(withDecimalPoint(QString::number(speed)));
 }
 
 } // namespace

@@ -63,7 +63,6 @@ LinkConditions::LinkConditions(QWidget *parent) : QGroupBox(parent)
 void LinkConditions::addFields(QHBoxLayout &row)
 {
     m_loss = named(new QDoubleSpinBox(this), "sweepLoss", tr("Packets lost"));
-    m_loss->setLocale(QLocale::c());
     m_loss->setRange(0, 100);
     m_loss->setDecimals(1);
     m_loss->setValue(5);

@@ -1,5 +1,6 @@
 #include "ui/sweep/sweep_bars.h"
 
+#include "ui/sweep/sweep_labels.h"
 #include "ui/text/figures.h"
 #include "ui/text/vehicle_text.h"
 #include "ui/theme/grid.h"
@@ -19,7 +20,7 @@ constexpr int kLeastRow = 18, kMostRow = 30;
 
 QString valueText(const experiment::Bar &bar)
 {
-    return fromStd(bar.text.empty() ? experiment::readable(bar.mean, bar.low, bar.high) : bar.text);
+    return bar.text.empty() ? localNumber(experiment::readable(bar.mean, bar.low, bar.high)) : fromStd(bar.text);
 }
 
 double highestOf(const experiment::BarChart &chart)
@@ -113,7 +114,7 @@ void SweepBars::drawAxis(QPainter &painter, const Frame &frame) const
         const qreal x = std::floor(frame.x(i * frame.step)) + 0.5;
         painter.setPen(QPen(i == 0 ? colors.dim : colors.line, 1));
         painter.drawLine(QPointF(x, frame.area.top() - 2), QPointF(x, frame.area.bottom()));
-        const QString text = fromStd(experiment::readable(i * frame.step));
+        const QString text = localNumber(experiment::readable(i * frame.step));
         const qreal wide = figuresWidth(metrics, text), left = x - wide / 2;
         if (left < free)
             continue;

@@ -162,7 +162,6 @@ QWidget *SweepDialog::makeRunsGroup()
 {
     auto *box = new QGroupBox(tr("Duration"), this);
     m_seconds = named(new QDoubleSpinBox(box), "sweepSeconds", tr("Length of each run"));
-    m_seconds->setLocale(QLocale::c()); // a decimal point, as all numbers of the window have
     m_seconds->setRange(0.5, 3600);
     m_seconds->setDecimals(1);
     m_seconds->setSuffix(tr(" s"));

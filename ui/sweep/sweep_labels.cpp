@@ -4,6 +4,7 @@
 #include "ui/theme/suite_style.h"
 
 #include <QtCore/QCoreApplication>
+#include <QtCore/QLocale>
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +21,16 @@ struct Text
 };
 
 } // namespace
+
+QString localNumber(const std::string &figures)
+{
+    QString out;
+    for (const QChar c : fromStd(figures))
+        out += c == QLatin1Char('.') ? QLocale().decimalPoint()
+            : c == QLatin1Char(',')  ? QLocale().groupSeparator()
+                                     : QString(c);
+    return out;
+}
 
 QString framingText(const SweepArm &arm)
 {
@@ -51,7 +62,7 @@ QString linkText(const experiment::Condition &link)
 {
     if (link.clean())
         return Text::tr("clean link");
-    const auto text = [](double value) { return fromStd(experiment::readable(value)); };
+    const auto text = [](double value) { return localNumber(experiment::readable(value)); };
     const auto ms = [&](Duration time) { return text(1000 * seconds(time)); };
     const impair::ImpairmentSettings &is = link.settings;
     QStringList parts;
@@ -88,7 +99,7 @@ QString aboutTime(double seconds)
 
 QString ratioText(const experiment::Contrast &ratio)
 {
-    const auto text = [](double value) { return fromStd(experiment::readable(value)); };
+    const auto text = [](double value) { return localNumber(experiment::readable(value)); };
     return std::isfinite(ratio.low()) && std::isfinite(ratio.high())
         ? Text::tr("%1 (%2 to %3)").arg(text(ratio.value()), text(ratio.low()), text(ratio.high()))
         : text(ratio.value());

@@ -5,10 +5,13 @@
 
 #include <QtCore/QString>
 
+#include <string>
 #include <string_view>
 
 namespace skyseal::ui {
 
+/// Figures as reports have them, "1,234.5", with the separators of the window's language.
+QString localNumber(const std::string &figures);
 /// "AES-256-CTR, inline"; "ChaCha20-Poly1305, sealed (A/A)"; "plain, not sealed".
 QString armText(const experiment::SweepArm &arm);
 QString framingText(const experiment::SweepArm &arm);

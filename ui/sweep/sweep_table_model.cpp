@@ -102,7 +102,7 @@ QVariant SweepTableModel::meanData(std::size_t arm, Metric metric, int role) con
 {
     const experiment::Cell cell{m_condition, m_load, arm};
     if (role == Qt::DisplayRole)
-        return experiment::exists(m_results->plan.arms[arm]) ? fromStd(experiment::meanText(*m_results, cell, metric))
+        return experiment::exists(m_results->plan.arms[arm]) ? localNumber(experiment::meanText(*m_results, cell, metric))
                                                              : notInFramingText();
     if (role != ValueRole && role != Qt::ToolTipRole)
         return {};
@@ -112,7 +112,7 @@ QVariant SweepTableModel::meanData(std::size_t arm, Metric metric, int role) con
     if (role == ValueRole)
         return summary.mean;
     return tr("from %1 to %2 in %3 runs")
-        .arg(fromStd(experiment::readable(summary.min)), fromStd(experiment::readable(summary.max)))
+        .arg(localNumber(experiment::readable(summary.min)), localNumber(experiment::readable(summary.max)))
         .arg(summary.count);
 }
 

@@ -7,6 +7,7 @@
 #include <GeographicLib/MGRS.hpp>
 #include <GeographicLib/UTMUPS.hpp>
 
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -28,7 +29,7 @@ QString decimal(double degrees)
 }
 
 /// Rounded as a whole, so that no seconds read 60.0.
-QString sexagesimal(double degrees, QChar positive, QChar negative)
+QString sexagesimal(double degrees, const QString &positive, const QString &negative)
 {
     const auto tenths = std::llround(std::abs(degrees) * 36000);
     const QChar zero = QLatin1Char('0');
@@ -40,11 +41,13 @@ QString sexagesimal(double degrees, QChar positive, QChar negative)
         .arg(degrees < 0 ? negative : positive);
 }
 
-QString joined(double latitude, double longitude, CoordinateFormat format, const QString &separator)
+/// Letters of north, east, south and west.
+using Letters = std::array<QString, 4>;
+
+QString joined(double latitude, double longitude, CoordinateFormat format, const QString &separator, const Letters &letters)
 {
     if (format == CoordinateFormat::DegreesMinutesSeconds)
-        return sexagesimal(latitude, QLatin1Char('N'), QLatin1Char('S')) + separator
-            + sexagesimal(longitude, QLatin1Char('E'), QLatin1Char('W'));
+        return sexagesimal(latitude, letters[0], letters[2]) + separator + sexagesimal(longitude, letters[1], letters[3]);
     return decimal(latitude) + separator + decimal(longitude);
 }
 
@@ -104,6 +107,17 @@ QString mgrsText(const GridPlace &place)
 
 } // namespace
 
+QString compassLetter(Compass direction)
+{
+    switch (direction) {
+    case Compass::North: return Text::tr("N", "north");
+    case Compass::East: return Text::tr("E", "east");
+    case Compass::South: return Text::tr("S", "south");
+    case Compass::West: break;
+    }
+    return Text::tr("W", "west");
+}
+
 QString coordinatesText(double latitude, double longitude, CoordinateFormat format)
 {
     if (format == CoordinateFormat::Utm || format == CoordinateFormat::Mgrs) {
@@ -113,7 +127,10 @@ QString coordinatesText(double latitude, double longitude, CoordinateFormat form
         return format == CoordinateFormat::Utm ? utmText(*place) : mgrsText(*place);
     }
     constexpr char16_t kMinus = 0x2212;
-    return joined(latitude, longitude, format, QStringLiteral(" ")).replace(QLatin1Char('-'), QChar(kMinus));
+    const Letters letters{compassLetter(Compass::North), compassLetter(Compass::East), compassLetter(Compass::South),
+                          compassLetter(Compass::West)};
+    QString text = joined(latitude, longitude, format, QStringLiteral(" "), letters);
+    return withDecimalPoint(text.replace(QLatin1Char('-'), QChar(kMinus)));
 }
 
 QString coordinatesToCopy(double latitude, double longitude, CoordinateFormat format)
@@ -124,7 +141,8 @@ QString coordinatesToCopy(double latitude, double longitude, CoordinateFormat fo
             return {};
         return format == CoordinateFormat::Utm ? utmToCopy(*place) : QString::fromStdString(place->mgrs);
     }
-    return joined(latitude, longitude, format, QStringLiteral(", "));
+    return joined(latitude, longitude, format, QStringLiteral(", "),
+                  {QStringLiteral("N"), QStringLiteral("E"), QStringLiteral("S"), QStringLiteral("W")});
 }
 
 QString widestCoordinates(CoordinateFormat format)

@@ -3,6 +3,7 @@
 #include <QtCore/QLocale>
 
 #include <cmath>
+#include <utility>
 
 namespace skyseal::ui {
 
@@ -20,10 +21,21 @@ QString scaled(double value, const char *const (&names)[4])
         value /= 1000;
         ++step;
     }
-    return QString::number(value, 'f', value < 9.95 && step > 0 ? 1 : 0) + QLatin1Char(' ') + QLatin1String(names[step]);
+    return withUnit(withDecimalPoint(QString::number(value, 'f', value < 9.95 && step > 0 ? 1 : 0)),
+                    QLatin1String(names[step]));
 }
 
 } // namespace
+
+QString withUnit(const QString &number, const QString &unit)
+{
+    return unit.isEmpty() ? number : number + QChar(QChar::Nbsp) + unit;
+}
+
+QString withDecimalPoint(QString number)
+{
+    return number.replace(QLatin1Char('.'), QLocale().decimalPoint());
+}
 
 QString dash()
 {
@@ -38,7 +50,7 @@ QString number(double value, int decimals)
     const bool isZero = text.toDouble() == 0.0;
     if (value < 0 && !isZero)
         text.prepend(kMinus);
-    return text;
+    return withDecimalPoint(std::move(text));
 }
 
 QString grouped(std::uint64_t value)
@@ -151,8 +163,8 @@ QString latencyText(double seconds)
     if (!std::isfinite(seconds))
         return dash();
     if (seconds < 0.00995)
-        return QString::number(seconds * 1000, 'f', 1) + QStringLiteral(" ms");
-    return QString::number(std::lround(seconds * 1000)) + QStringLiteral(" ms");
+        return withUnit(number(seconds * 1000, 1), QStringLiteral("ms"));
+    return withUnit(QString::number(std::lround(seconds * 1000)), QStringLiteral("ms"));
 }
 
 } // namespace skyseal::ui

@@ -29,11 +29,16 @@ UnitScale distanceScale(double metres, UnitSystem units);
 UnitScale smallDistanceScale(UnitSystem units);
 UnitScale largeDistanceScale(UnitSystem units);
 
+/// A number and its unit, which no line break parts; the number alone if the unit is empty.
+QString withUnit(const QString &number, const QString &unit);
+/// A number as command lines write it, with the decimal point of the window's language.
+QString withDecimalPoint(QString number);
+
 /// A value and its unit, apart, because units are drawn dimmed.
 struct Figure
 {
     QString value, unit;
-    QString text() const { return unit.isEmpty() ? value : value + QLatin1Char(' ') + unit; }
+    QString text() const { return withUnit(value, unit); }
 };
 
 /// The placeholder for a value that is not known.

@@ -296,7 +296,7 @@ void ValuesEditor::showDetails()
     m_decimals->setValue(choice ? choice->decimals : -1);
     const double factor = unitFactor(unit, m_units);
     const auto limit = [&](const std::optional<double> &metric) {
-        return metric ? QString::number(*metric * factor, 'g', 8) : QString();
+        return metric ? withDecimalPoint(QString::number(*metric * factor, 'g', 8)) : QString();
     };
     m_low->setText(choice ? limit(choice->low) : QString());
     m_high->setText(choice ? limit(choice->high) : QString());

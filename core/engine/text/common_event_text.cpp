@@ -84,14 +84,14 @@ public:
         if (limit > 0 && !e.report.isAgeKnown())
             return {tr("%1 cannot determine the delay of commands and ignores any that may be older than %2 s: it ignored %3")
                         .arg(peer(e.session))
-                        .arg(limit, 0, 'f', 1)
+                        .arg(decimalText(limit, 1))
                         .arg(counted(e.records, tr("one message"), tr("%1 messages"))),
                     kError};
         if (limit > 0 && age > limit)
             return {tr("Commands reach %2 up to %1 s late, and it ignores any that are older than %3 s: it ignored %4")
-                        .arg(age, 0, 'f', 1)
+                        .arg(decimalText(age, 1))
                         .arg(peer(e.session))
-                        .arg(limit, 0, 'f', 1)
+                        .arg(decimalText(limit, 1))
                         .arg(counted(e.records, tr("one message"), tr("%1 messages"))),
                     kError};
         return {tr("Messages to %1 were withheld or delayed in transit and overtaken by others: it ignored %2")

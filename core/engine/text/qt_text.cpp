@@ -11,4 +11,10 @@ QString reasonText(const Reason &reason)
     }));
 }
 
+QString decimalText(double value, int decimals)
+{
+    const QString half = QCoreApplication::translate("skyseal::engine::Number", "0.5", "with this language's decimal point");
+    return QString::number(value, 'f', decimals).replace(QLatin1Char('.'), half.mid(1, half.size() - 2));
+}
+
 } // namespace skyseal::engine

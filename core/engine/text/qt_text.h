@@ -27,6 +27,9 @@ inline QString qt(const std::string &text)
 /// A reason in the language of the window, or in English without a translator. Removes control characters.
 QString reasonText(const Reason &reason);
 
+/// A number with these decimals, and the decimal point of the window's language; that of English without a translator.
+QString decimalText(double value, int decimals);
+
 /// A number with its noun: `one` for 1, otherwise `many`, whose %1 is the number.
 inline QString counted(std::uint64_t number, const QString &one, const QString &many)
 {

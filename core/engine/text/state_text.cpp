@@ -119,7 +119,7 @@ QString refusalText(channel::RefusalReason reason)
 QString switchTimeText(Duration took)
 {
     const double ms = seconds(took) * 1000;
-    return QString::number(ms, 'f', ms < 9.95 ? 1 : 0) + QStringLiteral(" ms");
+    return decimalText(ms, ms < 9.95 ? 1 : 0) + QStringLiteral(" ms");
 }
 
 QString anyOfNames(std::string_view names)
