@@ -1,5 +1,7 @@
 // At every size and in every state, in each language: no text is cut, nothing lies over anything else, and changing numbers
 // move nothing.
+#include "core/vehicle/reasons.h"
+#include "cut_texts.h"
 #include "fake_station.h"
 #include "scripted_snapshots.h"
 #include "tests/support/eventually.h"
@@ -82,7 +84,12 @@ private Q_SLOTS:
         QCoreApplication::processEvents();
         QCOMPARE(m_window->size(), size);
         for (const QWidget *widget : m_window->findChildren<QWidget *>()) {
-            if (!widget->isVisible() || !needsItsRoom(widget))
+            if (!widget->isVisible())
+                continue;
+            const bool isSeen = size.width() >= 1366 && !widget->visibleRegion().isEmpty(); // not behind another tab
+            if (const QString cut = isSeen ? cutTextOf(*widget) : QString(); !cut.isEmpty())
+                QFAIL(qPrintable(widget->objectName() + QStringLiteral(": ") + cut));
+            if (!needsItsRoom(widget))
                 continue;
             const QSize wanted = qobject_cast<const QLabel *>(widget) && static_cast<const QLabel *>(widget)->wordWrap()
                 ? QSize(0, widget->heightForWidth(widget->width()))
@@ -98,6 +105,15 @@ private Q_SLOTS:
             return; // the docks are at their least width
         for (const QScrollArea *area : m_window->findChildren<FittingScroll *>())
             EVENTUALLY2(area->widget()->width() <= area->viewport()->width(), qPrintable(area->parentWidget()->objectName()));
+    }
+
+    void scaleIsThatOfTheScreen()
+    {
+        open({1366, 768}, "fly");
+        show(QStringLiteral("sealed"));
+        const double scale = qEnvironmentVariable("QT_SCALE_FACTOR", QStringLiteral("1")).toDouble();
+        QCOMPARE(m_window->devicePixelRatioF(), scale);
+        QCOMPARE(m_window->grab().size(), (QSizeF(1366, 768) * scale).toSize());
     }
 
     void titlesOfTheChartsAreWhole()
@@ -346,6 +362,14 @@ private Q_SLOTS:
         QVERIFY2(lines.join(QString()) == result->text(), qPrintable(lines.join(QLatin1Char('\n'))));
         QVERIFY(lines.size() > ResultLabel::kLines);
         QVERIFY(lines.size() * result->fontMetrics().lineSpacing() <= result->height());
+
+        m_station->requests.clear();
+        m_window->findChild<VehicleCommands *>()->send(1, vehicle::TakeOff{15});
+        m_station->notify(vehicle::CommandResult{vehicle::RequestId{1}, 1, vehicle::CommandOutcome::Refused, 0,
+                                                 vehicle::reasons::kNothingSent(vehicle::reasons::kTakeOffNeedsArmed())});
+        QCoreApplication::processEvents();
+        QVERIFY2(result->shownLines().join(QString()) == result->text(),
+                 qPrintable(result->shownLines().join(QLatin1Char('\n'))));
     }
 
 private:

@@ -5,10 +5,12 @@
 
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
+#include <QtWidgets/QCheckBox>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QPlainTextEdit>
+#include <QtWidgets/QPushButton>
 #include <QtWidgets/QSpinBox>
 
 #include <algorithm>
@@ -33,6 +35,16 @@ double contrast(const QColor &one, const QColor &other)
     return (high + 0.05) / (low + 0.05);
 }
 
+/// Pixels that are seen to differ: a caret alone is fewer than twice its height.
+int differing(const QImage &one, const QImage &other)
+{
+    int count = 0;
+    for (int y = 0; y < one.height(); ++y)
+        for (int x = 0; x < one.width(); ++x)
+            count += contrast(one.pixelColor(x, y), other.pixelColor(x, y)) > 1.2;
+    return count;
+}
+
 } // namespace
 
 class ThemeTest : public QObject
@@ -40,6 +52,40 @@ class ThemeTest : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    /// Not after a Tab alone: the operator must see what the next key meets, as in a dialog that keys have opened.
+    void focusIsSeenHoweverItCame_data()
+    {
+        QTest::addColumn<Theme>("theme");
+        QTest::newRow("light") << Theme::Light;
+        QTest::newRow("dark") << Theme::Dark;
+        QTest::newRow("high contrast") << Theme::HighContrast;
+    }
+
+    void focusIsSeenHoweverItCame()
+    {
+        QFETCH(Theme, theme);
+        applyTheme(theme);
+        QWidget window;
+        auto *row = new QHBoxLayout(&window);
+        const QList<QWidget *> controls{new QPushButton(QStringLiteral("Press")), new QCheckBox(QStringLiteral("Check")),
+                                        new QComboBox, new QSpinBox, new QLineEdit};
+        for (QWidget *control : controls)
+            row->addWidget(control);
+        window.setFocusPolicy(Qt::StrongFocus);
+        window.show();
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window, skyseal::test::kDeadlineMs));
+        QVERIFY(!window.testAttribute(Qt::WA_KeyboardFocusChange));
+        for (QWidget *control : controls) {
+            window.setFocus();
+            const QImage resting = control->grab().toImage();
+            control->setFocus(Qt::OtherFocusReason);
+            QVERIFY(control->hasFocus());
+            QVERIFY2(differing(control->grab().toImage(), resting) >= 2 * control->height(),
+                     control->metaObject()->className());
+        }
+    }
+
     void fieldsHaveAnEdge_data()
     {
         QTest::addColumn<Theme>("theme");

@@ -55,6 +55,20 @@ private Q_SLOTS:
     void init() { setUp(); }
     void cleanup() { tearDown(); }
 
+    void noteLeavesTheCaption()
+    {
+        ValueCell cell({.source = *findValueSource(QStringLiteral("flight_time"))}, nullptr);
+        cell.resize(140, 42);
+        cell.setRoom(18, 0);
+        const auto caption = [&cell](const QString &note) {
+            cell.showReading({.number = 3, .note = note, .age = 0}, UnitSystem::Metric);
+            return cell.grab(QRect(0, 0, 34, cell.captionHeight())).toImage();
+        };
+        const QImage alone = caption({});
+        QVERIFY(caption(QStringLiteral("a note that is longer than the cell is wide")) == alone);
+        QVERIFY2(cell.toolTip().endsWith(QStringLiteral("is wide")), qPrintable(cell.toolTip()));
+    }
+
     void fieldIsChosenByKeys()
     {
         openEditorByKeys();

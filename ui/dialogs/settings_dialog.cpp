@@ -132,7 +132,7 @@ QWidget *SettingsDialog::makeStation()
     m_record = named(new QCheckBox(tr("&Record received and sent frames (.tlog)"), box), "settingRecord", tr("Record"));
     m_record->setChecked(m_start.record);
     m_folder = named(new QLineEdit(m_start.recordFolder, box), "settingFolder", tr("Folder of the recordings"));
-    m_folder->setPlaceholderText(tr("the application's own folder"));
+    m_folder->setPlaceholderText(tr("the default folder"));
     auto *browse = new QPushButton(tr("Browse…"), box);
     browse->setAccessibleName(tr("Browse for the folder of the recordings"));
     connect(browse, &QPushButton::clicked, this, [this] {

@@ -132,7 +132,7 @@ std::vector<std::vector<ActionBar::Piece>> ActionBar::rowsOf(Shape shape) const
         flight.push_back({target.button, std::max(word, target.button->roomFor(vehicle)), 1});
     }
     const Piece mode{m_mode, m_mode->leastWidth(stacked)}, stop{m_stop, m_stop->leastWidth(stacked, narrow)};
-    const Piece result{m_result, narrow ? kBriefResultWidth : kResultWidth, 1};
+    const Piece result{m_result, narrow ? kBriefResultWidth : kResultWidth, narrow ? 4 : 1};
     const auto join = [](std::initializer_list<std::vector<Piece>> parts) {
         std::vector<Piece> row;
         for (const auto &part : parts)

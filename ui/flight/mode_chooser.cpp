@@ -19,7 +19,7 @@ ModeChooser::ModeChooser(QWidget *parent)
     m_modes->setObjectName(QStringLiteral("modeBox"));
     m_modes->setAccessibleName(tr("Flight mode to set"));
     m_modes->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_modes->setMinimumContentsLength(8);
+    m_modes->setMinimumContentsLength(10); // of the widest letters: GUIDED_NOGPS
     m_set->setObjectName(QStringLiteral("setModeButton"));
     m_box->setContentsMargins(0, 0, 0, 0);
     m_box->setSpacing(kHalfGrid);

@@ -92,7 +92,10 @@ PairingDialog::PairingDialog(PairingInterface &pairing, const KeyringInterface &
             m_text->setText(m_hasPassphrase ? tr("The agent's side has confirmed. Confirm here as well.")
                                             : tr("The agent's side has confirmed. Does the agent show this code?"));
     });
-    connect(&pairing, &PairingInterface::otherTried, this, [this] { m_problem->setText(engine::otherDeviceTriedText()); });
+    connect(&pairing, &PairingInterface::otherTried, this, [this] {
+        m_problem->setText(engine::otherDeviceTriedText());
+        grow();
+    });
     connect(&pairing, &PairingInterface::paired, this, [this](const QString &name) {
         showStep(Step::Paired, tr("%1. The link is sealed as soon as both ends are connected.").arg(engine::pairedText(name)));
     });
@@ -103,6 +106,7 @@ PairingDialog::PairingDialog(PairingInterface &pairing, const KeyringInterface &
     connect(&pairing, &PairingInterface::passphraseDiffers, this, [this] {
         if (m_step == Step::Waiting && !m_passphraseTyped)
             m_problem->setText(engine::passphraseDiffersText() + QLatin1Char('.'));
+        grow();
     });
     m_typing.setSingleShot(true);
     m_typing.setInterval(kTypingPause);
@@ -209,8 +213,15 @@ void PairingDialog::showFingerprints()
 {
     const bool visible = m_fingerprints->isChecked();
     m_agent->showFingerprints(visible);
-    if (visible) // a layout with wrapped texts does not enlarge the window by itself
-        resize(width(), std::max(height(), sizeHint().height()));
+    if (visible)
+        grow();
+}
+
+/// A layout with wrapped texts does not enlarge the window by itself.
+void PairingDialog::grow()
+{
+    layout()->activate();
+    resize(width(), std::max(height(), layout()->totalHeightForWidth(width())));
 }
 
 void PairingDialog::refuse()

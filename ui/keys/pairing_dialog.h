@@ -38,6 +38,7 @@ private:
     void showStep(Step step, const QString &text);
     void showQuestion(const PairingQuestion &question);
     void showFingerprints();
+    void grow();
     void refuse();
     void showTime();
     void check();

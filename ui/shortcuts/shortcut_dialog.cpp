@@ -44,7 +44,7 @@ ShortcutDialog::ShortcutDialog(Shortcuts &shortcuts, QWidget *parent)
     m_view->header()->setStretchLastSection(false);
     m_view->header()->setSectionResizeMode(ShortcutModel::Action, QHeaderView::Stretch);
     const QFontMetrics metrics(font());
-    m_view->header()->resizeSection(ShortcutModel::Menu, metrics.horizontalAdvance(tr("Security")) + 3 * kGrid);
+    m_view->header()->setSectionResizeMode(ShortcutModel::Menu, QHeaderView::ResizeToContents);
     for (const auto column : {ShortcutModel::Keys, ShortcutModel::First}) // no key widens them
         m_view->header()->resizeSection(column, metrics.horizontalAdvance(QStringLiteral("Ctrl+Alt+Shift+F12")) + 3 * kGrid);
     m_note->setTextFormat(Qt::PlainText);
@@ -61,7 +61,7 @@ ShortcutDialog::ShortcutDialog(Shortcuts &shortcuts, QWidget *parent)
     column->addLayout(makeKeys());
     column->addWidget(m_note);
     column->addLayout(makeButtons());
-    resize(80 * kGrid, 68 * kGrid);
+    resize(104 * kGrid, 68 * kGrid);
 
     connect(m_find, &QLineEdit::textChanged, this, &ShortcutDialog::filter);
     connect(m_view->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &ShortcutDialog::showRow);

@@ -78,10 +78,9 @@ SweepPage::SweepPage(QWidget *parent)
 {
     m_bar->setMaximumWidth(20 * kGrid);
     m_bar->setTextVisible(false);
-    // The lists open as wide as they need.
-    for (QComboBox *choice : {m_place, m_shown, m_metric}) {
-        choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        choice->setMinimumContentsLength(18);
+    for (QComboBox *choice : {m_place, m_shown, m_metric}) { // as wide as the widest choice, where there is room
+        choice->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+        choice->setMinimumContentsLength(12);
     }
     auto *top = new QHBoxLayout;
     top->setSpacing(kGrid);

@@ -3,12 +3,14 @@
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
+#include <QtGui/QHelpEvent>
 #include <QtGui/QPainter>
 #include <QtGui/QPainterPath>
 #include <QtWidgets/QAbstractItemView>
+#include <QtWidgets/QComboBox>
 #include <QtWidgets/QGraphicsView>
 #include <QtWidgets/QScroller>
-#include <QtWidgets/QStyleOption>
+#include <QtWidgets/QToolTip>
 
 #include <algorithm>
 
@@ -51,6 +53,15 @@ void drawMark(bool round, const QStyleOption &option, QPainter &painter)
     painter.restore();
 }
 
+/// Fusion shows the focus only after a Tab: not in a dialog that was opened by keys, nor after Alt and a letter.
+template<typename Option> Option withFocusShown(const Option &option)
+{
+    Option out(option);
+    if (out.state & QStyle::State_HasFocus)
+        out.state |= QStyle::State_KeyboardFocusChange;
+    return out;
+}
+
 constexpr int kFusionSpinButton = 16; ///< pixels: width of the buttons of a spin box
 
 /// The part of a list or a scrolled panel that a finger moves; null for other widgets, and for charts, which have gestures of
@@ -76,12 +87,16 @@ void InstrumentStyle::polish(QWidget *widget)
     QProxyStyle::polish(widget);
     if (QWidget *part = m_touchSized ? scrolledPart(widget) : nullptr)
         QScroller::grabGesture(part, QScroller::TouchGesture);
+    if (qobject_cast<QComboBox *>(widget))
+        widget->installEventFilter(this);
 }
 
 void InstrumentStyle::unpolish(QWidget *widget)
 {
     if (QWidget *part = m_touchSized ? scrolledPart(widget) : nullptr)
         QScroller::ungrabGesture(part);
+    if (qobject_cast<QComboBox *>(widget))
+        widget->removeEventFilter(this);
     QProxyStyle::unpolish(widget);
 }
 
@@ -161,6 +176,45 @@ int InstrumentStyle::styleHint(StyleHint hint, const QStyleOption *option, const
     return hint == SH_DialogButtonBox_ButtonsHaveIcons ? 0 : QProxyStyle::styleHint(hint, option, widget, result);
 }
 
+int InstrumentStyle::roomOfText(const QStyleOptionComboBox &box, const QWidget *widget) const
+{
+    constexpr int kMargin = 2, kIconGap = 4; // of Fusion
+    const int room = proxy()->subControlRect(CC_ComboBox, &box, SC_ComboBoxEditField, widget).width() - kMargin;
+    return box.currentIcon.isNull() ? room : room - box.iconSize.width() - kIconGap;
+}
+
+bool InstrumentStyle::eventFilter(QObject *watched, QEvent *event)
+{
+    const auto *box = event->type() == QEvent::ToolTip ? qobject_cast<QComboBox *>(watched) : nullptr;
+    if (!box || box->isEditable())
+        return QProxyStyle::eventFilter(watched, event);
+    QStyleOptionComboBox option;
+    option.initFrom(box);
+    option.subControls = SC_All;
+    option.frame = box->hasFrame();
+    option.iconSize = box->iconSize();
+    option.currentIcon = box->itemIcon(box->currentIndex());
+    if (box->fontMetrics().horizontalAdvance(box->currentText()) <= roomOfText(option, box))
+        return QProxyStyle::eventFilter(watched, event);
+    QString tip = box->currentText().toHtmlEscaped();
+    if (!box->toolTip().isEmpty())
+        tip += QStringLiteral("<br>") + box->toolTip().toHtmlEscaped();
+    QToolTip::showText(static_cast<QHelpEvent *>(event)->globalPos(), QStringLiteral("<span>%1</span>").arg(tip),
+                       static_cast<QWidget *>(watched));
+    return true;
+}
+
+void InstrumentStyle::drawControl(ControlElement element, const QStyleOption *option, QPainter *painter,
+                                  const QWidget *widget) const
+{
+    const auto *combo = qstyleoption_cast<const QStyleOptionComboBox *>(option);
+    if (element != CE_ComboBoxLabel || !combo || combo->editable)
+        return QProxyStyle::drawControl(element, option, painter, widget);
+    QStyleOptionComboBox ours(*combo);
+    ours.currentText = combo->fontMetrics.elidedText(combo->currentText, Qt::ElideRight, roomOfText(*combo, widget));
+    QProxyStyle::drawControl(element, &ours, painter, widget);
+}
+
 void InstrumentStyle::drawPrimitive(PrimitiveElement element, const QStyleOption *option, QPainter *painter,
                                     const QWidget *widget) const
 {
@@ -171,6 +225,14 @@ void InstrumentStyle::drawPrimitive(PrimitiveElement element, const QStyleOption
         QStyleOptionFrame ours(*frame);
         ours.palette = edged(*frame);
         QProxyStyle::drawPrimitive(element, &ours, painter, widget);
+    } else if (const auto *focus = qstyleoption_cast<const QStyleOptionFocusRect *>(option);
+               focus && element == PE_FrameFocusRect) {
+        const auto ours = withFocusShown(*focus);
+        QProxyStyle::drawPrimitive(element, &ours, painter, widget);
+    } else if (const auto *button = qstyleoption_cast<const QStyleOptionButton *>(option);
+               button && element == PE_PanelButtonCommand) {
+        const auto ours = withFocusShown(*button);
+        QProxyStyle::drawPrimitive(element, &ours, painter, widget);
     } else
         QProxyStyle::drawPrimitive(element, option, painter, widget);
 }
@@ -179,11 +241,11 @@ void InstrumentStyle::drawComplexControl(ComplexControl control, const QStyleOpt
                                          const QWidget *widget) const
 {
     if (const auto *spin = qstyleoption_cast<const QStyleOptionSpinBox *>(option); spin && control == CC_SpinBox) {
-        QStyleOptionSpinBox ours(*spin);
+        QStyleOptionSpinBox ours = withFocusShown(*spin);
         ours.palette = edged(*spin);
         QProxyStyle::drawComplexControl(control, &ours, painter, widget);
     } else if (const auto *combo = qstyleoption_cast<const QStyleOptionComboBox *>(option); combo && control == CC_ComboBox) {
-        QStyleOptionComboBox ours(*combo);
+        QStyleOptionComboBox ours = withFocusShown(*combo);
         ours.palette = edged(*combo);
         QProxyStyle::drawComplexControl(control, &ours, painter, widget);
     } else {

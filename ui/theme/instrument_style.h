@@ -1,12 +1,14 @@
 // Fusion with the few parts redrawn that disappear in our palettes: the marks of radio buttons and check boxes, and the edges
 // of fields, which Fusion makes darker than the window, however dark that is. Tool bars have no margin: the status strip
 // fills its own. Answers have no pictures: a green mark would recommend what may be the dangerous one. Touch-sized, everything
-// that is pressed is large enough for a finger, and lists scroll under it.
+// that is pressed is large enough for a finger, and lists scroll under it. A control that has the focus always shows it,
+// however it got it. A choice that is longer than its box ends with an ellipsis, and its tool tip has all of it.
 #pragma once
 
 #include <QtCore/QHash>
 #include <QtGui/QPalette>
 #include <QtWidgets/QProxyStyle>
+#include <QtWidgets/QStyleOption>
 
 namespace skyseal::ui {
 
@@ -28,12 +30,19 @@ public:
                          const QWidget *widget) const override;
     int pixelMetric(PixelMetric metric, const QStyleOption *option, const QWidget *widget) const override;
     int styleHint(StyleHint hint, const QStyleOption *option, const QWidget *widget, QStyleHintReturn *result) const override;
+    void drawControl(ControlElement element, const QStyleOption *option, QPainter *painter,
+                     const QWidget *widget) const override;
     void drawPrimitive(PrimitiveElement element, const QStyleOption *option, QPainter *painter,
                        const QWidget *widget) const override;
     void drawComplexControl(ComplexControl control, const QStyleOptionComplex *option, QPainter *painter,
                             const QWidget *widget) const override;
 
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
 private:
+    /// Width of the text in a box of choices, pixels.
+    int roomOfText(const QStyleOptionComboBox &box, const QWidget *widget) const;
     /// The palette of a field from which Fusion makes the edge that we want. Kept, since Fusion caches what it drew by palette.
     const QPalette &edged(const QStyleOption &option) const;
 

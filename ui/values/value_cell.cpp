@@ -40,7 +40,9 @@ void ValueCell::showReading(const ValueReading &reading, UnitSystem units)
     if (stale && m_choice.source.field)
         note = note.isEmpty() ? durationText(reading.age) : tr("%1, %2").arg(note, durationText(reading.age));
     const QString title = m_choice.source.state ? m_choice.source.title() : m_choice.source.id();
-    const QString tip = reading.explanation.isEmpty() ? title : title + QLatin1Char('\n') + reading.explanation;
+    QString tip = reading.explanation.isEmpty() ? title : title + QLatin1Char('\n') + reading.explanation;
+    if (!reading.note.isEmpty())
+        tip += QLatin1Char('\n') + reading.note; // which may be elided
     if (toolTip() != tip)
         setToolTip(tip);
     const bool bad = limit != LimitSide::Within || reading.isBad;
@@ -107,13 +109,16 @@ void ValueCell::paintEvent(QPaintEvent *)
     const QRectF inner(kGrid, 0, width() - 2 * kGrid, height());
     painter.setFont(captionFont());
     const QFontMetricsF small(painter.font());
-    const qreal noteWidth = small.horizontalAdvance(m_note);
-    const qreal captionRoom = inner.width() - (m_note.isEmpty() ? 0 : noteWidth + kHalfGrid);
+    // Neither caption nor note takes the room of the other: each has its half, and what the other leaves.
+    const qreal both = inner.width() - (m_note.isEmpty() ? 0 : kHalfGrid);
+    const qreal captionWidth = small.horizontalAdvance(m_choice.shownCaption());
+    const qreal captionRoom = std::min(captionWidth, std::max(both / 2, both - small.horizontalAdvance(m_note)));
+    const QString note = small.elidedText(m_note, Qt::ElideRight, both - captionRoom);
     painter.setPen(colors.dim);
     painter.drawText(QPointF(inner.left(), small.ascent()),
-                     small.elidedText(m_choice.shownCaption(), Qt::ElideRight, captionRoom));
+                     small.elidedText(m_choice.shownCaption(), Qt::ElideRight, std::ceil(captionRoom)));
     painter.setPen(m_stale || !m_bad ? colors.dim : colors.alarm);
-    painter.drawText(QPointF(inner.right() - noteWidth, small.ascent()), m_note);
+    painter.drawText(QPointF(inner.right() - small.horizontalAdvance(note), small.ascent()), note);
 
     QFont digits = font();
     const auto widthOf = [&](const QFont &at) {

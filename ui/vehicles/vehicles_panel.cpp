@@ -34,7 +34,12 @@ QTreeView *makeList(QAbstractItemModel *model, QWidget *parent)
     list->setIconSize({2 * kGrid, 2 * kGrid});
     list->setSortingEnabled(true);
     list->sortByColumn(VehicleListRow::Vehicle, Qt::AscendingOrder);
-    const auto room = [list](const QString &sample) { return list->fontMetrics().horizontalAdvance(sample) + 3 * kGrid; };
+    QFont bold = list->font(); // that of the selected vehicle
+    bold.setBold(true);
+    const auto room = [metrics = QFontMetrics(bold)](const QString &sample) {
+        return metrics.horizontalAdvance(sample) + 3 * kGrid;
+    };
+    const QString sealed = QCoreApplication::translate("skyseal::ui::VehicleListRow", "Sealed · %1");
     using enum VehicleListRow::Column;
     const std::pair<int, QString> samples[] = {{Vehicle, QStringLiteral("MM 255 · air-88")},
                                                {Kind, QStringLiteral("quadrotor M")},
@@ -43,7 +48,7 @@ QTreeView *makeList(QAbstractItemModel *model, QWidget *parent)
                                                {Battery, VehiclesPanel::tr("%1 · low").arg(QStringLiteral("88 %"))},
                                                {Link, VehiclesPanel::tr("%1 · poor").arg(QStringLiteral("88 %"))},
                                                {LastFrame, VehiclesPanel::tr("Last frame") + QStringLiteral("MM")},
-                                               {Lock, QStringLiteral("MMSealed · ChaCha20-Poly1305")}};
+                                               {Lock, QStringLiteral("MM") + sealed.arg(QStringLiteral("ChaCha20-Poly1305"))}};
     for (const auto &[column, sample] : samples)
         list->header()->resizeSection(column, room(sample));
     return list;

@@ -25,7 +25,7 @@ namespace skyseal::ui {
 
 namespace {
 
-constexpr int kPaletteWidth = 76 * kGrid, kPaletteHeight = 44 * kGrid;
+constexpr int kPaletteWidth = 100 * kGrid, kPaletteHeight = 44 * kGrid;
 
 } // namespace
 
@@ -84,7 +84,7 @@ CommandPalette::CommandPalette(QMainWindow &window, WindowActions &others) : QDi
                 collect(*action, group.title);
     // A long reason must not take the room of the name; its tip says all of it.
     m_list->resizeColumnToContents(1);
-    m_list->header()->resizeSection(1, std::min(m_list->header()->sectionSize(1), kPaletteWidth * 2 / 5));
+    m_list->header()->resizeSection(1, std::min(m_list->header()->sectionSize(1), kPaletteWidth / 2));
     filter({});
     m_typed->setFocus();
     connect(m_typed, &QLineEdit::textChanged, this, &CommandPalette::filter);
