@@ -78,7 +78,7 @@ private Q_SLOTS:
             names.note(event);
             return cell(panel.model(), panel.model().rowCount() - 1, MessageModel::Text);
         };
-        const auto sentence = [&](const engine::Event &event) { return engine::eventText(event, names).sentence; };
+        const auto sentence = [&](const engine::Event &event) { return engine::eventText(event, names).line(); };
         const engine::Event up = channel::SessionUp{channel::SessionId{7}, {}, "air-1", crypto::SuiteId::Aes256Gcm, {}};
         const engine::Event down = channel::SessionDown{channel::SessionId{7}, channel::DownReason::TimedOut, {}};
         QCOMPARE(shown(up), sentence(up));
@@ -92,6 +92,22 @@ private Q_SLOTS:
         const engine::Event dropped = engine::EventsDropped{250};
         QCOMPARE(shown(dropped), QStringLiteral("Dropped 250 events because this program did not keep up"));
         QCOMPARE(cell(panel.model(), panel.model().rowCount() - 1, MessageModel::Severity), QStringLiteral("warning"));
+    }
+
+    /// What this station did with a vehicle is no word of that vehicle.
+    void onlyTextsOfTheVehicleComeFromIt()
+    {
+        MessagesPanel panel;
+        panel.handleEvent(vehicle::TextReceived{1, {.number = 1, .severity = 6, .text = "EKF3 ready"}});
+        panel.handleEvent(vehicle::MissionResult{.id = {}, .systemId = 1, .ok = true, .reason = {}});
+        panel.handleEvent(vehicle::ParameterResult{.id = {}, .systemId = 1, .ok = true, .reason = {}});
+        QStringList senders;
+        for (int row = 0; row < panel.model().rowCount(); ++row)
+            senders << cell(panel.model(), row, MessageModel::Vehicle);
+        QCOMPARE(senders, (QStringList{QStringLiteral("1"), QStringLiteral("station"), QStringLiteral("station")}));
+        QCOMPARE(cell(panel.model(), 0, MessageModel::Text), QStringLiteral("EKF3 ready"));
+        QVERIFY2(cell(panel.model(), 1, MessageModel::Text).startsWith(QStringLiteral("Vehicle 1: ")),
+                 qPrintable(cell(panel.model(), 1, MessageModel::Text)));
     }
 
     void messagesAreFiltered()

@@ -339,6 +339,16 @@ private Q_SLOTS:
         QCOMPARE(send->width(), width);
     }
 
+    void parametersThatMatchAreCounted()
+    {
+        m_station->show(sealedSnapshot(1));
+        const auto *count = find<QLabel>("parameterCount");
+        QCOMPARE(count->text(), QStringLiteral("12 of 12"));
+        QTest::keyClicks(find<QLineEdit>("parameterFilter"), QStringLiteral("fs_"));
+        QCOMPARE(find<QTreeView>("parameterView")->model()->rowCount(), 2);
+        QCOMPARE(count->text(), QStringLiteral("2 of 12"));
+    }
+
     /// A value that is being typed must not reach the vehicle that is selected meanwhile.
     void typedParameterDoesNotGoToAnotherVehicle()
     {

@@ -19,6 +19,22 @@
 
 namespace skyseal::ui {
 
+namespace {
+
+/// Only its texts come from the vehicle. What the station says of a vehicle names that one.
+Message messageOf(const engine::Event &event, const engine::EventText &text, const QString &words)
+{
+    const auto *received = std::get_if<vehicle::TextReceived>(&event);
+    return {QDateTime::currentDateTime(), received ? received->systemId : std::uint8_t{}, text.severity, words};
+}
+
+QString wordsOf(const engine::Event &event, const engine::EventText &text)
+{
+    return std::holds_alternative<vehicle::TextReceived>(event) ? text.sentence : text.line();
+}
+
+} // namespace
+
 MessagesPanel::MessagesPanel(QWidget *parent) : DockPanel(parent)
 {
     m_filter.setSourceModel(&m_model);
@@ -103,14 +119,14 @@ void MessagesPanel::handleEvent(const engine::Event &event)
         return;
     const engine::EventText text = engine::eventText(event, m_peers);
     if (!text.isRoutine)
-        append({QDateTime::currentDateTime(), text.systemId, text.severity, withRemedy(text)});
+        append(messageOf(event, text, withRemedy(text, wordsOf(event, text))));
 }
 
 void MessagesPanel::handleReplayEvent(const engine::Event &event)
 {
     const engine::EventText text = engine::eventText(event, {});
     if (!text.isRoutine)
-        append({QDateTime::currentDateTime(), text.systemId, text.severity, tr("Replay: %1").arg(text.sentence)});
+        append(messageOf(event, text, tr("Replay: %1").arg(wordsOf(event, text))));
 }
 
 /// Under a flood of refused frames the station reports once a second: the line of the first report counts them, so that it does
@@ -139,23 +155,22 @@ bool MessagesPanel::countRefusal(const engine::Event &event)
     line.frames = *frames += goesOn ? line.frames : 0;
     line.last = now;
     const engine::EventText text = engine::eventText(sum, m_peers);
-    const Message message{now, text.systemId, text.severity, withRemedy(text)};
+    const Message message = messageOf(sum, text, withRemedy(text, wordsOf(sum, text)));
     if (!goesOn || !m_model.replace(line.number, message))
         line.number = append(message);
     return true;
 }
 
-/// The sentence and the menu where the operator can act on it.
-QString MessagesPanel::withRemedy(const engine::EventText &text)
+/// The words and the menu where the operator can act on them.
+QString MessagesPanel::withRemedy(const engine::EventText &text, const QString &words)
 {
     switch (text.remedy) {
     case engine::EventText::Remedy::None: break;
     case engine::EventText::Remedy::AllowPlaintext:
-        return tr("%1. To accept it, choose Security → Allow plain MAVLink").arg(text.sentence);
-    case engine::EventText::Remedy::PairAgent:
-        return tr("%1. To pair with it, open Security → Keys and peers").arg(text.sentence);
+        return tr("%1. To accept it, choose Security → Allow plain MAVLink").arg(words);
+    case engine::EventText::Remedy::PairAgent: return tr("%1. To pair with it, open Security → Keys and peers").arg(words);
     }
-    return text.sentence;
+    return words;
 }
 
 void MessagesPanel::showCommandResult(const QString &line, bool ok)

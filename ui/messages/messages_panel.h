@@ -31,7 +31,7 @@ public:
     MessageModel &model() { return m_model; }
 
 private:
-    static QString withRemedy(const engine::EventText &text);
+    static QString withRemedy(const engine::EventText &text, const QString &words);
     std::uint64_t append(const Message &message);
     bool countRefusal(const engine::Event &event);
     void copySelected() const;

@@ -31,12 +31,12 @@ const QString kParameterQuestion = QStringLiteral("confirmParameter");
 
 } // namespace
 
-ParametersPanel::ParametersPanel(StationInterface &station, QWidget *parent) : DockPanel(parent), m_station(station)
+ParametersPanel::ParametersPanel(StationInterface &station, QWidget *parent)
+    : DockPanel(parent), m_station(station), m_shown(new QSortFilterProxyModel(this))
 {
-    auto *filter = new QSortFilterProxyModel(this);
-    filter->setSourceModel(&m_model);
-    filter->setFilterKeyColumn(ParameterModel::Name);
-    filter->setFilterCaseSensitivity(Qt::CaseInsensitive);
+    m_shown->setSourceModel(&m_model);
+    m_shown->setFilterKeyColumn(ParameterModel::Name);
+    m_shown->setFilterCaseSensitivity(Qt::CaseInsensitive);
     m_fetch = new QPushButton(tr("Fetch"), this);
     m_fetch->setObjectName(QStringLiteral("parameterFetch"));
     m_fetch->setAccessibleName(tr("Fetch the parameters"));
@@ -46,7 +46,10 @@ ParametersPanel::ParametersPanel(StationInterface &station, QWidget *parent) : D
     wanted->setPlaceholderText(tr("Filter by name"));
     wanted->setAccessibleName(tr("Filter parameters"));
     wanted->setClearButtonEnabled(true);
-    connect(wanted, &QLineEdit::textChanged, filter, &QSortFilterProxyModel::setFilterFixedString);
+    connect(wanted, &QLineEdit::textChanged, this, [this](const QString &typed) {
+        m_shown->setFilterFixedString(typed);
+        showCount();
+    });
     m_progress = new QProgressBar(this);
     m_progress->setAccessibleName(tr("Parameters fetched"));
     m_progress->setTextVisible(false);
@@ -64,7 +67,7 @@ ParametersPanel::ParametersPanel(StationInterface &station, QWidget *parent) : D
     auto *view = new QTreeView(this);
     view->setObjectName(QStringLiteral("parameterView"));
     view->setAccessibleName(tr("Parameters"));
-    view->setModel(filter);
+    view->setModel(m_shown);
     view->setRootIsDecorated(false);
     view->setUniformRowHeights(true);
     view->setFrameShape(QFrame::NoFrame);
@@ -169,13 +172,19 @@ void ParametersPanel::showViewState(const ViewState &view)
     m_fetch->setToolTip(m_disabledReason);
     m_model.setParameters(view.vehicle ? view.vehicle->parameters : nullptr);
     const int have = m_model.rowCount();
-    const int all = view.vehicle ? static_cast<int>(view.vehicle->parametersExpected) : 0;
-    const QString count = all > 0 ? tr("%1 of %2").arg(have).arg(all) : tr("not fetched");
+    m_all = view.vehicle ? static_cast<int>(view.vehicle->parametersExpected) : 0;
+    showCount();
+    m_progress->setVisible(m_all > 0 && have < m_all);
+    m_progress->setMaximum(qMax(1, m_all));
+    m_progress->setValue(have);
+}
+
+/// Those that are listed, of all that the vehicle has.
+void ParametersPanel::showCount()
+{
+    const QString count = m_all > 0 ? tr("%1 of %2").arg(m_shown->rowCount()).arg(m_all) : tr("not fetched");
     if (m_count->text() != count)
         m_count->setText(count);
-    m_progress->setVisible(all > 0 && have < all);
-    m_progress->setMaximum(qMax(1, all));
-    m_progress->setValue(have);
 }
 
 /// Where there are several vehicles, says which one is read and written.

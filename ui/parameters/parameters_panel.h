@@ -8,6 +8,7 @@
 class QLabel;
 class QProgressBar;
 class QPushButton;
+class QSortFilterProxyModel;
 class QTreeView;
 
 namespace skyseal::ui {
@@ -30,9 +31,12 @@ private:
     void askToWrite(const QString &name, double before, double value);
     void write(const QString &name, double value);
     void showName(int vehicle);
+    void showCount();
 
     StationInterface &m_station;
     ParameterModel m_model;
+    QSortFilterProxyModel *m_shown; ///< those that match what is typed
+    int m_all = 0;                  ///< parameters that the vehicle has; 0 if it has not said
     QPushButton *m_fetch;
     QProgressBar *m_progress;
     QLabel *m_count;
