@@ -1,10 +1,14 @@
 // The alerts over the map by pointer and keys: what is dismissed, what stays where it is, and what reaches the map.
+#include "core/link/address_text.h"
+#include "fake_keyring.h"
+#include "fake_pairing.h"
 #include "scripted_snapshots.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/alerts/alert_row.h"
 #include "ui/alerts/alert_stack.h"
 #include "ui/flight/vehicle_commands.h"
+#include "ui/keys/pairing_dialog.h"
 #include "ui/map/map_view.h"
 #include "window_hands.h"
 #include "window_rig.h"
@@ -115,6 +119,28 @@ private Q_SLOTS:
         QCOMPARE(lines(), (std::vector<int>{1, 2, 3, 4, 5}));
         QCOMPARE(more()->text(), QStringLiteral("● and 3 more"));
         QVERIFY(more()->isVisible());
+    }
+
+    void unknownAgentIsPairedFromItsAlert()
+    {
+        openWindow();
+        FakeKeyring keyring;
+        FakePairing pairing;
+        m_window->setKeyring(keyring, &pairing);
+        m_station->show(sealedSnapshot(1));
+        channel::HandshakeRefused stranger;
+        stranger.path.remote = link::ipv4(0xc0000207u, 14560);
+        stranger.reason = channel::RefusalReason::UnknownPeer;
+        m_station->notify(stranger);
+        auto *pair = find<QToolButton>("alertRemedy0");
+        EVENTUALLY(pair->isVisible());
+        find<QAction>("actionAlerts")->trigger();
+        EVENTUALLY(find<QToolButton>("alertDismiss0")->hasFocus());
+        QTest::keyClick(find<QToolButton>("alertDismiss0"), Qt::Key_Backtab);
+        EVENTUALLY(pair->hasFocus());
+        QTest::keyClick(pair, Qt::Key_Return);
+        EVENTUALLY(m_window->findChild<PairingDialog *>());
+        tearDown(); // before the keyring
     }
 
     void clickDismisses()

@@ -69,6 +69,7 @@ const QHash<QString, QString> &sameInMenus()
         {id("alertDismiss2"), id("actionAlerts")},
         {id("alertDismiss3"), id("actionAlerts")},
         {id("alertDismiss4"), id("actionAlerts")},
+        {id("alertRemedy0"), id("actionKeys")}, // the dialog pairs
         {id("qt_dockwidget_closebutton"), id("panelClose")},
         {id("qt_dockwidget_floatbutton"), id("panelFloat")},
     };

@@ -59,6 +59,7 @@ void AlertList::showView(const ViewState &live, double now)
         raiseState(alert, now);
     showAttacks(*m_snapshot, now);
     showStorage(*m_snapshot, now);
+    showUnknown(*m_snapshot, now);
     std::erase_if(m_entries, [this](const auto &one) { return one.second.alert.ongoing && one.second.round != m_round; });
     expire(now);
 }
@@ -217,6 +218,14 @@ void AlertList::showStorage(const engine::Snapshot &snapshot, double now)
     }
 }
 
+/// The station reports an unknown agent once a minute; in between its pictures tell that it still announces itself.
+void AlertList::showUnknown(const engine::Snapshot &snapshot, double now)
+{
+    const auto reported = m_entries.find({AlertKind::UnknownAgent});
+    if (!snapshot.unknownAgents.empty() && reported != m_entries.end())
+        reported->second.heard = now;
+}
+
 void AlertList::handleEvent(const engine::Event &event, double now)
 {
     m_names.note(event);
@@ -245,12 +254,14 @@ void AlertList::handleEvent(const engine::Event &event, double now)
                         Text::tr("%1: keys in use twice").arg(peerText(down->session)),
                         engine::eventText(event, m_names).sentence},
                        now);
+    } else if (std::holds_alternative<channel::SessionUp>(event)) {
+        m_entries.erase(AlertId{AlertKind::UnknownAgent}); // most likely it has been paired
     } else if (const auto *refused = std::get_if<channel::HandshakeRefused>(&event)) {
         if (refused->reason == channel::RefusalReason::UnknownPeer)
             raiseEvent({{AlertKind::UnknownAgent},
                         AlertSeverity::Warning,
                         Text::tr("Unknown agent at %1").arg(engine::qt(link::toText(refused->path.remote))),
-                        Text::tr("%1. To pair with it, open Security → Keys and peers")
+                        Text::tr("%1. To pair with it, choose Pair or open Security → Keys and peers")
                             .arg(engine::eventText(event, m_names).sentence)},
                        now);
     }
@@ -315,7 +326,8 @@ void AlertList::raiseEvent(Alert alert, double now)
         return; // the same report again
     const bool goesOn = !isNew && !entry.dismissed;
     alert.since = goesOn ? entry.alert.since : now;
-    alert.count = goesOn && entry.alert.text == alert.text ? entry.alert.count + 1 : 1;
+    const bool isRepeated = goesOn && entry.alert.text == alert.text && alert.id.kind != AlertKind::UnknownAgent;
+    alert.count = isRepeated ? entry.alert.count + 1 : 1;
     entry.alert = std::move(alert);
     entry.dismissed = false;
     raise(entry.alert.id);
@@ -335,7 +347,8 @@ void AlertList::expire(double now)
             return false;
         if (entry.dismissed)
             return now - entry.heard > kReportsRepeat;
-        return entry.alert.severity != AlertSeverity::Severe && now - entry.heard >= kShownFor;
+        const double lasts = entry.alert.id.kind == AlertKind::UnknownAgent ? kUnheardFor : kShownFor;
+        return entry.alert.severity != AlertSeverity::Severe && now - entry.heard >= lasts;
     });
 }
 

@@ -19,8 +19,9 @@ namespace skyseal::ui {
 class AlertList
 {
 public:
-    static constexpr double kShownFor = 10;  ///< seconds that a momentary alert stays
-    static constexpr double kOwnCommand = 5; ///< seconds in which a change of mode follows a command from here
+    static constexpr double kShownFor = 10;   ///< seconds that a momentary alert stays
+    static constexpr double kUnheardFor = 60; ///< seconds that an unknown agent stays after it was heard last
+    static constexpr double kOwnCommand = 5;  ///< seconds in which a change of mode follows a command from here
     /// Seconds after which a dismissed report of the same content counts as a new one: the station repeats it each minute.
     static constexpr double kReportsRepeat = 120;
 
@@ -71,6 +72,7 @@ private:
     void showMode(const engine::VehicleSnapshot &vehicle, double now);
     void showAttacks(const engine::Snapshot &snapshot, double now);
     void showStorage(const engine::Snapshot &snapshot, double now);
+    void showUnknown(const engine::Snapshot &snapshot, double now);
     void handleSwitch(const channel::SwitchDone &done, const engine::Event &event, double now);
     /// The vehicle that is heard over a session; 0 without one.
     std::uint8_t vehicleOf(channel::SessionId session) const;

@@ -44,6 +44,16 @@ QColor severityColor(AlertSeverity severity, const QPalette &palette)
 AlertRow::AlertRow(int number, QWidget *parent) : QWidget(parent)
 {
     setObjectName(QStringLiteral("alertRow%1").arg(number));
+    m_remedy = new QToolButton(this); // before the other one, for the Tab key
+    m_remedy->setObjectName(QStringLiteral("alertRemedy%1").arg(number));
+    m_remedy->setText(tr("Pair…"));
+    m_remedy->setAccessibleName(tr("Pair with the agent"));
+    m_remedy->setFocusPolicy(Qt::TabFocus);
+    m_remedy->hide();
+    connect(m_remedy, &QToolButton::clicked, this, [this] {
+        if (m_alert)
+            Q_EMIT remedyRequested(m_alert->id);
+    });
     m_dismiss = new QToolButton(this);
     m_dismiss->setObjectName(QStringLiteral("alertDismiss%1").arg(number));
     m_dismiss->setAccessibleName(tr("Dismiss the alert"));
@@ -63,6 +73,7 @@ void AlertRow::setAlert(const std::optional<Alert> &alert, const QString &began)
     const bool isNew = alert && (!m_alert || m_alert->id != alert->id);
     m_alert = alert;
     m_dismiss->setVisible(alert.has_value());
+    m_remedy->setVisible(alert && alert->id.kind == AlertKind::UnknownAgent);
     update();
     if (!alert) {
         setAccessibleName({});
@@ -87,6 +98,8 @@ void AlertRow::resizeEvent(QResizeEvent *)
 {
     const int side = std::max(kButton, leastTarget(*this));
     m_dismiss->setGeometry(width() - side - kHalfGrid, (height() - side) / 2, side, side);
+    const int wide = m_remedy->sizeHint().width();
+    m_remedy->setGeometry(m_dismiss->x() - wide - kHalfGrid, m_dismiss->y(), wide, side);
 }
 
 void AlertRow::paintEvent(QPaintEvent *)
@@ -103,7 +116,8 @@ void AlertRow::paintEvent(QPaintEvent *)
     painter.setPen(color);
     painter.drawText(QRect(kHalfGrid, 0, kShape, height()), Qt::AlignCenter, severityShape(m_alert->severity));
     painter.setPen(severe ? color : palette().color(QPalette::WindowText));
-    const QRect place(kHalfGrid + kShape, 0, m_dismiss->x() - kHalfGrid - kShape - kHalfGrid, height());
+    const QToolButton *first = m_remedy->isHidden() ? m_dismiss : m_remedy;
+    const QRect place(kHalfGrid + kShape, 0, first->x() - kHalfGrid - kShape - kHalfGrid, height());
     painter.drawText(place, Qt::AlignVCenter | Qt::AlignLeft,
                      painter.fontMetrics().elidedText(m_alert->text, Qt::ElideRight, place.width()));
 }

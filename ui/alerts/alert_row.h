@@ -1,5 +1,5 @@
-// One line of the alerts: shape, text and the button that dismisses it. Without an alert it only keeps its place. Lives on the
-// GUI thread.
+// One line of the alerts: shape, text, a button that deals with it where one does, and the button that dismisses it. Without an
+// alert it only keeps its place. Lives on the GUI thread.
 #pragma once
 
 #include "ui/alerts/alert.h"
@@ -23,9 +23,11 @@ public:
     void setAlert(const std::optional<Alert> &alert, const QString &began);
     const std::optional<Alert> &alert() const { return m_alert; }
     QToolButton *button() const { return m_dismiss; }
+    QToolButton *remedy() const { return m_remedy; }
 
 Q_SIGNALS:
     void dismissed(skyseal::ui::AlertId id);
+    void remedyRequested(skyseal::ui::AlertId id);
 
 protected:
     void paintEvent(QPaintEvent *) override;
@@ -33,7 +35,7 @@ protected:
 
 private:
     std::optional<Alert> m_alert;
-    QToolButton *m_dismiss;
+    QToolButton *m_remedy, *m_dismiss;
 };
 
 /// "▲", "●" or "•": the shape that says the severity beside the colour.

@@ -39,6 +39,8 @@ AlertStack::AlertStack(QWidget &ground) : QFrame(ground.parentWidget()), m_groun
         AlertRow *row = m_rows[static_cast<std::size_t>(i)] = new AlertRow(i, this);
         row->hide();
         row->button()->installEventFilter(this);
+        row->remedy()->installEventFilter(this);
+        connect(row, &AlertRow::remedyRequested, this, &AlertStack::remedyRequested);
         connect(row, &AlertRow::dismissed, this, [this, i] { dismissRow(i); });
     }
     addAction(pressAction(*m_rows.front()->button(), Qt::CTRL | Qt::SHIFT | Qt::Key_Y));
@@ -169,10 +171,15 @@ void AlertStack::dismissRow(int row)
     Q_EMIT dismissed(id);
 }
 
+bool AlertStack::isDismiss(const QToolButton &button) const
+{
+    return std::ranges::any_of(m_rows, [&](const AlertRow *row) { return row->button() == &button; });
+}
+
 int AlertStack::focusedRow() const
 {
     for (std::size_t i = 0; i < m_rows.size(); ++i)
-        if (m_rows[i]->button()->hasFocus())
+        if (m_rows[i]->button()->hasFocus() || m_rows[i]->remedy()->hasFocus())
             return static_cast<int>(i);
     return -1;
 }
@@ -244,6 +251,14 @@ bool AlertStack::eventFilter(QObject *watched, QEvent *event)
         case Qt::Key_Down: keyPressEvent(press); return true;
         case Qt::Key_Left:
         case Qt::Key_Right: return true;
+        case Qt::Key_Return:
+        case Qt::Key_Enter:
+            if (auto *button = static_cast<QToolButton *>(watched); !isDismiss(*button)) {
+                if (!press->isAutoRepeat())
+                    button->click();
+                return true;
+            }
+            break;
         default: break;
         }
     }

@@ -13,6 +13,7 @@
 #include <vector>
 
 class QLabel;
+class QToolButton;
 
 namespace skyseal::ui {
 
@@ -35,6 +36,8 @@ public:
 
 Q_SIGNALS:
     void dismissed(skyseal::ui::AlertId id);
+    /// The button that deals with it was pressed.
+    void remedyRequested(skyseal::ui::AlertId id);
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
@@ -59,6 +62,7 @@ private:
     void moveFocus(int from, int step);
     void returnFocus();
     int focusedRow() const;
+    bool isDismiss(const QToolButton &button) const;
 
     QWidget &m_ground;
     std::vector<Alert> m_alerts;

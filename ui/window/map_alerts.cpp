@@ -54,6 +54,7 @@ MapAlerts::MapAlerts(StationInterface &station, ViewSelection &selection, Window
         m_list.dismiss(id);
         refresh();
     });
+    connect(m_stack, &AlertStack::remedyRequested, &dialogs, &WindowDialogs::openPairing); // only unknown agents have one
     connect(&dialogs, &WindowDialogs::settingsAccepted, this, [this](const Settings &changed) {
         m_speech.setOn(changed.speakAlerts);
         m_list.setValues(changed.values.list, changed.units);

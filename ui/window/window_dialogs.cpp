@@ -196,6 +196,14 @@ void WindowDialogs::openKeys()
     showModeless(*dialog);
 }
 
+void WindowDialogs::openPairing()
+{
+    openKeys();
+    for (KeysDialog *dialog : m_window.findChildren<KeysDialog *>(QString(), Qt::FindDirectChildrenOnly))
+        if (!dialog->isHidden())
+            Q_EMIT dialog->pairRequested();
+}
+
 void WindowDialogs::openHelp(const QString &page)
 {
     const QHash<QString, QString> inserts{{QStringLiteral("quantities"), quantitiesHelp()}};

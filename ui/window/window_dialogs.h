@@ -49,6 +49,8 @@ public:
     /// `place` in degrees, `where` as a text. The mission of the selected vehicle must be known.
     QDialog *openAddWaypoint(const LatLong &place, const QString &where);
     void openKeys();
+    /// Over the keys and peers; only these, without pairing.
+    void openPairing();
     void openMapSource();
     void openOverlays(MapView &map);
     /// Fetches what `map` shows, for use without a network.
