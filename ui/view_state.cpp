@@ -29,6 +29,11 @@ const engine::SessionSnapshot *sessionOf(const engine::Snapshot &snapshot, const
     return own == snapshot.sessions.end() ? nullptr : &*own;
 }
 
+bool isAfterSeek(const engine::Snapshot &before, const engine::Snapshot &after)
+{
+    return before.replay && after.replay && (before.replay->seeking || before.replay->seeks != after.replay->seeks);
+}
+
 ViewState viewOf(SnapshotPtr snapshot, std::uint8_t systemId)
 {
     ViewState view{std::move(snapshot)};

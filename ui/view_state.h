@@ -72,6 +72,9 @@ AlarmState alarmStateOf(const ViewState &view);
 /// The session in which the vehicle is heard; null without one. Points into the snapshot.
 const engine::SessionSnapshot *sessionOf(const engine::Snapshot &snapshot, const engine::VehicleSnapshot &vehicle);
 
+/// True if the second picture of a replay does not continue the first one.
+bool isAfterSeek(const engine::Snapshot &before, const engine::Snapshot &after);
+
 /// Selects the vehicle with `systemId` (the first one if it is gone or 0) and its session. Without a vehicle, the first session
 /// is selected, so that an agent without an autopilot is visible.
 ViewState viewOf(SnapshotPtr snapshot, std::uint8_t systemId);

@@ -4,6 +4,7 @@
 #include "scripted_snapshots.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
+#include "ui/security/remembered_suites.h"
 #include "ui/security/suite_actions.h"
 #include "ui/security/suite_row.h"
 #include "ui/status/strip_item.h"
@@ -21,6 +22,12 @@ using namespace skyseal::ui;
 using crypto::SuiteId;
 
 namespace {
+
+channel::SwitchDone switchedTo(SuiteId suite)
+{
+    return {channel::SessionId{7},        SuiteId::ChaCha20Poly1305,    suite, channel::Epoch{4}, false, false,
+            channel::SwitchFailure::None, std::chrono::milliseconds(42)};
+}
 
 channel::SwitchDone keysChanged()
 {
@@ -51,6 +58,52 @@ private Q_SLOTS:
         EVENTUALLY_EQUAL(m_station->switches.size(), std::size_t(1));
         QCOMPARE(m_station->switches[0].first, channel::SessionId{7});
         QCOMPARE(m_station->switches[0].second, SuiteId::Aes256Gcm);
+    }
+
+    void choiceIsTakenUpInTheNextSession()
+    {
+        chooseAndRestart(SuiteId::Aes256Gcm);
+        EVENTUALLY_EQUAL(m_station->switches.size(), std::size_t(1));
+        QCOMPARE(m_station->switches[0].first, channel::SessionId{7});
+        QCOMPARE(m_station->switches[0].second, SuiteId::Aes256Gcm);
+        m_station->notify(switchedTo(SuiteId::Aes256Gcm));
+        m_station->show(sealedSnapshot(3, SuiteId::Aes256Gcm));
+        m_station->show(sealedSnapshot(4)); // the agent has chosen another one since: it is left alone
+        QCOMPARE(m_station->switches.size(), std::size_t(1));
+    }
+
+    /// The sessions of the other one are as strong as they can be.
+    void weakerChoiceIsNotTakenUp()
+    {
+        chooseAndRestart(SuiteId::Aes256Ctr);
+        EVENTUALLY2(note()->text().contains(QStringLiteral("AES-256-CTR, chosen last, is weaker")), qPrintable(note()->text()));
+        QVERIFY(m_station->switches.empty());
+    }
+
+    void choiceThatIsNotPermittedIsNotTakenUp()
+    {
+        chooseAndRestart(SuiteId::Aes256Gcm, {SuiteId::ChaCha20Poly1305});
+        EVENTUALLY2(note()->text().contains(QStringLiteral("is not permitted now")), qPrintable(note()->text()));
+        QVERIFY(m_station->switches.empty());
+    }
+
+    void onlySoundSuitesAreRemembered()
+    {
+        RememberedSuites suites(*m_store);
+        const crypto::PublicKey one{1}, other{2};
+        suites.remember(one, SuiteId::Aes256Gcm);
+        suites.remember(one, SuiteId::Rc4); // for research
+        QCOMPARE(suites.of(one), std::optional(SuiteId::Aes256Gcm));
+        QCOMPARE(suites.of(other), std::nullopt);
+        for (const QString &key : m_store->allKeys())
+            if (key.startsWith(QLatin1String("suites/")))
+                m_store->setValue(key, QStringLiteral("rc4")); // by hand
+        QCOMPARE(suites.of(one), std::nullopt);
+        for (int i = 0; i < 2 * RememberedSuites::kMostPeers; ++i)
+            suites.remember({std::uint8_t(i), std::uint8_t(i / 256), 9}, SuiteId::Aes256Gcm);
+        m_store->beginGroup(QStringLiteral("suites"));
+        QVERIFY(m_store->childKeys().size() <= RememberedSuites::kMostPeers);
+        m_store->endGroup();
     }
 
     void menuByKeysAsksTheStation()
@@ -341,6 +394,21 @@ private Q_SLOTS:
     }
 
 private:
+    /// The session after the next start begins with ChaCha20-Poly1305, and permits these.
+    void chooseAndRestart(SuiteId suite, const std::vector<SuiteId> &permitted = usualSuites())
+    {
+        m_station->show(sealedSnapshot(1));
+        action(suite)->trigger();
+        QCOMPARE(m_station->switches.size(), std::size_t(1));
+        m_station->notify(switchedTo(suite));
+        open();
+        m_station->switches.clear();
+        m_station->notify(channel::SessionUp{channel::SessionId{7}, {}, "air-1", SuiteId::ChaCha20Poly1305, {}});
+        engine::Snapshot next = sealedSnapshot(2);
+        next.sessions.front().info.permitted = permitted;
+        m_station->show(next);
+    }
+
     QAction *action(SuiteId suite) { return m_window->suites().action(suite); }
     SuiteRow *row(SuiteId suite)
     {

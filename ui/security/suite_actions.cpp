@@ -1,6 +1,6 @@
 #include "ui/security/suite_actions.h"
 
-#include "core/engine/station/session_snapshot.h"
+#include "core/engine/station/snapshot.h"
 #include "core/engine/station/vehicle_snapshot.h"
 #include "core/engine/text/common_event_text.h"
 #include "ui/text/units.h"
@@ -15,9 +15,11 @@ namespace skyseal::ui {
 
 using crypto::SuiteId;
 
-SuiteActions::SuiteActions(StationInterface &station, QObject *parent)
+SuiteActions::SuiteActions(StationInterface &station, QObject *parent, QSettings *store)
     : QObject(parent), m_station(station), m_group(new QActionGroup(this)), m_changeKeys(new QAction(this))
 {
+    if (store)
+        m_choices.emplace(*store);
     for (const SuiteId suite : m_suites) {
         auto *action = new QAction(suiteDot(suite), suiteName(suite), this);
         action->setObjectName(QStringLiteral("suite_") + fromStd(crypto::suiteInfo(suite).name));
@@ -113,16 +115,51 @@ void SuiteActions::showViewState(const ViewState &view)
             setNote({}, false); // of another session, or its end
         m_info = view.session->info;
     }
+    takeUpChoices(view);
     refresh();
+}
+
+/// A session begins with the suite that both ends prefer. What the operator chose last for its peer takes its place, unless
+/// that would weaken the session.
+void SuiteActions::takeUpChoices(const ViewState &view)
+{
+    if (m_fresh.empty() || !view.station())
+        return;
+    for (const engine::SessionSnapshot &session : view.station()->sessions) {
+        const channel::SessionInfo &info = session.info;
+        const bool isFresh = std::erase(m_fresh, info.session) > 0;
+        const auto chosen = isFresh && m_keeps && !m_held && m_choices ? m_choices->of(info.peer) : std::nullopt;
+        if (!chosen || *chosen == info.suite)
+            continue;
+        const bool isShown = m_info && m_info->session == info.session;
+        const bool isWeaker = crypto::suiteInfo(*chosen).strength < crypto::suiteInfo(info.suite).strength;
+        if (isWeaker || std::ranges::find(info.permitted, *chosen) == info.permitted.end()) {
+            if (isShown)
+                setNote((isWeaker ? tr("Sealed with %1: %2, chosen last, is weaker")
+                                  : tr("Sealed with %1: %2, chosen last, is not permitted now"))
+                            .arg(suiteName(info.suite), suiteName(*chosen)),
+                        false);
+            continue;
+        }
+        if (isShown)
+            m_asked = chosen;
+        m_station.switchSuite(info.session, *chosen);
+    }
 }
 
 void SuiteActions::handleEvent(const engine::Event &event)
 {
     m_names.note(event);
+    if (const auto *up = std::get_if<channel::SessionUp>(&event))
+        m_fresh.push_back(up->session);
+    else if (const auto *over = std::get_if<channel::SessionDown>(&event))
+        std::erase(m_fresh, over->session);
     if (const auto *done = std::get_if<channel::SwitchDone>(&event)) {
         if (!m_info || done->session != m_info->session)
             return;
         const bool committed = done->failure == channel::SwitchFailure::None;
+        if (committed && m_asked == done->to && !done->byPeer && m_choices && m_keeps)
+            m_choices->remember(m_info->peer, done->to);
         if (done->rekey && (!m_keysAsked || done->byPeer))
             return; // an automatic change of keys
         if (!done->rekey)

@@ -5,6 +5,7 @@
 
 #include "core/channel/session_info.h"
 #include "core/engine/common/peer_names.h"
+#include "ui/security/remembered_suites.h"
 #include "ui/view_state.h"
 #include "ui/theme/suite_style.h"
 
@@ -16,6 +17,7 @@
 
 class QAction;
 class QActionGroup;
+class QSettings;
 
 namespace skyseal::ui {
 
@@ -24,7 +26,8 @@ class SuiteActions : public QObject
     Q_OBJECT
 
 public:
-    explicit SuiteActions(StationInterface &station, QObject *parent = nullptr);
+    /// The choices are kept in `store`, which must outlive this; without one, they are forgotten with their session.
+    explicit SuiteActions(StationInterface &station, QObject *parent = nullptr, QSettings *store = nullptr);
 
     QAction *action(crypto::SuiteId suite) const;
     const std::vector<QAction *> &actions() const { return m_actions; }
@@ -39,6 +42,8 @@ public:
     /// Disables suites that are weaker than this one; see crypto::SuiteStrength.
     void setWeakest(crypto::SuiteId suite);
 
+    /// Whether choices are kept, and taken up again in new sessions. At first they are; those of the demo are not.
+    void setKeeping(bool on) { m_keeps = on; }
     /// Disables the choice while a sweep controls the suite.
     void setHeld(bool held);
 
@@ -60,6 +65,7 @@ private:
     QString freshKeysDisabledReason() const;
     void refresh();
     void refreshChangeKeys();
+    void takeUpChoices(const ViewState &view);
     void setNote(const QString &note, bool problem, std::optional<channel::SessionId> session = {});
 
     StationInterface &m_station;
@@ -73,6 +79,9 @@ private:
     bool m_keysAsked = false;               ///< the same for fresh keys
     bool m_researchAllowed = false;
     crypto::SuiteId m_weakest = crypto::weakestSealedSuite();
+    std::optional<RememberedSuites> m_choices;
+    std::vector<channel::SessionId> m_fresh; ///< sessions that have come up and were not shown yet
+    bool m_keeps = true;
     bool m_plain = false;
     bool m_held = false;
     QString m_note;

@@ -66,7 +66,7 @@ constexpr QSize kFrame(16, 48); ///< pixels: about what a window manager adds
 
 MainWindow::MainWindow(StationInterface &station, QSettings &store, const ProgramFacts &facts, QWidget *parent)
     : QMainWindow(parent), m_station(station), m_store(store), m_settings(loadSettings(store)),
-      m_selection(new ViewSelection(this)), m_suites(new SuiteActions(station, this)),
+      m_selection(new ViewSelection(this)), m_suites(new SuiteActions(station, this, &store)),
       m_commands(new VehicleCommands(station, this)),
       m_dialogs(new WindowDialogs(*this, station, *m_commands, m_settings, facts.recordFolder)),
       m_demoAvailable(facts.demoAvailable)
@@ -382,6 +382,7 @@ void MainWindow::setDemo(bool on)
 {
     m_source->showSource(on ? SourceBar::Source::Demo : SourceBar::Source::Live);
     m_empty->setDemoAvailable(m_demoAvailable && !on);
+    m_suites->setKeeping(!on);
     m_map->startOver();
     m_suites->startOver();
     setWindowTitle(on ? tr("Skyseal: demo") : tr("Skyseal"));
