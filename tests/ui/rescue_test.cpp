@@ -130,7 +130,9 @@ private Q_SLOTS:
             return live && live->links.size() == count;
         };
         EVENTUALLY(hasLinks(1));
-        QTest::mouseClick(bar->findChild<QPushButton *>(QStringLiteral("rescueLinks")), Qt::LeftButton);
+        window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(window, test::kDeadlineMs));
+        QTest::keyClick(window, Qt::Key_O, Qt::AltModifier);
         EVENTUALLY(hasLinks(2)); // the other one is open already
         QTest::mouseClick(bar->findChild<QPushButton *>(QStringLiteral("rescueReplay")), Qt::LeftButton);
         EVENTUALLY(window->view().isReplay() && window->view().vehicle);
@@ -138,7 +140,7 @@ private Q_SLOTS:
         EVENTUALLY(window->view().snapshot->replay->index && window->view().snapshot->replay->index->frames == 19);
         QCOMPARE(window->view().snapshot->replay->index->suites.size(), std::size_t(1)); // of what was noted beside it
         QCOMPARE(window->view().snapshot->replay->index->unreadableEvents, std::uint64_t(1));
-        QTest::mouseClick(bar->findChild<QPushButton *>(QStringLiteral("rescueDismiss")), Qt::LeftButton);
+        QTest::keyClick(window, Qt::Key_M, Qt::AltModifier);
         EVENTUALLY(!window->findChild<QFrame *>(QStringLiteral("rescueBar")));
         QCOMPARE(markersIn(runs).size(), 1); // its own, which lives
         const auto notesTheLink = [&runs] {

@@ -26,14 +26,15 @@ RescueBar::RescueBar(const UnfinishedRun &run, QWidget *parent) : QFrame(parent)
                                   this),
                        "rescueText", {});
     text->setWordWrap(true);
-    auto *replay = named(new QPushButton(tr("Replay its recording"), this), "rescueReplay",
+    auto *replay = named(new QPushButton(tr("Re&play its recording"), this), "rescueReplay",
                          tr("Replay the recording of the last run"));
     replay->setToolTip(plainTip(run.recording));
     replay->setVisible(!run.recording.isEmpty());
-    auto *links = named(new QPushButton(tr("Open its links"), this), "rescueLinks", tr("Open the links of the last run again"));
+    auto *links = named(new QPushButton(tr("&Open its links"), this), "rescueLinks",
+                        tr("Open the links of the last run again"));
     links->setToolTip(plainTip(run.links.join(QStringLiteral(", "))));
     links->setVisible(!run.links.isEmpty());
-    auto *dismiss = named(new QPushButton(tr("Dismiss"), this), "rescueDismiss", tr("Dismiss"));
+    auto *dismiss = named(new QPushButton(tr("Dis&miss"), this), "rescueDismiss", tr("Dismiss"));
     dismiss->setFlat(true);
     auto *row = new QHBoxLayout(this);
     row->setContentsMargins(2 * kGrid, kGrid, kGrid, kGrid);
