@@ -28,6 +28,7 @@ private Q_SLOTS:
     void ownLinksAreRefused();
     void startsWithTheGivenLink_data();
     void startsWithTheGivenLink();
+    void saysHowLongTheLinkStays();
 
 private:
     /// Over what is there.
@@ -144,6 +145,15 @@ void LinkDialogTest::startsWithTheGivenLink()
 {
     QFETCH(QString, url);
     QCOMPARE(LinkDialog(url).url(), url);
+}
+
+void LinkDialogTest::saysHowLongTheLinkStays()
+{
+    LinkDialog dialog(QStringLiteral("udpin:0.0.0.0:14550"));
+    dialog.show();
+    const auto *how = dialog.findChild<QLabel *>(QStringLiteral("linkHowLong"));
+    QVERIFY(how && how->isVisible());
+    QVERIFY2(how->text().contains(QStringLiteral("until Skyseal closes")), qPrintable(how->text()));
 }
 
 SKYSEAL_TEST_WIDGETS(LinkDialogTest)

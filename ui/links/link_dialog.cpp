@@ -6,6 +6,7 @@
 #include "core/link/link_url.h"
 #include "ui/ask_file.h"
 #include "ui/text/vehicle_text.h"
+#include "ui/theme/form_pieces.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
@@ -107,6 +108,9 @@ LinkDialog::LinkDialog(const QString &url, QWidget *parent) : QDialog(parent)
     m_nonceLabel = line(tr("&Nonce"), m_nonce);
     m_counterLabel = line(tr("C&ounter"), m_counter);
     grid->addWidget(m_result, row++, 0, 1, 3);
+    auto *how = smallPrint(tr("A link stays open until Skyseal closes. The one to open at start is in File → Settings."), this);
+    how->setObjectName(QStringLiteral("linkHowLong"));
+    grid->addWidget(how, row++, 0, 1, 3);
     grid->addWidget(m_buttons, row, 0, 1, 3);
     setMinimumWidth(56 * kGrid);
 
