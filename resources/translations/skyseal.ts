@@ -2477,6 +2477,14 @@
     </message>
 </context>
 <context>
+    <name>skyseal::engine::Number</name>
+    <message>
+        <source>0.5</source>
+        <comment>with this language&apos;s decimal point</comment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>skyseal::engine::PairingText</name>
     <message>
         <source>timed out</source>
@@ -2874,6 +2882,10 @@
         <source>the vehicle was flying when it was last heard</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the vehicle is not heard</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::AddWaypointDialog</name>
@@ -3026,15 +3038,15 @@ Hold the button for half a second. The waypoint becomes the last item of the mis
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>All were refused. The Secure link panel counts them.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1. To pair with it, open Security → Keys and peers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Within %1 of the vehicle, and less than %2 above or below it or at an unknown altitude. The map shows it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All were refused. Counted since the link came up, as the Secure link panel does.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1. To pair with it, choose Pair or open Security → Keys and peers</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3074,6 +3086,14 @@ Hold the button for half a second. The waypoint becomes the last item of the mis
     </message>
     <message>
         <source>Dismiss until it recurs or gets worse (Esc)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pair…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pair with the agent</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3140,6 +3160,10 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
     </message>
     <message>
         <source>&amp;Altitude above home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not now: vehicle %1 is no longer selected</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3478,6 +3502,10 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
         <source>Commands</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>No command matches</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::CommandPermits</name>
@@ -3557,6 +3585,26 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
     </message>
     <message>
         <source>%1 %2 %3 mE %4 mN</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N</source>
+        <comment>north</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E</source>
+        <comment>east</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S</source>
+        <comment>south</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>W</source>
+        <comment>west</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3798,6 +3846,20 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
     </message>
     <message>
         <source>Choose the quantities</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::DisabledShortcuts</name>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::EdgeArrow</name>
+    <message>
+        <source>Vehicle %1 · %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4345,6 +4407,22 @@ Add the public key of the agent beside your vehicle; skyseal-cli keys show print
 Pair with the agent of your vehicle, or add its public key, which skyseal-cli keys show prints there.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Vehicles %1 are armed. Revoke %2?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicle %1 is armed. Revoke %2?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They cannot be commanded from here then, and failsafes may trigger.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It cannot be commanded from here then, and failsafes may trigger.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::Language</name>
@@ -4577,6 +4655,22 @@ INSECURE: anyone can read, change and forge this stream. Nothing is sent.</sourc
     </message>
     <message>
         <source>The counter must be a number from 0 to 4294967295</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A link stays open until Skyseal closes. The one to open at start is in File → Settings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Skyseal itself listens there, with %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Skyseal itself sends there, with %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Skyseal already listens there, with %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4833,14 +4927,6 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Under attack: %1 forged or replayed records in the last minute. All of them were refused.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Under attack: %1 spoofed frames of this vehicle in the last minute. All of them were refused.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Not sealed · sweep running</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4854,6 +4940,14 @@ Fingerprint %3</source>
     </message>
     <message>
         <source>No sealed links yet: this station&apos;s key is being opened</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Under attack: %1 forged or replayed records since the link came up. All of them were refused.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Under attack: %1 spoofed frames of this vehicle since the link came up. All of them were refused.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5182,6 +5276,18 @@ Fingerprint %3</source>
     </message>
     <message>
         <source>Arrow keys move the map, plus and minus zoom, Home follows the vehicle, Menu opens the commands for the centre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The vehicle is beyond the map, %1 from its centre.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A click centres the map on it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A click or %1 centres the map on it.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5981,6 +6087,34 @@ Then there is no code to compare. It is valid for this pairing only.</source>
         <source>Find a parameter</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>waits for your confirmation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write a parameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The vehicle is armed. Change %1?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicle %1 is armed. Change %2?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: from %2 to %3. The change takes effect at once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not written: not confirmed</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::PassphraseDialog</name>
@@ -6707,6 +6841,10 @@ with a pre-shared key</source>
         <source>Ciphers</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>plain MAVLink</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::RecordingsDialog</name>
@@ -7010,19 +7148,15 @@ with a pre-shared key</source>
         <source> (link to %1)</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 vehicle %2 in plain MAVLink</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::RescueBar</name>
     <message>
-        <source>Replay its recording</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Replay the recording of the last run</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open its links</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7035,6 +7169,18 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>The last run ended unexpectedly at about %1. Its recording was kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Re&amp;play its recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Open its links</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dis&amp;miss</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7157,10 +7303,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 forged, %2 replayed in a minute</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Sealed, changing keys…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7213,10 +7355,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 spoofed frames in a minute</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The session starts automatically when a known agent announces itself.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7254,6 +7392,14 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>The passphrase of this station&apos;s key is being checked. Sealed links can start after that.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 forged, %2 replayed in this session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 spoofed frames in this session</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7321,10 +7467,6 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>Folder of the recordings</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the application&apos;s own folder</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7483,6 +7625,10 @@ with a pre-shared key</source>
         <source>Buttons, menus and lists are large enough for fingers</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the default folder</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::ShortcutDialog</name>
@@ -7532,10 +7678,6 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>Parts of a name, a menu or keys, such as &quot;zoom&quot; or &quot;ctrl+k&quot;</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Security</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8025,6 +8167,14 @@ A click opens the links.</source>
     </message>
     <message>
         <source>New keys for the suite in use, without interrupting the link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sealed with %1: %2, chosen last, is weaker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sealed with %1: %2, chosen last, is not permitted now</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9397,6 +9547,26 @@ A click opens the links.</source>
     </message>
     <message>
         <source>Find a vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove from the list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the lost vehicle from the list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A replay is shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It appears again as soon as it is heard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a vehicle whose link is lost</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1702,15 +1702,15 @@
     </message>
     <message>
         <source>sysid=&apos;%1&apos;: a system ID from 1 to 255 is expected</source>
-        <translation>sysid='%1': erwartet wird eine System-ID von 1 bis 255</translation>
+        <translation>sysid=&apos;%1&apos;: erwartet wird eine System-ID von 1 bis 255</translation>
     </message>
     <message>
         <source>from=&apos;%1&apos;: ADDRESS/PREFIX is expected</source>
-        <translation>from='%1': erwartet wird ADRESSE/PRÄFIX</translation>
+        <translation>from=&apos;%1&apos;: erwartet wird ADRESSE/PRÄFIX</translation>
     </message>
     <message>
         <source>name=&apos;%1&apos;: a name of printable characters is expected</source>
-        <translation>name='%1': erwartet wird ein Name aus druckbaren Zeichen</translation>
+        <translation>name=&apos;%1&apos;: erwartet wird ein Name aus druckbaren Zeichen</translation>
     </message>
     <message>
         <source>&apos;%1&apos;: write, from, sysid or name is expected</source>
@@ -1734,7 +1734,7 @@
     </message>
     <message>
         <source>write=&apos;%1&apos;: none, all, or mission, param, command, ftp and rc are expected</source>
-        <translation>write='%1': erwartet wird none, all oder mission, param, command, ftp und rc</translation>
+        <translation>write=&apos;%1&apos;: erwartet wird none, all oder mission, param, command, ftp und rc</translation>
     </message>
     <message>
         <source>natural</source>
@@ -2477,6 +2477,14 @@
     </message>
 </context>
 <context>
+    <name>skyseal::engine::Number</name>
+    <message>
+        <source>0.5</source>
+        <comment>with this language&apos;s decimal point</comment>
+        <translation>0,5</translation>
+    </message>
+</context>
+<context>
     <name>skyseal::engine::PairingText</name>
     <message>
         <source>timed out</source>
@@ -2874,6 +2882,10 @@
         <source>the vehicle was flying when it was last heard</source>
         <translation>das Fahrzeug flog, als es zuletzt gehört wurde</translation>
     </message>
+    <message>
+        <source>the vehicle is not heard</source>
+        <translation>das Fahrzeug wird nicht empfangen</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::AddWaypointDialog</name>
@@ -3028,16 +3040,16 @@ Den Knopf eine halbe Sekunde halten. Der Wegpunkt wird der letzte Punkt der Miss
         <translation>Der Modus wechselte ohne Befehl dieser Station: durch den Autopiloten, die Fernsteuerung oder eine andere Station.</translation>
     </message>
     <message>
-        <source>All were refused. The Secure link panel counts them.</source>
-        <translation>Alle wurden abgelehnt. Das Panel „Sichere Verbindung“ zählt sie.</translation>
-    </message>
-    <message>
-        <source>%1. To pair with it, open Security → Keys and peers</source>
-        <translation>%1. Zum Koppeln Sicherheit → Schlüssel und Gegenstellen öffnen</translation>
-    </message>
-    <message>
         <source>Within %1 of the vehicle, and less than %2 above or below it or at an unknown altitude. The map shows it.</source>
         <translation>Weniger als %1 vom Fahrzeug und weniger als %2 darüber oder darunter oder in unbekannter Höhe. Die Karte zeigt es.</translation>
+    </message>
+    <message>
+        <source>All were refused. Counted since the link came up, as the Secure link panel does.</source>
+        <translation>Alle wurden abgelehnt. Gezählt seit Beginn der Verbindung, wie im Panel „Sichere Verbindung“.</translation>
+    </message>
+    <message>
+        <source>%1. To pair with it, choose Pair or open Security → Keys and peers</source>
+        <translation>%1. Zum Koppeln Koppeln wählen oder Sicherheit → Schlüssel und Gegenstellen öffnen</translation>
     </message>
 </context>
 <context>
@@ -3077,6 +3089,14 @@ Den Knopf eine halbe Sekunde halten. Der Wegpunkt wird der letzte Punkt der Miss
     <message>
         <source>Dismiss until it recurs or gets worse (Esc)</source>
         <translation>Ausblenden, bis sie erneut auftritt oder schlimmer wird (Esc)</translation>
+    </message>
+    <message>
+        <source>Pair…</source>
+        <translation>Koppeln…</translation>
+    </message>
+    <message>
+        <source>Pair with the agent</source>
+        <translation>Mit dem Agenten koppeln</translation>
     </message>
 </context>
 <context>
@@ -3145,6 +3165,10 @@ Sollte dies das Fahrzeug von %3 sein, Abbrechen wählen: Dessen versiegelte Verb
     <message>
         <source>&amp;Altitude above home</source>
         <translation>&amp;Höhe über Home</translation>
+    </message>
+    <message>
+        <source>Not now: vehicle %1 is no longer selected</source>
+        <translation>Nicht jetzt: Fahrzeug %1 ist nicht mehr ausgewählt</translation>
     </message>
 </context>
 <context>
@@ -3482,6 +3506,10 @@ Sollte dies das Fahrzeug von %3 sein, Abbrechen wählen: Dessen versiegelte Verb
         <source>Commands</source>
         <translation>Befehle</translation>
     </message>
+    <message>
+        <source>No command matches</source>
+        <translation>Kein Befehl passt</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::CommandPermits</name>
@@ -3562,6 +3590,26 @@ Sollte dies das Fahrzeug von %3 sein, Abbrechen wählen: Dessen versiegelte Verb
     <message>
         <source>%1 %2 %3 mE %4 mN</source>
         <translation>%1 %2 %3 mE %4 mN</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <comment>north</comment>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <comment>east</comment>
+        <translation>O</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <comment>south</comment>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <comment>west</comment>
+        <translation>W</translation>
     </message>
 </context>
 <context>
@@ -3803,6 +3851,20 @@ Sollte dies das Fahrzeug von %3 sein, Abbrechen wählen: Dessen versiegelte Verb
     <message>
         <source>Choose the quantities</source>
         <translation>Größen wählen</translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::DisabledShortcuts</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::EdgeArrow</name>
+    <message>
+        <source>Vehicle %1 · %2</source>
+        <translation>Fahrzeug %1 · %2</translation>
     </message>
 </context>
 <context>
@@ -4364,6 +4426,22 @@ Pair with the agent of your vehicle, or add its public key, which skyseal-cli ke
 
 Mit dem Agenten des eigenen Fahrzeugs koppeln oder seinen öffentlichen Schlüssel hinzufügen, den skyseal-cli keys show dort ausgibt.</translation>
     </message>
+    <message>
+        <source>Vehicles %1 are armed. Revoke %2?</source>
+        <translation>Die Fahrzeuge %1 sind scharf. %2 widerrufen?</translation>
+    </message>
+    <message>
+        <source>Vehicle %1 is armed. Revoke %2?</source>
+        <translation>Fahrzeug %1 ist scharf. %2 widerrufen?</translation>
+    </message>
+    <message>
+        <source>They cannot be commanded from here then, and failsafes may trigger.</source>
+        <translation>Sie lassen sich dann nicht mehr von hier steuern, und Failsafes können auslösen.</translation>
+    </message>
+    <message>
+        <source>It cannot be commanded from here then, and failsafes may trigger.</source>
+        <translation>Es lässt sich dann nicht mehr von hier steuern, und Failsafes können auslösen.</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::Language</name>
@@ -4598,6 +4676,22 @@ UNSICHER: Jeder kann diesen Datenstrom mitlesen, verändern und fälschen. Nicht
     <message>
         <source>The counter must be a number from 0 to 4294967295</source>
         <translation>Der Zähler muss eine Zahl von 0 bis 4294967295 sein</translation>
+    </message>
+    <message>
+        <source>A link stays open until Skyseal closes. The one to open at start is in File → Settings.</source>
+        <translation>Eine Verbindung bleibt offen, bis Skyseal beendet wird. Die Verbindung beim Start steht unter Datei → Einstellungen.</translation>
+    </message>
+    <message>
+        <source>Skyseal itself listens there, with %1</source>
+        <translation>Skyseal selbst empfängt dort, mit %1</translation>
+    </message>
+    <message>
+        <source>Skyseal itself sends there, with %1</source>
+        <translation>Skyseal selbst sendet dorthin, mit %1</translation>
+    </message>
+    <message>
+        <source>Skyseal already listens there, with %1</source>
+        <translation>Skyseal empfängt dort schon, mit %1</translation>
     </message>
 </context>
 <context>
@@ -4856,14 +4950,6 @@ Fingerabdruck %3</translation>
         <translation>Keine versiegelte Verbindung: Diese Station kann ihren Schlüssel nicht verwenden</translation>
     </message>
     <message>
-        <source>Under attack: %1 forged or replayed records in the last minute. All of them were refused.</source>
-        <translation>Unter Angriff: %1 gefälschte oder wiedereingespielte Records in der letzten Minute. Alle wurden abgelehnt.</translation>
-    </message>
-    <message>
-        <source>Under attack: %1 spoofed frames of this vehicle in the last minute. All of them were refused.</source>
-        <translation>Unter Angriff: %1 vorgetäuschte Frames dieses Fahrzeugs in der letzten Minute. Alle wurden abgelehnt.</translation>
-    </message>
-    <message>
         <source>Not sealed · sweep running</source>
         <translation>Nicht versiegelt · Messreihe läuft</translation>
     </message>
@@ -4878,6 +4964,14 @@ Fingerabdruck %3</translation>
     <message>
         <source>No sealed links yet: this station&apos;s key is being opened</source>
         <translation>Noch keine versiegelte Verbindung: Der Schlüssel dieser Station wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Under attack: %1 forged or replayed records since the link came up. All of them were refused.</source>
+        <translation>Unter Angriff: %1 gefälschte oder wiedereingespielte Records seit Beginn der Verbindung. Alle wurden abgelehnt.</translation>
+    </message>
+    <message>
+        <source>Under attack: %1 spoofed frames of this vehicle since the link came up. All of them were refused.</source>
+        <translation>Unter Angriff: %1 vorgetäuschte Frames dieses Fahrzeugs seit Beginn der Verbindung. Alle wurden abgelehnt.</translation>
     </message>
 </context>
 <context>
@@ -5210,6 +5304,18 @@ Fingerabdruck %3</translation>
     <message>
         <source>Arrow keys move the map, plus and minus zoom, Home follows the vehicle, Menu opens the commands for the centre</source>
         <translation>Pfeiltasten bewegen die Karte, Plus und Minus zoomen, Pos1 folgt dem Fahrzeug, Menütaste öffnet die Befehle für die Mitte</translation>
+    </message>
+    <message>
+        <source>The vehicle is beyond the map, %1 from its centre.</source>
+        <translation>Das Fahrzeug ist außerhalb der Karte, %1 von ihrer Mitte entfernt.</translation>
+    </message>
+    <message>
+        <source>A click centres the map on it.</source>
+        <translation>Ein Klick zentriert die Karte darauf.</translation>
+    </message>
+    <message>
+        <source>A click or %1 centres the map on it.</source>
+        <translation>Ein Klick oder %1 zentriert die Karte darauf.</translation>
     </message>
 </context>
 <context>
@@ -6015,6 +6121,34 @@ Dann ist kein Code zu vergleichen. Sie gilt nur für diese Kopplung.</translatio
         <source>Find a parameter</source>
         <translation>Einen Parameter suchen</translation>
     </message>
+    <message>
+        <source>waits for your confirmation</source>
+        <translation>wartet auf Ihre Bestätigung</translation>
+    </message>
+    <message>
+        <source>Write a parameter</source>
+        <translation>Einen Parameter schreiben</translation>
+    </message>
+    <message>
+        <source>The vehicle is armed. Change %1?</source>
+        <translation>Das Fahrzeug ist scharf. %1 ändern?</translation>
+    </message>
+    <message>
+        <source>Vehicle %1 is armed. Change %2?</source>
+        <translation>Fahrzeug %1 ist scharf. %2 ändern?</translation>
+    </message>
+    <message>
+        <source>%1: from %2 to %3. The change takes effect at once.</source>
+        <translation>%1: von %2 auf %3. Die Änderung wirkt sofort.</translation>
+    </message>
+    <message>
+        <source>Write %1</source>
+        <translation>%1 schreiben</translation>
+    </message>
+    <message>
+        <source>not written: not confirmed</source>
+        <translation>nicht geschrieben: nicht bestätigt</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::PassphraseDialog</name>
@@ -6742,6 +6876,10 @@ mit PSK</translation>
         <source>Ciphers</source>
         <translation>Chiffren</translation>
     </message>
+    <message>
+        <source>plain MAVLink</source>
+        <translation>ungeschütztes MAVLink</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::RecordingsDialog</name>
@@ -7045,20 +7183,16 @@ mit PSK</translation>
         <source> (link to %1)</source>
         <translation> (Verbindung zu %1)</translation>
     </message>
+    <message>
+        <source>%1 vehicle %2 in plain MAVLink</source>
+        <translation>%1 Fahrzeug %2 in ungeschütztem MAVLink</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::RescueBar</name>
     <message>
-        <source>Replay its recording</source>
-        <translation>Aufzeichnung wiedergeben</translation>
-    </message>
-    <message>
         <source>Replay the recording of the last run</source>
         <translation>Die Aufzeichnung des letzten Laufs wiedergeben</translation>
-    </message>
-    <message>
-        <source>Open its links</source>
-        <translation>Verbindungen öffnen</translation>
     </message>
     <message>
         <source>Open the links of the last run again</source>
@@ -7071,6 +7205,18 @@ mit PSK</translation>
     <message>
         <source>The last run ended unexpectedly at about %1. Its recording was kept.</source>
         <translation>Der letzte Lauf endete unerwartet (etwa %1). Seine Aufzeichnung ist erhalten.</translation>
+    </message>
+    <message>
+        <source>Re&amp;play its recording</source>
+        <translation>Aufzeichnung &amp;wiedergeben</translation>
+    </message>
+    <message>
+        <source>&amp;Open its links</source>
+        <translation>Ve&amp;rbindungen öffnen</translation>
+    </message>
+    <message>
+        <source>Dis&amp;miss</source>
+        <translation>A&amp;usblenden</translation>
     </message>
 </context>
 <context>
@@ -7193,10 +7339,6 @@ mit PSK</translation>
         <translation>Unter Angriff, alles abgelehnt</translation>
     </message>
     <message>
-        <source>%1 forged, %2 replayed in a minute</source>
-        <translation>%1 gefälscht, %2 wiedereingespielt in einer Minute</translation>
-    </message>
-    <message>
         <source>Sealed, changing keys…</source>
         <translation>Versiegelt, wechselt Schlüssel…</translation>
     </message>
@@ -7249,10 +7391,6 @@ mit PSK</translation>
         <translation>Dieses Fahrzeug verwendet ungeschütztes MAVLink: Jeder auf der Übertragungsstrecke kann seine Telemetrie lesen und ihm Befehle geben. Diese Station kann die Verbindung nicht versiegeln, weil sie ihren Schlüssel nicht verwenden kann: %1</translation>
     </message>
     <message>
-        <source>%1 spoofed frames in a minute</source>
-        <translation>%1 vorgetäuschte Frames in einer Minute</translation>
-    </message>
-    <message>
         <source>The session starts automatically when a known agent announces itself.</source>
         <translation>Die Sitzung beginnt von selbst, wenn sich ein bekannter Agent meldet.</translation>
     </message>
@@ -7291,6 +7429,14 @@ mit PSK</translation>
     <message>
         <source>The passphrase of this station&apos;s key is being checked. Sealed links can start after that.</source>
         <translation>Die Passphrase für den Schlüssel dieser Station wird geprüft. Danach können versiegelte Verbindungen beginnen.</translation>
+    </message>
+    <message>
+        <source>%1 forged, %2 replayed in this session</source>
+        <translation>%1 gefälscht, %2 wiedereingespielt in dieser Sitzung</translation>
+    </message>
+    <message>
+        <source>%1 spoofed frames in this session</source>
+        <translation>%1 vorgetäuschte Frames in dieser Sitzung</translation>
     </message>
 </context>
 <context>
@@ -7358,10 +7504,6 @@ mit PSK</translation>
     <message>
         <source>Folder of the recordings</source>
         <translation>Ordner der Aufzeichnungen</translation>
-    </message>
-    <message>
-        <source>the application&apos;s own folder</source>
-        <translation>der eigene Ordner der Anwendung</translation>
     </message>
     <message>
         <source>Browse…</source>
@@ -7519,6 +7661,10 @@ mit PSK</translation>
         <source>Buttons, menus and lists are large enough for fingers</source>
         <translation>Knöpfe, Menüs und Listen sind groß genug für Finger</translation>
     </message>
+    <message>
+        <source>the default folder</source>
+        <translation>Standardordner</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::ShortcutDialog</name>
@@ -7569,10 +7715,6 @@ mit PSK</translation>
     <message>
         <source>Parts of a name, a menu or keys, such as &quot;zoom&quot; or &quot;ctrl+k&quot;</source>
         <translation>Teile eines Namens, eines Menüs oder von Tasten, etwa „zoom“ oder „strg+k“</translation>
-    </message>
-    <message>
-        <source>Security</source>
-        <translation>Sicherheit</translation>
     </message>
     <message>
         <source>Reset &amp;all…</source>
@@ -8066,6 +8208,14 @@ Ein Klick öffnet die Verbindungen.</translation>
     <message>
         <source>New keys for the suite in use, without interrupting the link</source>
         <translation>Neue Schlüssel für die verwendete Chiffre, ohne die Verbindung zu unterbrechen</translation>
+    </message>
+    <message>
+        <source>Sealed with %1: %2, chosen last, is weaker</source>
+        <translation>Versiegelt mit %1: die zuletzt gewählte Chiffre %2 ist schwächer</translation>
+    </message>
+    <message>
+        <source>Sealed with %1: %2, chosen last, is not permitted now</source>
+        <translation>Versiegelt mit %1: die zuletzt gewählte Chiffre %2 ist jetzt nicht zugelassen</translation>
     </message>
 </context>
 <context>
@@ -9439,6 +9589,26 @@ Ein Klick öffnet die Verbindungen.</translation>
     <message>
         <source>Find a vehicle</source>
         <translation>Ein Fahrzeug suchen</translation>
+    </message>
+    <message>
+        <source>Remove from the list</source>
+        <translation>Aus der Liste entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the lost vehicle from the list</source>
+        <translation>Das verlorene Fahrzeug aus der Liste entfernen</translation>
+    </message>
+    <message>
+        <source>A replay is shown</source>
+        <translation>Eine Wiedergabe wird gezeigt</translation>
+    </message>
+    <message>
+        <source>It appears again as soon as it is heard</source>
+        <translation>Es erscheint wieder, sobald es gehört wird</translation>
+    </message>
+    <message>
+        <source>Select a vehicle whose link is lost</source>
+        <translation>Wählen Sie ein Fahrzeug aus, dessen Verbindung verloren ist</translation>
     </message>
 </context>
 <context>
