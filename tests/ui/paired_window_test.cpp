@@ -4,6 +4,7 @@
 #include "app/skyseal/application.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/system_random.h"
+#include "core/engine/station/session_snapshot.h"
 #include "core/engine/station/vehicle_snapshot.h"
 #include "tests/support/eventually.h"
 #include "tests/support/flight.h"
@@ -14,6 +15,7 @@
 #include "ui/keys/keys_dialog.h"
 #include "ui/keys/pairing_dialog.h"
 #include "ui/keys/passphrase_dialog.h"
+#include "ui/security/suite_actions.h"
 #include "ui/status/strip_item.h"
 #include "ui/theme/palettes.h"
 
@@ -130,6 +132,10 @@ private:
         return inside->findChild<QLabel *>(QLatin1String(label))->text();
     }
     QString lock() const { return find<StripItem>("stripLock")->text(); }
+    bool isUnder(crypto::SuiteId suite) const
+    {
+        return m_window->view().session && m_window->view().session->info.suite == suite;
+    }
     bool isSealed() const { return m_window->view().session && lock().contains(QStringLiteral("heron ✓")); }
     void confirmBoth(PairingDialog *dialog, Program &desk);
     void picture(const char *name, QWidget *of);
@@ -450,6 +456,8 @@ void PairedWindowTest::anotherStationIsServed()
 void PairedWindowTest::agentThatGoesAwayIsWaitedFor()
 {
     EVENTUALLY(m_window->view().vehicle && m_window->view().session);
+    m_window->suites().action(crypto::SuiteId::Aes256Gcm)->trigger();
+    EVENTUALLY(isUnder(crypto::SuiteId::Aes256Gcm));
     QCOMPARE(m_agent->terminate(), 0); // says goodbye
     EVENTUALLY_EQUAL(lock(), QStringLiteral("Session ended · heron"));
     const QString advice = find<QLabel>("secureAdvice")->text();
@@ -459,6 +467,7 @@ void PairedWindowTest::agentThatGoesAwayIsWaitedFor()
     picture("window-waiting", m_window);
     startAgent("new-air.key");
     EVENTUALLY(isSealed());
+    EVENTUALLY(isUnder(crypto::SuiteId::Aes256Gcm)); // the operator's choice, not the first preference
 }
 
 void PairedWindowTest::keyIsSealedInTheDialog()
@@ -513,6 +522,7 @@ void PairedWindowTest::sealedKeyNeedsItsPassphraseAtStart()
     QVERIFY(!QApplication::activeModalWidget()); // it is asked beside the window
     EVENTUALLY_EQUAL(asked, 2);
     EVENTUALLY(isSealed());
+    EVENTUALLY(isUnder(crypto::SuiteId::Aes256Gcm)); // chosen before the restart
     person.stop();
 }
 

@@ -127,6 +127,7 @@ public:
     void fetchParameters() const
     {
         show("workspace_vehicle");
+        find<QLineEdit>("parameterFilter")->clear(); // else those that match are counted
         hands->click("parameterFetch");
         const auto *count = find<QLabel>("parameterCount");
         const auto all = [count] {
