@@ -160,8 +160,11 @@ public:
         const QModelIndex state = found.front().siblingAtColumn(ParameterModel::State);
         const auto question = [this] { return window->findChild<QMessageBox *>(QStringLiteral("confirmParameter")); };
         EVENTUALLY(question() || state.data().toString().startsWith(QStringLiteral("writ")));
-        if (question()) // the vehicle is armed
+        if (question()) { // the vehicle is armed
             QTest::mouseClick(question()->button(QMessageBox::Yes), Qt::LeftButton);
+            EVENTUALLY(!question());
+            activate();
+        }
         EVENTUALLY2(state.data().toString().startsWith(QStringLiteral("written, read back as ")),
                     qPrintable(name + QStringLiteral(": ") + state.data().toString()));
     }
