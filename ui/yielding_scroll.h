@@ -11,6 +11,31 @@
 
 namespace skyseal::ui {
 
+/// Gives a panel all of its room. A scroll area would otherwise give a panel with wrapped texts the height that it prefers,
+/// and scroll where its least height has room.
+class PanelRoom : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit PanelRoom(QWidget *panel) : m_panel(panel) { panel->setParent(this); }
+
+    QSize sizeHint() const override { return m_panel->sizeHint(); }
+    QSize minimumSizeHint() const override { return m_panel->minimumSizeHint().expandedTo(m_panel->minimumSize()); }
+
+protected:
+    void resizeEvent(QResizeEvent *) override { m_panel->resize(size()); }
+    bool event(QEvent *event) override
+    {
+        if (event->type() == QEvent::LayoutRequest)
+            updateGeometry(); // the panel's least size may have changed
+        return QWidget::event(event);
+    }
+
+private:
+    QWidget *m_panel;
+};
+
 class YieldingScroll : public QScrollArea
 {
     Q_OBJECT
@@ -18,7 +43,7 @@ class YieldingScroll : public QScrollArea
 public:
     explicit YieldingScroll(QWidget *panel)
     {
-        setWidget(panel);
+        setWidget(new PanelRoom(panel));
         setWidgetResizable(true);
         setFrameShape(QFrame::NoFrame);
         setFocusPolicy(Qt::NoFocus);
@@ -29,7 +54,7 @@ public:
     QSize minimumSizeHint() const override
     {
         constexpr QSize kLeast(38 * kGrid, 14 * kGrid);
-        const QSize wanted = widget()->minimumSizeHint().expandedTo(widget()->minimumSize());
+        const QSize wanted = widget()->minimumSizeHint();
         return leastTarget(*this) == 0 ? wanted : wanted.boundedTo(kLeast);
     }
 

@@ -7,6 +7,7 @@
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 #include "ui/window/workspace_table.h"
+#include "ui/yielding_scroll.h"
 #include "window_rig.h"
 
 #include <QtGui/QAction>
@@ -15,6 +16,7 @@
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QDialogButtonBox>
 #include <QtWidgets/QPushButton>
+#include <QtWidgets/QScrollBar>
 #include <QtWidgets/QSpinBox>
 
 using namespace skyseal;
@@ -84,6 +86,28 @@ private Q_SLOTS:
         setTouchSized(false);
         QCoreApplication::processEvents();
         QCOMPARE(m_window->size(), room);
+    }
+
+    /// Of the usual size, no panel is cut where its workspace has room for it.
+    void usualSizeDoesNotScroll_data()
+    {
+        QTest::addColumn<QByteArray>("workspace");
+        for (const WorkspaceRow &row : workspaceTable())
+            QTest::newRow(row.id) << QByteArray(row.id);
+    }
+    void usualSizeDoesNotScroll()
+    {
+        QFETCH(QByteArray, workspace);
+        m_window->resize(1366, 768);
+        find<QAction>(("workspace_" + workspace).constData())->trigger();
+        m_station->showSealed(1);
+        QCoreApplication::processEvents();
+        for (const YieldingScroll *scroll : m_window->findChildren<YieldingScroll *>()) {
+            if (!scroll->isVisible())
+                continue;
+            EVENTUALLY2(!scroll->verticalScrollBar()->isVisible(), qPrintable(scroll->accessibleName()));
+            EVENTUALLY2(!scroll->horizontalScrollBar()->isVisible(), qPrintable(scroll->accessibleName()));
+        }
     }
 
     /// Nothing is lost with the room: the panel scrolls.
