@@ -4546,11 +4546,11 @@ Mit dem Agenten des eigenen Fahrzeugs koppeln oder seinen öffentlichen Schlüss
     </message>
     <message>
         <source>&amp;57,600 baud radio</source>
-        <translation>Funkmodem mit &amp;57600 Baud</translation>
+        <translation>Funkmodem mit &amp;57.600 Baud</translation>
     </message>
     <message>
         <source>&amp;115,200 baud radio</source>
-        <translation>Funkmodem mit &amp;115200 Baud</translation>
+        <translation>Funkmodem mit &amp;115.200 Baud</translation>
     </message>
     <message>
         <source>no limit</source>
@@ -4558,7 +4558,7 @@ Mit dem Agenten des eigenen Fahrzeugs koppeln oder seinen öffentlichen Schlüss
     </message>
     <message>
         <source>&amp;921,600 baud line</source>
-        <translation>Leitung mit &amp;921 600 Baud</translation>
+        <translation>Leitung mit &amp;921.600 Baud</translation>
     </message>
 </context>
 <context>
@@ -8841,7 +8841,7 @@ Ein Klick öffnet die Verbindungen.</translation>
     </message>
     <message>
         <source>since first heard</source>
-        <translation>seit erstem Empfang</translation>
+        <translation>ab Empfang</translation>
     </message>
     <message>
         <source>The vehicle was already flying when this station first heard it. The time counts from then: the flight itself is longer.</source>
