@@ -281,16 +281,17 @@ private Q_SLOTS:
     {
         const auto heard = [](engine::Snapshot &snapshot) { snapshot.unknownAgents.push_back({"192.0.2.7:14560"}); };
         m_list.handleEvent(unknownAgentAt(7), 1);
-        for (double t = 2; t < 60; ++t)
-            show(t, heard);
-        m_list.handleEvent(unknownAgentAt(7), 61);
+        for (double t = 2; t < 100; ++t)
+            show(t, heard); // longer than the event alone would last
+        QCOMPARE(m_list.alerts().size(), std::size_t(1));
+        m_list.handleEvent(unknownAgentAt(7), 100);
         QCOMPARE(texts(), QStringList{QStringLiteral("Unknown agent at 192.0.2.7:14560")}); // as one
-        show(100);
+        show(159);
         QCOMPARE(m_list.alerts().size(), std::size_t(1)); // it was heard less than a minute ago
-        show(122);
+        show(161);
         QVERIFY(m_list.alerts().empty());
-        m_list.handleEvent(unknownAgentAt(7), 130);
-        m_list.handleEvent(channel::SessionUp{channel::SessionId{7}, {}, "air-1", crypto::SuiteId::Aes256Gcm, {}}, 131);
+        m_list.handleEvent(unknownAgentAt(7), 170);
+        m_list.handleEvent(channel::SessionUp{channel::SessionId{7}, {}, "air-1", crypto::SuiteId::Aes256Gcm, {}}, 171);
         QVERIFY(m_list.alerts().empty());
     }
 
