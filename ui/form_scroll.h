@@ -4,6 +4,7 @@
 
 #include "ui/theme/grid.h"
 
+#include <QtCore/QEvent>
 #include <QtGui/QScreen>
 #include <QtWidgets/QDialog>
 #include <QtWidgets/QLayout>
@@ -40,6 +41,14 @@ public:
         constexpr int kLeastHeight = 20 * kGrid;
         const int form = std::max(widget()->minimumSizeHint().width(), m_leastWidth);
         return {form + verticalScrollBar()->sizeHint().width(), kLeastHeight};
+    }
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override
+    {
+        if (watched == widget() && event->type() == QEvent::LayoutRequest)
+            updateGeometry(); // its least width may have changed: nothing is cut at the side
+        return QScrollArea::eventFilter(watched, event);
     }
 
 private:

@@ -4,6 +4,7 @@
 #include "scripted_snapshots.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
+#include "ui/form_scroll.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 #include "ui/window/workspace_table.h"
@@ -143,6 +144,8 @@ private Q_SLOTS:
         for (const QSize &screen : kScreens)
             QVERIFY2(fits(dialog->minimumSizeHint().expandedTo(dialog->minimumSize()), screen),
                      qPrintable(text(dialog->minimumSizeHint())));
+        for (const FormScroll *area : dialog->findChildren<FormScroll *>()) // nothing is cut at the side
+            EVENTUALLY2(area->widget()->width() <= area->viewport()->width(), qPrintable(text(area->widget()->size())));
         QVERIFY2(dialog->height() <= dialog->screen()->availableSize().height() - kTitle, qPrintable(text(dialog->size())));
     }
 
