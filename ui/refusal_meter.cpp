@@ -1,6 +1,8 @@
 #include "ui/refusal_meter.h"
 
 #include "core/engine/station/session_snapshot.h"
+#include "core/engine/station/vehicle_snapshot.h"
+#include "ui/view_state.h"
 
 namespace skyseal::ui {
 
@@ -44,6 +46,13 @@ std::uint64_t RefusalMeter::total(std::uint8_t systemId) const
 {
     const auto found = m_totals.find(systemId);
     return found == m_totals.end() ? 0 : found->second;
+}
+
+void RefusalMeter::mark(ViewState &view, double now) const
+{
+    const bool counts = view.vehicle && !view.isReplay();
+    view.refusedLastMinute = counts ? lastMinute(view.vehicle->state.systemId, now) : 0;
+    view.refused = counts ? total(view.vehicle->state.systemId) : 0;
 }
 
 RefusedFrames refusedFrames(const engine::SessionSnapshot &session, bool outside)

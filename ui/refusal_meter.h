@@ -15,6 +15,8 @@ struct SessionSnapshot;
 
 namespace skyseal::ui {
 
+struct ViewState;
+
 class RefusalMeter
 {
 public:
@@ -29,6 +31,8 @@ public:
     std::uint64_t lastMinute(std::uint8_t systemId, double now) const;
     /// Since the last session began, or since the start.
     std::uint64_t total(std::uint8_t systemId) const;
+    /// Writes the counts of its vehicle into a view of the live picture.
+    void mark(ViewState &view, double now) const;
     /// The vehicles of which a frame was refused since then.
     const std::map<std::uint8_t, std::uint64_t> &totals() const { return m_totals; }
 

@@ -144,8 +144,7 @@ void VehiclesPanel::refresh()
         own.live = m_shown.live;
         own.key = m_shown.key;
         own.plainRun = m_shown.plainRun;
-        own.refusedLastMinute = own.isReplay() ? 0 : m_refusals.lastMinute(id, now());
-        own.refused = own.isReplay() ? 0 : m_refusals.total(id);
+        m_refusals.mark(own, now());
         rows.push_back(vehicleListRowOf(own, own.isReplay() ? none : m_alerts));
         rows.back().selected = m_shown.vehicle && m_shown.vehicle->state.systemId == id;
     }

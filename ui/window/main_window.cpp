@@ -201,10 +201,7 @@ void MainWindow::connectParts()
 {
     m_selection->setAnnotation([this](ViewState &view) {
         view.key = m_keyState;
-        if (view.vehicle && !view.isReplay()) {
-            view.refusedLastMinute = m_refusals.lastMinute(view.vehicle->state.systemId, now());
-            view.refused = m_refusals.total(view.vehicle->state.systemId);
-        }
+        m_refusals.mark(view, now());
         if (m_sweep)
             m_sweep->mark(view);
     });
