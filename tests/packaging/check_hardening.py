@@ -32,7 +32,7 @@ def checks_of_programs(debug):
         "PIE": r"^ *Type: +DYN \(Position-Independent",
         "RELRO": r"^ *GNU_RELRO ",
         "all symbols bound at start": r"\(FLAGS\) +BIND_NOW|\(FLAGS_1\) +Flags: NOW",
-        "no executable stack": r"^ *GNU_STACK .* RW +0x",
+        "no executable stack": r"^ *GNU_STACK .* RW +0",
         "stack protector": r"__stack_chk_fail",
     }
     if not debug:
