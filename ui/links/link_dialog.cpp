@@ -237,7 +237,7 @@ QString LinkDialog::problem() const
     const auto parsed = LinkUrl::parse(url().toStdString());
     if (!parsed)
         return reasonText(parsed.error().message);
-    if (const QString own = ownLinkProblem(*parsed); !own.isEmpty())
+    if (QString own = ownLinkProblem(*parsed); !own.isEmpty())
         return own;
     const auto settings = mavsec();
     const auto digits = settings ? 2 * MavsecCipher::nonceLength(settings->kind) : 0;
