@@ -125,9 +125,6 @@ void ParametersPanel::writeOrAsk(const QString &name, double value)
 
 void ParametersPanel::askToWrite(const QString &name, double before, double value)
 {
-    if (auto *open = findChild<QMessageBox *>(kParameterQuestion))
-        open->reject();                                        // about another value
-    m_model.showNote(name, tr("waits for your confirmation")); // also where that was about the same parameter
     const QString from = ParameterModel::valueText(before), to = QString::number(value, 'g', QLocale::FloatingPointShortest);
     QMessageBox *box = askToConfirm({.objectName = kParameterQuestion,
                                      .title = tr("Write a parameter"),
@@ -140,6 +137,8 @@ void ParametersPanel::askToWrite(const QString &name, double before, double valu
                                         if (systemId == m_systemId)
                                             write(name, value);
                                     });
+    // Only now: an older question, which ends with this one, may have been about the same parameter.
+    m_model.showNote(name, tr("waits for your confirmation"));
     connect(box, &QMessageBox::finished, this, [this, name, systemId = m_systemId](int result) {
         if (result != QMessageBox::Yes && systemId == m_systemId)
             m_model.showNote(name, tr("not written: not confirmed"));
