@@ -1,5 +1,7 @@
 #include "core/base/locked_memory.h"
 
+#include "core/base/weakness.h"
+
 #include <atomic>
 #include <cerrno>
 #include <cstdint>
@@ -24,6 +26,8 @@ void reportOnce(int error)
 
 void lockPages(const void *begin, std::size_t size) noexcept
 {
+    if (weakened(Weakness::NoMemoryLock))
+        return;
     static const auto pageSize = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
     const std::uintptr_t offset = reinterpret_cast<std::uintptr_t>(begin) % pageSize;
     // Not sodium_mlock(): its counterpart would also unlock the other keys of the page.

@@ -19,27 +19,13 @@ void lockPages(const void *begin, std::size_t size) noexcept;
 /// an errno.
 void reportLockFailure(void (*report)(int error)) noexcept;
 
-#ifdef SKYSEAL_WEAKEN
-/// Weakness::NoMemoryLock, without including the list of weaknesses here; see core/base/weakness.h.
-bool secretsStayUnlocked();
-#endif
-
-inline void lockInMemory(const void *begin, std::size_t size) noexcept
-{
-#ifdef SKYSEAL_WEAKEN
-    if (secretsStayUnlocked())
-        return;
-#endif
-    lockPages(begin, size);
-}
-
 /// Base class of objects with keys as direct members: those made by `new` lie in locked pages.
 struct InLockedMemory
 {
     static void *operator new(std::size_t size)
     {
         void *const place = ::operator new(size);
-        lockInMemory(place, size);
+        lockPages(place, size);
         return place;
     }
 };
@@ -48,7 +34,7 @@ struct InLockedMemory
 template<typename T> std::shared_ptr<const T> shareInLockedMemory(T secret)
 {
     auto shared = std::make_shared<const T>(std::move(secret));
-    lockInMemory(shared.get(), sizeof(T));
+    lockPages(shared.get(), sizeof(T));
     return shared;
 }
 

@@ -21,11 +21,6 @@ inline void wipeSecret(MutableByteView bytes) noexcept
 /// True if all bytes are zero; in constant time.
 [[nodiscard]] bool isZeroSecret(const void *bytes, std::size_t size) noexcept;
 
-#ifdef SKYSEAL_WEAKEN
-/// Weakness::NoWipe, without including the list of weaknesses here; see core/base/weakness.h.
-bool secretsStayInMemory();
-#endif
-
 /// `N` secret bytes. Compare with `equals` (constant time); read `view()` only where a cipher needs the bytes.
 template<std::size_t N> class SecretBytes
 {
@@ -55,14 +50,7 @@ public:
     SecretBytes clone() const { return SecretBytes(view()); }
     bool equals(const SecretBytes &other) const { return equalSecrets(m_bytes.data(), other.m_bytes.data(), N); }
     bool isZero() const { return isZeroSecret(m_bytes.data(), N); }
-    void wipe() noexcept
-    {
-#ifdef SKYSEAL_WEAKEN
-        if (secretsStayInMemory())
-            return;
-#endif
-        wipeSecret(m_bytes.data(), N);
-    }
+    void wipe() noexcept { wipeSecret(m_bytes.data(), N); }
 
 private:
     std::array<std::uint8_t, N> m_bytes{};

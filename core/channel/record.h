@@ -7,9 +7,7 @@
 #pragma once
 
 #include "core/base/bytes.h"
-#include "core/base/weakness.h"
 #include "core/channel/wire_format.h"
-#include "core/crypto/store_integer.h"
 #include "core/crypto/suite.h"
 
 #include <array>
@@ -40,10 +38,7 @@ struct RecordHeader
 };
 
 /// The counter of a record as the input of the cipher's nonce.
-inline std::uint64_t nonceOf(std::uint32_t counter)
-{
-    return weakened(Weakness::SharedNonce) ? 0 : counter;
-}
+std::uint64_t nonceOf(std::uint32_t counter);
 
 /// Associated data: the header on the wire and the implicit fields (suite, direction, carrier).
 class AssociatedData
@@ -53,7 +48,7 @@ public:
     AssociatedData(ByteView header, crypto::SuiteId suite, Direction direction, Carrier carrier);
     /// The same for a header to send.
     AssociatedData(const RecordHeader &header, crypto::SuiteId suite, Direction direction, Carrier carrier);
-    ByteView view() const { return ByteView(m_bytes).first(weakened(Weakness::NoAssociatedData) ? 0 : m_size); }
+    ByteView view() const { return ByteView(m_bytes).first(m_size); }
 
 private:
     /// `header`: its `length` bytes, the first one the lowest.
@@ -102,31 +97,6 @@ inline std::optional<RecordHeader> RecordHeader::read(ByteView datagram)
     }
     header.counter = static_cast<std::uint32_t>(datagram[at] | datagram[at + 1] << 8 | datagram[at + 2] << 16);
     return header;
-}
-
-inline AssociatedData::AssociatedData(ByteView header, crypto::SuiteId suite, Direction direction, Carrier carrier)
-{
-    std::uint64_t bytes = static_cast<std::uint32_t>(header[0] | header[1] << 8 | header[2] << 16)
-        | static_cast<std::uint64_t>(header[3]) << 24;
-    if (header.size() == kRecordHeaderLength)
-        bytes |= static_cast<std::uint64_t>(header[4] | header[5] << 8) << 32;
-    set(bytes, header.size(), suite, direction, carrier);
-}
-
-inline AssociatedData::AssociatedData(const RecordHeader &header, crypto::SuiteId suite, Direction direction, Carrier carrier)
-{
-    set(header.packed(), header.length(), suite, direction, carrier);
-}
-
-/// All in two stores: the cipher reads the bytes at once, and a load that is wider than the pending stores waits for them.
-inline void AssociatedData::set(std::uint64_t header, std::size_t length, crypto::SuiteId suite, Direction direction,
-                                Carrier carrier)
-{
-    const std::uint64_t direct = weakened(Weakness::NoDirections) ? 0 : static_cast<std::uint64_t>(direction);
-    const std::uint64_t fields = static_cast<std::uint64_t>(suite) | direct << 8 | static_cast<std::uint64_t>(carrier) << 16;
-    crypto::storeLittleEndian64(m_bytes.data(), header | fields << 8 * length);
-    m_bytes.back() = static_cast<std::uint8_t>(carrier); // the ninth byte, of a header of six
-    m_size = length + 3;
 }
 
 } // namespace skyseal::channel

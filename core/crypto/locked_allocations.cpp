@@ -15,7 +15,7 @@ thread_local int t_locking = 0;
 void *locked(void *place, std::size_t size)
 {
     if (place && t_locking > 0)
-        lockInMemory(place, size);
+        lockPages(place, size);
     return place;
 }
 

@@ -4,6 +4,7 @@
 #include "core/base/secret_bytes_fwd.h"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 

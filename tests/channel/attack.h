@@ -2,7 +2,6 @@
 // as before the attack.
 #pragma once
 
-#include "core/base/weakness.h"
 #include "pair.h"
 #include "tap.h"
 

@@ -2,7 +2,6 @@
 // sealed frame: whether the link transported it, and how often it was delivered.
 #pragma once
 
-#include "core/base/weakness.h"
 #include "core/channel/counter_store.h"
 #include "core/channel/delivery.h"
 #include "core/channel/endpoint_config.h"

@@ -1,6 +1,5 @@
 // Attacks on a whole flight over real sockets: station, agent and a simulated autopilot, and an attacker on the wire between
 // them who sends MAVLink as well as they do. The state of the autopilot and the display of the station must not change.
-#include "core/base/weakness.h"
 #include "core/engine/station/snapshot.h"
 #include "core/mavlink/enums.h"
 #include "core/mavlink/messages.h"

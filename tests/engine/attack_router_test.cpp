@@ -1,6 +1,5 @@
 // A MAVLink router between agent and station, and an attacker who sends to it under every system id: everything that it copies
 // to him is sealed, nothing that he sends is accepted, and delivery continues.
-#include "core/base/weakness.h"
 #include "core/engine/station/snapshot.h"
 #include "tests/engine/ground.h"
 #include "tests/support/eventually.h"

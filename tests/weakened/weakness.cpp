@@ -1,8 +1,6 @@
 // The library's weakened() in programs that are built to be attacked: true for what SKYSEAL_WEAKNESS names, a list with
 // commas. A name that does not exist ends the program, so that a proof cannot rest on a slip of the pen.
 #include "core/base/declassified.h"
-#include "core/base/locked_memory.h"
-#include "core/base/secret_bytes.h"
 #include "core/base/weakness.h"
 
 #include <bitset>
@@ -131,16 +129,6 @@ bool weakened(Weakness weakness)
 {
     static const std::bitset<256> kSelected = selected();
     return kSelected.test(static_cast<std::size_t>(weakness));
-}
-
-bool secretsStayInMemory()
-{
-    return weakened(Weakness::NoWipe);
-}
-
-bool secretsStayUnlocked()
-{
-    return weakened(Weakness::NoMemoryLock);
 }
 
 void declassify(const void *bytes, std::size_t count)

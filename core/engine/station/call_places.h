@@ -4,7 +4,6 @@
 #pragma once
 
 #include "core/base/clock.h"
-#include "core/base/weakness.h"
 #include "core/engine/common/link_pool.h"
 
 #include <algorithm>
@@ -65,7 +64,7 @@ public:
                 return;
             Place &place = m_places[link.id()];
             place.called = std::max(place.called, lastCall(path).value_or(place.called));
-            const bool spared = place.isMavlink(now) && !m_sessions.contains(link.id()) && !weakened(Weakness::CallRouters);
+            const bool spared = isRouter(link.id(), place, now);
             if (!spared || now >= place.called + kCallSparingly)
                 out.calls.push_back(path); // repeatedly, until its turn has come
             if (!spared || now >= place.requested + kCallSparingly) {
@@ -84,6 +83,9 @@ private:
         TimePoint requested = TimePoint::min();
         bool isMavlink(TimePoint now) const { return mavlink && now - *mavlink <= kForgetAfter; }
     };
+
+    /// Or an autopilot; not an agent.
+    bool isRouter(LinkId link, const Place &place, TimePoint now) const;
 
     std::map<LinkId, Place> m_places;
     LinkId m_newestLink{};       ///< link of the newest frame

@@ -2,7 +2,6 @@
 // (the order of the records is authenticated, that of MAVLink's sequence numbers is not).
 #pragma once
 
-#include "core/base/weakness.h"
 #include "core/channel/delivery.h"
 #include "core/mavlink/frame.h"
 
@@ -16,23 +15,12 @@ class FrameOrder
 public:
     /// Notes the frame of a record. Returns true if it may set present values: the record is fresh, and no newer one carried a
     /// message of this kind from this sender.
-    bool note(const mavlink::Frame &frame, const channel::Delivery &delivery)
-    {
-        channel::RecordPosition &newest = m_newest[slotOf(frame)];
-        const bool isNewest = delivery.position >= newest;
-        if (isNewest)
-            newest = delivery.position;
-        return (isNewest && delivery.freshness == channel::Freshness::Fresh) || weakened(Weakness::NoFrameOrder);
-    }
+    bool note(const mavlink::Frame &frame, const channel::Delivery &delivery);
 
 private:
     static constexpr std::size_t kSlots = 256;
     /// If two kinds share a slot, a late frame may be missing on the display, without other effects.
-    static std::size_t slotOf(const mavlink::Frame &frame)
-    {
-        const std::uint32_t sender = frame.systemId() * 131u + frame.componentId();
-        return (frame.messageId() + sender * 31u) % kSlots;
-    }
+    static std::size_t slotOf(const mavlink::Frame &frame);
 
     std::array<channel::RecordPosition, kSlots> m_newest{};
 };
