@@ -62,15 +62,11 @@ std::vector<engine::GroundLink> readGrounds(Options &options)
 channel::FreshnessLimits readFreshness(Options &options)
 {
     using Limits = channel::FreshnessLimits;
-    const auto duration = [](double value) {
-        return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(value));
-    };
     Limits out;
-    out.overtaken = duration(
-        options.number("max-overtaken", seconds(Limits::kLeastOvertaken), seconds(Limits::kMostOvertaken)));
+    out.overtaken = options.seconds("max-overtaken", seconds(Limits::kLeastOvertaken), seconds(Limits::kMostOvertaken));
     out.age.reset();
     if (options.text("max-age") != "off")
-        out.age = duration(options.number("max-age", seconds(Limits::kLeastAge), seconds(Limits::kMostAge)));
+        out.age = options.seconds("max-age", seconds(Limits::kLeastAge), seconds(Limits::kMostAge));
     return out;
 }
 

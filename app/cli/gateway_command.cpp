@@ -13,8 +13,6 @@ namespace skyseal::app {
 
 namespace {
 
-constexpr double kLongestRun = 1e9;
-
 void declare(Options &options)
 {
     options.addLink("link", "Link to vehicles or their agents, e.g. udpin:0.0.0.0:14550. May be given several times.", isLive);
@@ -31,7 +29,7 @@ void declare(Options &options)
     options.addValue("metrics", "HOST:PORT", "Serve the counters to Prometheus at http://HOST:PORT/metrics (OpenMetrics).");
     declareMqtt(options);
     declareRecording(options);
-    options.addValue("duration", "S", "Exit after this many seconds.");
+    declareDuration(options);
     options.addConfig();
     options.addFlag("json", "One JSON object per line on stdout.");
 }
@@ -103,9 +101,7 @@ int runGateway(const QStringList &arguments)
             options.fail("--metrics '" + run.metrics + "': ADDRESS:PORT is expected, such as 127.0.0.1:9464");
     }
     run.broker = readMqtt(options);
-    if (options.has("duration"))
-        run.plan.duration = std::chrono::duration_cast<Duration>(
-            std::chrono::duration<double>(options.number("duration", 0, kLongestRun)));
+    run.plan.duration = readDuration(options);
     if (const auto status = options.finish())
         return *status;
     warnOfOpenLinks(name, run.plan.serve);

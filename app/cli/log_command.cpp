@@ -104,7 +104,7 @@ int exportFile(const QString &name, const QStringList &arguments)
     if (const auto status = options.parse(arguments))
         return *status;
     const QStringList files = options.arguments(1, 1);
-    const auto every = std::chrono::duration_cast<Duration>(std::chrono::duration<double>(options.number("every", 0, 86400)));
+    const auto every = options.seconds("every", 0, 86400);
     if (const auto status = options.finish())
         return *status;
     LogInput input;

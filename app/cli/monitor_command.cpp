@@ -15,8 +15,6 @@ namespace skyseal::app {
 
 namespace {
 
-constexpr double kLongestRun = 1e9;
-
 void declare(Options &options)
 {
     options.addLink("link", "Link to vehicles or their agents, e.g. udpin:0.0.0.0:14550. May be given several times.");
@@ -33,7 +31,7 @@ void declare(Options &options)
         "sealed");
     MavsecOptions::declare(options);
     options.addValue("stream-rate", "HZ", "Request all streams at this rate instead of the default rates.");
-    options.addValue("duration", "S", "Exit after this many seconds.");
+    declareDuration(options);
     options.addValue("do", "SCRIPT",
                      "Flight script, see FLIGHT SCRIPTS in the manual page: "
                      "'mode GUIDED; arm; takeoff 10; wait alt_rel>=9.5 60; land; wait armed==0 90'.");
@@ -91,7 +89,6 @@ engine::RunPlan readPlan(Options &options, const engine::StationConfig &config)
     }
     plan.inlineRequired = config.policy.preferInline;
     plan.sessionRequired = config.secure == engine::SecureMode::Required;
-    const auto inSeconds = [](double s) { return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(s)); };
     if (options.has("switch-to")) {
         plan.switchTo = options.suites("switch-to");
         if (options.text("switch-to") == "all" && !config.policy.allowResearch)
@@ -99,9 +96,8 @@ engine::RunPlan readPlan(Options &options, const engine::StationConfig &config)
         for (const crypto::SuiteId suite : plan.switchTo)
             checkSuite(options, config, "switch-to", suite);
     }
-    plan.switchEvery = inSeconds(options.number("switch-every", 0.01, kLongestRun));
-    if (options.has("duration"))
-        plan.duration = inSeconds(options.number("duration", 0, kLongestRun));
+    plan.switchEvery = options.seconds("switch-every", 0.01, kLongestRun);
+    plan.duration = readDuration(options);
     if (options.has("do")) {
         auto script = vehicle::parseFlightScript(options.text("do"));
         if (script)

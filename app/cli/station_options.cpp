@@ -70,4 +70,16 @@ void readRecording(Options &options, engine::StationConfig &config)
     config.recordFolder = options.has("record") ? options.required("record") : defaultLogFolder();
 }
 
+void declareDuration(Options &options)
+{
+    options.addValue("duration", "S", "Exit after this many seconds.");
+}
+
+std::optional<Duration> readDuration(Options &options)
+{
+    if (!options.has("duration"))
+        return std::nullopt;
+    return options.seconds("duration", 0, kLongestRun);
+}
+
 } // namespace skyseal::app

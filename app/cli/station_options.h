@@ -1,8 +1,10 @@
-// The options that all commands with a station have: keys, suites, recording.
+// The options that all commands with a station have: keys, suites, recording, duration.
 #pragma once
 
 #include "app/common/options.h"
 #include "core/engine/station/station_config.h"
+
+#include <optional>
 
 namespace skyseal::app {
 
@@ -16,5 +18,12 @@ void checkSuite(Options &options, const engine::StationConfig &config, const cha
 /// --record and --no-record.
 void declareRecording(Options &options);
 void readRecording(Options &options, engine::StationConfig &config);
+
+/// The greatest number of seconds that an option for a time within a run accepts.
+inline constexpr double kLongestRun = 1e9;
+/// --duration
+void declareDuration(Options &options);
+/// nullopt without --duration: until the program is stopped.
+std::optional<Duration> readDuration(Options &options);
 
 } // namespace skyseal::app

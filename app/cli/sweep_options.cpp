@@ -104,11 +104,6 @@ std::uint64_t drawnSeed()
     return out;
 }
 
-Duration inSeconds(double value)
-{
-    return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(value));
-}
-
 /// "3" or "3%", up to 50, as a share.
 double readPercent(Options &options, const char *name, double least)
 {
@@ -226,8 +221,8 @@ void readPlan(Options &options, bool ownAgent, SweepOptions &out)
     const std::vector<crypto::SuiteId> suites = readSuites(options, ownAgent);
     readLoads(options, ownAgent && !options.has("vehicle"), plan);
     readConditions(options, ownAgent, out);
-    plan.measure = inSeconds(options.number("seconds", 0.2, 3600));
-    plan.warmUp = inSeconds(options.number("warm-up", 0, 600));
+    plan.measure = options.seconds("seconds", 0.2, 3600);
+    plan.warmUp = options.seconds("warm-up", 0, 600);
     plan.launches = static_cast<unsigned>(options.wholeNumber("launches", 1, 1000));
     plan.repeats = static_cast<unsigned>(options.wholeNumber("repeats", 1, 1000));
     plan.margin = readPercent(options, "margin", 0.01);

@@ -246,6 +246,11 @@ double Options::number(const char *name, double least, double most)
     return *value;
 }
 
+Duration Options::seconds(const char *name, double least, double most)
+{
+    return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(number(name, least, most)));
+}
+
 std::uint64_t Options::wholeNumber(const char *name, std::uint64_t least, std::uint64_t most)
 {
     const std::string given = text(name);

@@ -2,6 +2,7 @@
 // usage error.
 #pragma once
 
+#include "core/base/clock.h"
 #include "core/crypto/suite.h"
 #include "core/link/link_url.h"
 #include "core/mavlink/enums.h"
@@ -55,6 +56,8 @@ public:
     std::vector<std::string> texts(const char *name) const;
     /// A decimal number within [least, most].
     double number(const char *name, double least, double most);
+    /// A decimal number of seconds within [least, most].
+    Duration seconds(const char *name, double least, double most);
     std::uint64_t wholeNumber(const char *name, std::uint64_t least, std::uint64_t most);
     /// A suite by its name.
     std::optional<crypto::SuiteId> suite(const char *name);

@@ -67,8 +67,7 @@ int runTransfer(const QString &program, Options &options,
     settings.json = options.has("json");
     if (options.has("sysid"))
         settings.systemId = static_cast<std::uint8_t>(options.wholeNumber("sysid", 1, 255));
-    settings.findWithin = std::chrono::duration_cast<Duration>(
-        std::chrono::duration<double>(options.number("find-within", 0.1, 86400)));
+    settings.findWithin = options.seconds("find-within", 0.1, 86400);
     StationRun run{.program = program, .links = options.urls("link"), .json = settings.json};
     const std::string secure = options.has("secure") ? options.text("secure")
         : options.has("identity") || !kResearch      ? "required"
