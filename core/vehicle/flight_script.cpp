@@ -12,7 +12,7 @@ namespace skyseal::vehicle {
 namespace {
 
 using Action = decltype(FlightStep::action);
-using StepResult = Result<Action, InputError>;
+using ParsedAction = Result<Action, InputError>;
 
 tl::unexpected<InputError> fail(const ScriptTokens &tokens, const Reason &expected)
 {
@@ -31,12 +31,12 @@ template<typename T> Action commandWith(double number)
 }
 
 /// A step without arguments.
-template<typename T> StepResult parsePlain(ScriptTokens &)
+template<typename T> ParsedAction parsePlain(ScriptTokens &)
 {
     return commandOf(T{});
 }
 
-template<typename T> StepResult parseArming(ScriptTokens &tokens)
+template<typename T> ParsedAction parseArming(ScriptTokens &tokens)
 {
     T out;
     if (!tokens.atEnd()) {
@@ -48,14 +48,14 @@ template<typename T> StepResult parseArming(ScriptTokens &tokens)
     return commandOf(out);
 }
 
-StepResult parseMode(ScriptTokens &tokens)
+ParsedAction parseMode(ScriptTokens &tokens)
 {
     if (tokens.atEnd())
         return fail(tokens, "a mode's name");
     return commandOf(SetMode{std::string(tokens.take())});
 }
 
-StepResult parseTakeOff(ScriptTokens &tokens)
+ParsedAction parseTakeOff(ScriptTokens &tokens)
 {
     return tokens.number("an altitude in metres above home, over 0 and up to 10000", 0.01, 10000).map(commandWith<TakeOff>);
 }
@@ -81,7 +81,7 @@ Result<double, InputError> parseAltitude(ScriptTokens &tokens)
 }
 
 /// The place, and its altitude.
-template<typename T> StepResult parsePlaceAbove(ScriptTokens &tokens, bool mayEndBefore)
+template<typename T> ParsedAction parsePlaceAbove(ScriptTokens &tokens, bool mayEndBefore)
 {
     auto place = parsePlace<T>(tokens);
     if (!place)
@@ -95,17 +95,17 @@ template<typename T> StepResult parsePlaceAbove(ScriptTokens &tokens, bool mayEn
     return commandOf(*place);
 }
 
-StepResult parseGoTo(ScriptTokens &tokens)
+ParsedAction parseGoTo(ScriptTokens &tokens)
 {
     return parsePlaceAbove<GoTo>(tokens, false);
 }
 
-StepResult parseChangeAltitude(ScriptTokens &tokens)
+ParsedAction parseChangeAltitude(ScriptTokens &tokens)
 {
     return parseAltitude(tokens).map(commandWith<ChangeAltitude>);
 }
 
-StepResult parsePointing(ScriptTokens &tokens)
+ParsedAction parsePointing(ScriptTokens &tokens)
 {
     if (equalIgnoringCase(tokens.peek(), "none")) {
         tokens.take();
@@ -114,24 +114,24 @@ StepResult parsePointing(ScriptTokens &tokens)
     return parsePlaceAbove<PointAt>(tokens, true);
 }
 
-StepResult parseSetHome(ScriptTokens &tokens)
+ParsedAction parseSetHome(ScriptTokens &tokens)
 {
     return parsePlace<SetHome>(tokens).map(commandOf<SetHome>);
 }
 
-StepResult parseSpeed(ScriptTokens &tokens)
+ParsedAction parseSpeed(ScriptTokens &tokens)
 {
     return tokens.number("a speed in metres a second, over 0 and up to 1000", 0.01, 1000).map(commandWith<ChangeSpeed>);
 }
 
-StepResult parseItem(ScriptTokens &tokens)
+ParsedAction parseItem(ScriptTokens &tokens)
 {
     return tokens.wholeNumber("the number of a mission item, 0 to 65535", 0, 65535).map([](auto index) {
         return commandOf(SetCurrentMissionItem{static_cast<std::uint16_t>(index)});
     });
 }
 
-StepResult parseRaw(ScriptTokens &tokens)
+ParsedAction parseRaw(ScriptTokens &tokens)
 {
     RawCommand out;
     const auto number = tokens.wholeNumber("the number of a MAV_CMD, 0 to 65535", 0, 65535);
@@ -147,12 +147,12 @@ StepResult parseRaw(ScriptTokens &tokens)
     return commandOf(out);
 }
 
-StepResult parseSleep(ScriptTokens &tokens)
+ParsedAction parseSleep(ScriptTokens &tokens)
 {
     return tokens.duration("a time in seconds, 0 to 86400").map([](Duration time) { return Action(Sleep{time}); });
 }
 
-StepResult parseParam(ScriptTokens &tokens)
+ParsedAction parseParam(ScriptTokens &tokens)
 {
     const std::string_view name = tokens.peek();
     if (name.empty() || name.size() > 16)
@@ -210,7 +210,7 @@ Result<WaitUntil, InputError> parseComparison(ScriptTokens &tokens)
     return out;
 }
 
-StepResult parseWait(ScriptTokens &tokens)
+ParsedAction parseWait(ScriptTokens &tokens)
 {
     auto out = parseComparison(tokens);
     if (!out)
@@ -224,7 +224,7 @@ StepResult parseWait(ScriptTokens &tokens)
     return Action(*out);
 }
 
-constexpr std::pair<std::string_view, StepResult (*)(ScriptTokens &)> kVerbs[] = {
+constexpr std::pair<std::string_view, ParsedAction (*)(ScriptTokens &)> kVerbs[] = {
     {"mode", parseMode},
     {"arm", parseArming<Arm>},
     {"disarm", parseArming<Disarm>},
@@ -275,7 +275,7 @@ Result<FlightStep, InputError> parseStep(ScriptTokens &tokens)
         if (!equalIgnoringCase(tokens.peek(), verb))
             continue;
         tokens.take();
-        StepResult action = parse(tokens);
+        ParsedAction action = parse(tokens);
         if (!action)
             return tl::make_unexpected(action.error());
         if (!tokens.atEnd())

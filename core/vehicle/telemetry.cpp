@@ -1,5 +1,6 @@
 #include "core/vehicle/telemetry.h"
 
+#include "core/vehicle/known_value.h"
 #include "core/vehicle/message_io.h"
 
 #include <algorithm>
@@ -33,11 +34,6 @@ constexpr double kGreatestAngle = 1e3;     // radians
 constexpr double kGreatestSpeed = 1e5;     // metres or radians a second
 constexpr double kGreatestVibration = 1e5; // m/s²
 
-double within(double limit, float value)
-{
-    return std::abs(value) <= limit ? value : kUnknown;
-}
-
 /// The flags of EKF_STATUS_REPORT and ESTIMATOR_STATUS, which agree in these bits.
 bool isEstimateGood(std::uint16_t flags)
 {
@@ -55,12 +51,12 @@ struct TelemetryReaders
 
     static void read(const mavlink::Attitude &m, Context &c)
     {
-        c.state.roll = within(kGreatestAngle, m.roll);
-        c.state.pitch = within(kGreatestAngle, m.pitch);
-        c.state.yaw = within(kGreatestAngle, m.yaw);
-        c.state.rollSpeed = within(kGreatestSpeed, m.rollspeed);
-        c.state.pitchSpeed = within(kGreatestSpeed, m.pitchspeed);
-        c.state.yawSpeed = within(kGreatestSpeed, m.yawspeed);
+        c.state.roll = within(m.roll, kGreatestAngle);
+        c.state.pitch = within(m.pitch, kGreatestAngle);
+        c.state.yaw = within(m.yaw, kGreatestAngle);
+        c.state.rollSpeed = within(m.rollspeed, kGreatestSpeed);
+        c.state.pitchSpeed = within(m.pitchspeed, kGreatestSpeed);
+        c.state.yawSpeed = within(m.yawspeed, kGreatestSpeed);
     }
 
     static void read(const mavlink::GlobalPositionInt &m, Context &c)
@@ -96,9 +92,9 @@ struct TelemetryReaders
 
     static void read(const mavlink::VfrHud &m, Context &c)
     {
-        c.state.airSpeed = within(kGreatestSpeed, m.airspeed);
-        c.state.groundSpeed = within(kGreatestSpeed, m.groundspeed);
-        c.state.climb = within(kGreatestSpeed, m.climb);
+        c.state.airSpeed = within(m.airspeed, kGreatestSpeed);
+        c.state.groundSpeed = within(m.groundspeed, kGreatestSpeed);
+        c.state.climb = within(m.climb, kGreatestSpeed);
         c.state.throttle = m.throttle;
         if (m.heading >= 0)
             c.state.heading = m.heading % 360;
@@ -152,7 +148,7 @@ struct TelemetryReaders
 
     static void read(const mavlink::Vibration &m, Context &c)
     {
-        c.state.vibration = within(kGreatestVibration, std::max({m.vibration_x, m.vibration_y, m.vibration_z}));
+        c.state.vibration = within(std::max({m.vibration_x, m.vibration_y, m.vibration_z}), kGreatestVibration);
     }
 
     static void read(const mavlink::MissionCurrent &m, Context &c) { c.state.missionCurrent = m.seq == kNo16 ? -1 : m.seq; }

@@ -1,6 +1,7 @@
 #include "core/vehicle/traffic.h"
 
 #include "core/vehicle/geodesy.h"
+#include "core/vehicle/known_value.h"
 
 #include <algorithm>
 #include <limits>
@@ -21,12 +22,6 @@ template<typename Wire> double known(const mavlink::AdsbVehicle &m, std::uint16_
 bool isCallsignLetter(char letter)
 {
     return (letter >= 'A' && letter <= 'Z') || (letter >= '0' && letter <= '9');
-}
-
-/// NaN beyond the limit.
-double within(double value, double limit)
-{
-    return std::abs(value) <= limit ? value : kUnknown;
 }
 
 Aircraft aircraftOf(const mavlink::AdsbVehicle &m)
