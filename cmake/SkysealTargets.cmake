@@ -132,17 +132,14 @@ function(skyseal_unite target)
   target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
 endfunction()
 
-# skyseal_library(NAME SOURCES … PUBLIC … PRIVATE … [QT [WIDGETS]] [SEPARATE]): the static library skyseal_NAME, alias
-# skyseal::NAME. Without QT it has no include path of Qt, which enforces the rule that the protocol layers do not use Qt.
-# SEPARATE: its files have functions of the same names and cannot be compiled as one.
+# skyseal_library(NAME SOURCES … PUBLIC … PRIVATE … [QT [WIDGETS]]): the static library skyseal_NAME, alias skyseal::NAME.
+# Without QT it has no include path of Qt, which enforces the rule that the protocol layers do not use Qt.
 function(skyseal_library name)
-  cmake_parse_arguments(arg "QT;WIDGETS;SEPARATE" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(arg "QT;WIDGETS" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   add_library(skyseal_${name} STATIC ${arg_SOURCES})
   add_library(skyseal::${name} ALIAS skyseal_${name})
   target_link_libraries(skyseal_${name} PUBLIC skyseal_options ${arg_PUBLIC} PRIVATE skyseal_hardening ${arg_PRIVATE})
-  if(NOT arg_SEPARATE)
-    skyseal_unite(skyseal_${name} ${arg_SOURCES})
-  endif()
+  skyseal_unite(skyseal_${name} ${arg_SOURCES})
   if(arg_QT)
     skyseal_automoc(skyseal_${name})
   endif()

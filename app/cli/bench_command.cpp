@@ -18,7 +18,7 @@ namespace skyseal::app {
 
 namespace {
 
-const QString kName = QStringLiteral("skyseal-cli bench");
+const QString kBenchName = QStringLiteral("skyseal-cli bench");
 constexpr std::size_t kMostBytes = 1100;
 
 // Masks of CPU features for OpenSSL (OPENSSL_ia32cap(3): AES-NI is bit 57, PCLMULQDQ bit 33; vector AES bits 9 and 10
@@ -56,7 +56,7 @@ std::vector<std::size_t> readSizes(Options &options)
     return out;
 }
 
-BenchPlan readPlan(Options &options)
+BenchPlan readBenchPlan(Options &options)
 {
     BenchPlan out;
     out.suites = options.suites("suites");
@@ -133,7 +133,7 @@ int measureInChild(const QStringList &arguments, bool aes)
     own << QStringLiteral("--aes") << (aes ? QStringLiteral("with") : QStringLiteral("without"));
     child.start(QCoreApplication::applicationFilePath(), QStringList{QStringLiteral("bench")} + own);
     if (!child.waitForFinished(-1) || child.exitStatus() != QProcess::NormalExit) {
-        complain(kName, "the measurement process failed: " + child.errorString().toStdString());
+        complain(kBenchName, "the measurement process failed: " + child.errorString().toStdString());
         return kNotReached;
     }
     return child.exitCode();
@@ -143,7 +143,7 @@ int measureInChild(const QStringList &arguments, bool aes)
 
 int runBench(const QStringList &arguments)
 {
-    Options options(kName, QStringLiteral("Measures sealing and opening for each suite and size."));
+    Options options(kBenchName, QStringLiteral("Measures sealing and opening for each suite and size."));
     options.addValue("suites", "LIST", "Suites, separated by commas.", "all");
     options.addValue("sizes", "LIST", "Plaintext sizes in bytes, separated by commas.", "9,28,64,255,1000");
     options.addValue("aes", "with|without|both",
@@ -154,10 +154,10 @@ int runBench(const QStringList &arguments)
     if (const auto status = options.parse(arguments))
         return *status;
     options.arguments(0, 0);
-    const BenchPlan plan = readPlan(options);
+    const BenchPlan plan = readBenchPlan(options);
     if (const auto status = options.finish())
         return *status;
-    const QString command = kName + QLatin1Char(' ') + arguments.join(QLatin1Char(' '));
+    const QString command = kBenchName + QLatin1Char(' ') + arguments.join(QLatin1Char(' '));
     bool ok = true, first = true, here = false;
     for (const bool aes : {true, false}) {
         if (aes ? !plan.with : !plan.without)

@@ -17,9 +17,7 @@ namespace skyseal::app {
 
 namespace {
 
-constexpr char kName[] = "skyseal-cli decode";
-
-void declare(Options &options)
+void declareDecodeOptions(Options &options)
 {
     options.addArgument("FILE", "A .tlog or raw MAVLink bytes; - reads standard input.");
     options.addFlag("json", "One JSON object per line on stdout.");
@@ -50,9 +48,9 @@ Result<mavlink::Dialect, InputError> readDialect(const std::string &file)
 
 int runDecode(const QStringList &arguments)
 {
-    const QString name = QLatin1String(kName);
+    const QString name = QStringLiteral("skyseal-cli decode");
     Options options(name, QStringLiteral("Shows MAVLink, one message per line."));
-    declare(options);
+    declareDecodeOptions(options);
     if (const auto status = options.parse(arguments))
         return *status;
     const QStringList files = options.arguments(1, 1);

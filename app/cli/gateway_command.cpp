@@ -13,7 +13,7 @@ namespace skyseal::app {
 
 namespace {
 
-void declare(Options &options)
+void declareGatewayOptions(Options &options)
 {
     options.addLink("link", "Link to vehicles or their agents, e.g. udpin:0.0.0.0:14550. May be given several times.", isLive);
     declareKeys(options);
@@ -79,7 +79,7 @@ int runGateway(const QStringList &arguments)
 {
     const QString name = QStringLiteral("skyseal-cli gateway");
     Options options(name, QStringLiteral("Serves other ground stations and programs through sealed links."));
-    declare(options);
+    declareGatewayOptions(options);
     if (const auto status = options.parse(arguments))
         return *status;
     options.arguments(0, 0);

@@ -19,7 +19,7 @@ namespace {
 
 using Direction = link::Impairer::Direction;
 
-void declare(Options &options)
+void declareImpairOptions(Options &options)
 {
     options.addLink("listen", "The link to one side, e.g. udpin:127.0.0.1:14560.", isLive);
     options.addLink("to", "The link to the other side, e.g. udpout:127.0.0.1:14550.", isLive);
@@ -104,7 +104,7 @@ int runImpair(const QStringList &arguments)
 {
     const QString name = QStringLiteral("skyseal-cli impair");
     Options options(name, QStringLiteral("Relays datagrams between two links like a bad radio link."));
-    declare(options);
+    declareImpairOptions(options);
     if (const auto status = options.parse(arguments))
         return *status;
     options.arguments(0, 0);

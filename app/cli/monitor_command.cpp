@@ -15,7 +15,7 @@ namespace skyseal::app {
 
 namespace {
 
-void declare(Options &options)
+void declareMonitorOptions(Options &options)
 {
     options.addLink("link", "Link to vehicles or their agents, e.g. udpin:0.0.0.0:14550. May be given several times.");
     options.addResearchValue("secure", "required|off",
@@ -78,7 +78,7 @@ engine::StationConfig readConfig(Options &options)
     return config;
 }
 
-engine::RunPlan readPlan(Options &options, const engine::StationConfig &config)
+engine::RunPlan readRunPlan(Options &options, const engine::StationConfig &config)
 {
     engine::RunPlan plan;
     if (options.text("framing") == "mavsec2019") {
@@ -114,14 +114,14 @@ int runMonitor(const QStringList &arguments)
 {
     const QString name = QStringLiteral("skyseal-cli monitor");
     Options options(name, QStringLiteral("Monitors vehicles without a display."));
-    declare(options);
+    declareMonitorOptions(options);
     if (const auto status = options.parse(arguments))
         return *status;
     options.arguments(0, 0);
     options.required("link");
     const std::vector<link::LinkUrl> links = options.urls("link");
     const engine::StationConfig config = readConfig(options);
-    engine::RunPlan plan = readPlan(options, config);
+    engine::RunPlan plan = readRunPlan(options, config);
     const MavsecOptions mavsec = MavsecOptions::read(options);
     if (const auto status = options.finish())
         return *status;

@@ -17,7 +17,7 @@ namespace skyseal::app {
 
 namespace {
 
-const QString kName = QStringLiteral("skyseal-cli report");
+const QString kReportName = QStringLiteral("skyseal-cli report");
 
 Result<experiment::ReadSweep, InputError> readFolder(const QString &folder)
 {
@@ -50,10 +50,10 @@ std::vector<std::string> labelsOf(const QStringList &folders)
     return out;
 }
 
-int conclude(const SweepFiles &files, const QString &folder)
+int finishReport(const SweepFiles &files, const QString &folder)
 {
     if (!files.problem.empty())
-        complain(kName, files.problem.text());
+        complain(kReportName, files.problem.text());
     if (!files.written)
         return kCannotOpen;
     remark("written to " + folder.toStdString());
@@ -71,7 +71,7 @@ int reportOne(const experiment::ReadSweep &sweep, const QString &folder)
         const auto judged = experiment::judge(*parsed, sweep.results);
         verdicts.insert(verdicts.end(), judged.begin(), judged.end());
     }
-    return conclude(writeSweepFiles(folder, sweep.results, verdicts), folder);
+    return finishReport(writeSweepFiles(folder, sweep.results, verdicts), folder);
 }
 
 } // namespace
@@ -79,7 +79,7 @@ int reportOne(const experiment::ReadSweep &sweep, const QString &folder)
 int runReport(const QStringList &arguments)
 {
     Options options(
-        kName,
+        kReportName,
         QStringLiteral("Writes the report of a finished sweep again, or one report over the sweeps of several machines, "
                        "autopilots or days."));
     options.addArgument("DIR", "Folders written by sweep --out, by whose names the report calls the sweeps.");
@@ -96,7 +96,7 @@ int runReport(const QStringList &arguments)
     for (const QString &folder : folders) {
         auto read = readFolder(folder);
         if (!read) {
-            complain(kName, read.error().text());
+            complain(kReportName, read.error().text());
             return kCannotOpen;
         }
         if (folders.size() == 1)
@@ -104,10 +104,10 @@ int runReport(const QStringList &arguments)
         machines.push_back({labels[machines.size()], read->schemaVersion, std::move(read->results)});
     }
     if (const std::string mismatch = experiment::mismatchOf(machines); !mismatch.empty()) {
-        complain(kName, mismatch);
+        complain(kReportName, mismatch);
         return kNotReached;
     }
-    return conclude(writePooledFiles(out, machines), out);
+    return finishReport(writePooledFiles(out, machines), out);
 }
 
 } // namespace skyseal::app

@@ -26,7 +26,7 @@ namespace skyseal::app {
 
 namespace {
 
-const QString kName = QStringLiteral("skyseal-cli sweep");
+const QString kSweepName = QStringLiteral("skyseal-cli sweep");
 
 /// Reports the precision of the sweep and the effort to reach its goal. Returns true if there is no goal, or if it is reached.
 bool reportPrecision(const experiment::Results &results, const SweepOptions &options)
@@ -38,7 +38,7 @@ bool reportPrecision(const experiment::Results &results, const SweepOptions &opt
     const std::string wanted = experiment::readable(100 * goal) + " %";
     const auto precision = experiment::precisionOf(results, goal);
     if (!precision) {
-        complain(kName, "too few valid runs to estimate the precision of the ratios to plain MAVLink");
+        complain(kSweepName, "too few valid runs to estimate the precision of the ratios to plain MAVLink");
         return false;
     }
     const unsigned launches = experiment::launchesIn(results);
@@ -55,14 +55,14 @@ bool reportPrecision(const experiment::Results &results, const SweepOptions &opt
     if (reached)
         remark(now);
     else
-        complain(kName,
+        complain(kSweepName,
                  now + ", and " + wanted + " is out of reach within " + std::to_string(results.plan.launches)
                      + " launches: " + more);
     return reached;
 }
 
 /// Writes and reports a finished sweep; returns the exit status.
-int conclude(const experiment::Results &results, const SweepOptions &options)
+int finishSweep(const experiment::Results &results, const SweepOptions &options)
 {
     std::vector<experiment::Verdict> verdicts;
     for (const experiment::Expectation &expectation : options.expectations) {
@@ -82,7 +82,7 @@ int conclude(const experiment::Results &results, const SweepOptions &options)
     if (!options.folder.isEmpty()) {
         const SweepFiles files = writeSweepFiles(options.folder, results, verdicts);
         if (!files.problem.empty())
-            complain(kName, files.problem.text());
+            complain(kSweepName, files.problem.text());
         if (!files.written)
             return kCannotOpen;
         if (!options.json)
@@ -94,10 +94,10 @@ int conclude(const experiment::Results &results, const SweepOptions &options)
         remark(disturbed.text());
     for (const Reason &problem : {failed, invalid}) {
         if (!problem.empty())
-            complain(kName, problem.text());
+            complain(kSweepName, problem.text());
     }
     if (!ended.empty())
-        complain(kName, ended.text());
+        complain(kSweepName, ended.text());
     const bool isPrecise = reportPrecision(results, options);
     return hold && isPrecise && failed.empty() && invalid.empty() && ended.empty() ? kDone : kNotReached;
 }
@@ -138,7 +138,7 @@ int carryOut(Sweep &sweep, const SweepOptions &options, const experiment::Settin
         results.contextBytes = contextSizes(heap);
         experiment::subtractIdle(results.samples, idle);
         const bool nothing = results.samples.empty();
-        status = !opened ? kCannotOpen : nothing ? kNotReached : conclude(results, options);
+        status = !opened ? kCannotOpen : nothing ? kNotReached : finishSweep(results, options);
         if (options.json)
             printLine(experiment::endEvent(results, opened, problem.text(), idle));
         QCoreApplication::exit(status);
@@ -147,7 +147,7 @@ int carryOut(Sweep &sweep, const SweepOptions &options, const experiment::Settin
         &sweep, &Sweep::finished, qApp,
         [&](bool opened, const Reason &problem) {
             if (!problem.empty())
-                complain(kName, problem.text());
+                complain(kSweepName, problem.text());
             if (!idleMeter || isStopped || !opened)
                 return end(opened, problem);
             idleMeter->measure([&, opened, problem](double watts) {
@@ -173,10 +173,10 @@ int carryOut(Sweep &sweep, const SweepOptions &options, const experiment::Settin
 int runSweep(const QStringList &arguments)
 {
     SweepOptions options;
-    if (const auto status = readSweepOptions(kName, arguments, options))
+    if (const auto status = readSweepOptions(kSweepName, arguments, options))
         return *status;
     if (!options.folder.isEmpty() && !QDir().mkpath(options.folder)) {
-        complain(kName, options.folder.toStdString() + ": the folder cannot be created");
+        complain(kSweepName, options.folder.toStdString() + ": the folder cannot be created");
         return kCannotOpen;
     }
     experiment::HeapFigures heap; // before threads start
@@ -191,7 +191,7 @@ int runSweep(const QStringList &arguments)
                                              QCoreApplication::applicationFilePath()},
                                             random, options.vehicle);
         if (!made) {
-            complain(kName, made.error().text());
+            complain(kSweepName, made.error().text());
             return kCannotOpen;
         }
         lab = std::move(*made);
@@ -201,7 +201,7 @@ int runSweep(const QStringList &arguments)
     }
 
     experiment::Setting setting = describeSetting(SKYSEAL_CLI_VERSION,
-                                                  kName + QLatin1Char(' ') + shellText(options.repeatedBy));
+                                                  kSweepName + QLatin1Char(' ') + shellText(options.repeatedBy));
     setting.emplace_back("message_mix", messageMix(options.link, options.vehicle, options.flight.script));
     for (const Reason &warning : experiment::warningsOf(setting))
         remark(warning.text());

@@ -22,7 +22,7 @@ using experiment::Load;
 constexpr const char *kFillable = "rate=921600";
 constexpr unsigned kPilotLaunches = 3, kMostLaunchesUntil = 100;
 
-void declare(Options &options)
+void declareSweepOptions(Options &options)
 {
     options.addLink("link", "Link to the vehicle's agent. Without it a simulator and an agent are started for the sweep.",
                     isLive);
@@ -215,7 +215,7 @@ std::vector<experiment::ArmFraming> readFramings(Options &options)
     return {one.value_or(ArmFraming::Sealed)};
 }
 
-void readPlan(Options &options, bool ownAgent, SweepOptions &out)
+void readSweepPlan(Options &options, bool ownAgent, SweepOptions &out)
 {
     experiment::Plan &plan = out.plan;
     const std::vector<crypto::SuiteId> suites = readSuites(options, ownAgent);
@@ -308,7 +308,7 @@ QStringList repeating(const QStringList &arguments, const Options &options, cons
 std::optional<int> readSweepOptions(const QString &name, const QStringList &arguments, SweepOptions &out)
 {
     Options options(name, QStringLiteral("Measures and compares the cost of each suite."));
-    declare(options);
+    declareSweepOptions(options);
     if (const auto status = options.parse(arguments))
         return status;
     options.arguments(0, 0);
@@ -320,7 +320,7 @@ std::optional<int> readSweepOptions(const QString &name, const QStringList &argu
     out.station.policy.suites = channel::defaultSuites();
     out.station.policy.allowResearch = ownAgent || options.has("allow-research");
     out.station.policy.allowPlain = ownAgent || options.has("allow-plain");
-    readPlan(options, ownAgent, out);
+    readSweepPlan(options, ownAgent, out);
     readVehicle(options, out);
     readExpectations(options, out);
     readGoal(options, out);

@@ -44,7 +44,7 @@ Result<QJsonObject, std::string> ask(const QString &path, const QJsonObject &req
     return answer.object();
 }
 
-void declare(Options &options)
+void declareRequestOptions(Options &options)
 {
     declareControl(options, "Control socket of the gateway.");
     options.addFlag("json", "Print the answer as one JSON object.");
@@ -78,7 +78,7 @@ int runStatus(const QStringList &arguments)
 {
     const QString name = QStringLiteral("skyseal-cli status");
     Options options(name, QStringLiteral("Shows the state of a running gateway."));
-    declare(options);
+    declareRequestOptions(options);
     if (const auto status = options.parse(arguments))
         return *status;
     options.arguments(0, 0);
@@ -93,7 +93,7 @@ int runSwitch(const QStringList &arguments)
     const QString name = QStringLiteral("skyseal-cli switch");
     Options options(name, QStringLiteral("Switches all sessions of a running gateway to another suite."));
     options.addArgument("SUITE", "Name of the suite.");
-    declare(options);
+    declareRequestOptions(options);
     if (const auto status = options.parse(arguments))
         return *status;
     const QString suite = options.arguments(1, 1).value(0);
@@ -109,7 +109,7 @@ int runRevoke(const QStringList &arguments)
     const QString name = QStringLiteral("skyseal-cli revoke");
     Options options(name, QStringLiteral("Removes a peer from the list of a running gateway; its sessions end at once."));
     options.addArgument("PEER", "Name of the peer.");
-    declare(options);
+    declareRequestOptions(options);
     if (const auto status = options.parse(arguments))
         return *status;
     const QString peer = options.arguments(1, 1).value(0);

@@ -35,7 +35,7 @@ int runRequest(const QString &program, Options &options, const vehicle::Request 
     });
 }
 
-void show(const vehicle::RemoteFile &file, const TaskSettings &settings)
+void printEntry(const vehicle::RemoteFile &file, const TaskSettings &settings)
 {
     if (!settings.json) {
         printLine(file.isFolder ? "         - " + file.name + "/" : format("%10u ", file.size) + file.name);
@@ -58,7 +58,7 @@ void reportDone(const TaskSettings &settings, const char *event, const std::stri
     printLine(out.text());
 }
 
-int runList(const QString &name, const QStringList &arguments)
+int listFolder(const QString &name, const QStringList &arguments)
 {
     Options options(name, QStringLiteral("Lists a folder of the vehicle: the size and the name of each file."));
     options.addArgument("[PATH]", "Folder on the vehicle; / without it.");
@@ -69,12 +69,12 @@ int runList(const QString &name, const QStringList &arguments)
     return runRequest(name, options, vehicle::ListFolder{path}, path,
                       [](const FileResult &result, const TaskSettings &settings) {
                           for (const vehicle::RemoteFile &file : *result.entries)
-                              show(file, settings);
+                              printEntry(file, settings);
                           return std::string();
                       });
 }
 
-int runGet(const QString &name, const QStringList &arguments)
+int getFile(const QString &name, const QStringList &arguments)
 {
     Options options(name,
                     QStringLiteral("Reads a file of the vehicle and compares the checksums. Until it is "
@@ -104,7 +104,7 @@ int runGet(const QString &name, const QStringList &arguments)
     });
 }
 
-int runPut(const QString &name, const QStringList &arguments)
+int putFile(const QString &name, const QStringList &arguments)
 {
     Options options(name, QStringLiteral("Writes a file to the vehicle and compares the checksums."));
     options.addArgument("FILE", "File to read.");
@@ -130,7 +130,7 @@ int runPut(const QString &name, const QStringList &arguments)
                       });
 }
 
-int runRemove(const QString &name, const QStringList &arguments)
+int removeFile(const QString &name, const QStringList &arguments)
 {
     Options options(name, QStringLiteral("Removes a file of the vehicle."));
     options.addArgument("PATH", kPathHelp);
@@ -155,7 +155,7 @@ int runRemove(const QString &name, const QStringList &arguments)
 int runFtp(const QStringList &arguments)
 {
     return runAction(QStringLiteral("ftp"), arguments,
-                     {{"ls", runList, "list"}, {"get", runGet}, {"put", runPut}, {"rm", runRemove}},
+                     {{"ls", listFolder, "list"}, {"get", getFile}, {"put", putFile}, {"rm", removeFile}},
                      "ls [PATH]|get PATH [FILE]|put FILE PATH|rm PATH");
 }
 

@@ -17,7 +17,7 @@ namespace {
 using vehicle::LogResult;
 using LogTask = RequestTask<LogResult>;
 
-void show(const vehicle::OnboardLog &log, const TaskSettings &settings)
+void printLog(const vehicle::OnboardLog &log, const TaskSettings &settings)
 {
     if (!settings.json) {
         const std::string time = log.timeSeconds == 0
@@ -32,7 +32,7 @@ void show(const vehicle::OnboardLog &log, const TaskSettings &settings)
     printLine(out.text());
 }
 
-int runList(const QString &name, const QStringList &arguments)
+int listLogs(const QString &name, const QStringList &arguments)
 {
     Options options(name, QStringLiteral("Lists the logs: number, bytes, and the time in UTC if the vehicle knows it."));
     declareTransfer(options);
@@ -42,13 +42,13 @@ int runList(const QString &name, const QStringList &arguments)
     return runTransfer(name, options, [](const TaskSettings &settings) {
         return std::make_shared<LogTask>(settings, vehicle::ListLogs{}, [settings](const LogResult &result) {
             for (const vehicle::OnboardLog &log : *result.entries)
-                show(log, settings);
+                printLog(log, settings);
             return std::string();
         });
     });
 }
 
-int runGet(const QString &name, const QStringList &arguments)
+int getLog(const QString &name, const QStringList &arguments)
 {
     Options options(name,
                     QStringLiteral("Reads a log. ArduPilot sends logs only while it is disarmed. Until it is "
@@ -89,7 +89,7 @@ int runGet(const QString &name, const QStringList &arguments)
     });
 }
 
-int runErase(const QString &name, const QStringList &arguments)
+int eraseLogs(const QString &name, const QStringList &arguments)
 {
     Options options(name, QStringLiteral("Erases all logs of the vehicle, and waits until it lists none."));
     options.addFlag("all", "Required: the vehicle cannot erase a single one. 'ftp rm' removes a single file.");
@@ -117,7 +117,7 @@ int runErase(const QString &name, const QStringList &arguments)
 
 int runLogs(const QStringList &arguments)
 {
-    return runAction(QStringLiteral("logs"), arguments, {{"list", runList}, {"get", runGet}, {"erase", runErase}},
+    return runAction(QStringLiteral("logs"), arguments, {{"list", listLogs}, {"get", getLog}, {"erase", eraseLogs}},
                      "list|get ID [FILE]|erase --all");
 }
 

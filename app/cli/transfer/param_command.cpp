@@ -19,7 +19,7 @@ using vehicle::Parameter;
 using vehicle::ParameterResult;
 using Parameters = std::vector<Parameter>;
 
-void show(const Parameter &parameter, std::uint8_t systemId, bool json)
+void printParameter(const Parameter &parameter, std::uint8_t systemId, bool json)
 {
     if (!json) {
         printLine(parameter.name + " " + vehicle::valueText(parameter));
@@ -31,7 +31,7 @@ void show(const Parameter &parameter, std::uint8_t systemId, bool json)
     printLine(out.text());
 }
 
-void showFailure(const std::string &name, std::uint8_t systemId, const std::string &reason, bool json)
+void printFailure(const std::string &name, std::uint8_t systemId, const std::string &reason, bool json)
 {
     if (!json)
         return remark(name + ": " + reason);
@@ -58,9 +58,9 @@ protected:
     void parameterEnded(const ParameterResult &result) override
     {
         if (result.ok) {
-            show(result.parameter, systemId(), isJson());
+            printParameter(result.parameter, systemId(), isJson());
         } else {
-            showFailure(result.parameter.name, systemId(), result.reason.text(), isJson());
+            printFailure(result.parameter.name, systemId(), result.reason.text(), isJson());
             ++m_failed;
         }
         next();
@@ -148,7 +148,7 @@ private:
     void compare(const Parameter &wanted, const Parameter *present)
     {
         if (!present) {
-            showFailure(wanted.name, systemId(), "the vehicle has no such parameter", isJson());
+            printFailure(wanted.name, systemId(), "the vehicle has no such parameter", isJson());
             return countFailure();
         }
         if (!differs(wanted, *present))
@@ -171,7 +171,7 @@ private:
     std::uint64_t m_differ = 0;
 };
 
-int runList(const QString &name, const QStringList &arguments)
+int listParameters(const QString &name, const QStringList &arguments)
 {
     Options options(name, QStringLiteral("Reads all parameters and prints them, one NAME VALUE per line."));
     declareTransfer(options);
@@ -181,13 +181,13 @@ int runList(const QString &name, const QStringList &arguments)
     return runTransfer(name, options, [](const TaskSettings &settings) {
         return std::make_shared<ReadAll>(settings, [settings](const Parameters &all, const vehicle::VehicleState &vehicle) {
             for (const Parameter &parameter : all)
-                show(parameter, vehicle.systemId, settings.json);
+                printParameter(parameter, vehicle.systemId, settings.json);
             return std::string();
         });
     });
 }
 
-int runSave(const QString &name, const QStringList &arguments)
+int saveParameters(const QString &name, const QStringList &arguments)
 {
     Options options(name, QStringLiteral("Reads all parameters and saves them in a file."));
     options.addArgument("FILE", "File to write; an existing one is replaced.");
@@ -214,7 +214,7 @@ int runSave(const QString &name, const QStringList &arguments)
     });
 }
 
-int runGet(const QString &name, const QStringList &arguments)
+int getParameters(const QString &name, const QStringList &arguments)
 {
     Options options(name, QStringLiteral("Reads single parameters."));
     options.addArgument("NAME...", "Names of parameters.");
@@ -228,7 +228,7 @@ int runGet(const QString &name, const QStringList &arguments)
                        [&](const TaskSettings &settings) { return std::make_shared<Exchange>(settings, steps); });
 }
 
-int runSet(const QString &name, const QStringList &arguments)
+int setParameters(const QString &name, const QStringList &arguments)
 {
     Options options(name, QStringLiteral("Writes parameters, and reads back the values of the vehicle."));
     options.addArgument("NAME=VALUE...", "Parameters and their values.");
@@ -248,7 +248,7 @@ int runSet(const QString &name, const QStringList &arguments)
                        [&](const TaskSettings &settings) { return std::make_shared<Exchange>(settings, steps); });
 }
 
-int runFile(const QString &name, const QStringList &arguments, bool writes)
+int compareParameters(const QString &name, const QStringList &arguments, bool writes)
 {
     Options options(name,
                     writes ? QStringLiteral("Writes the parameters of a file that differ from those of the vehicle.")
@@ -273,13 +273,13 @@ int runFile(const QString &name, const QStringList &arguments, bool writes)
 int runParam(const QStringList &arguments)
 {
     const auto fromFile = [](bool writes) {
-        return [writes](const QString &name, const QStringList &rest) { return runFile(name, rest, writes); };
+        return [writes](const QString &name, const QStringList &rest) { return compareParameters(name, rest, writes); };
     };
     return runAction(QStringLiteral("param"), arguments,
-                     {{"list", runList, "fetch"},
-                      {"get", runGet},
-                      {"set", runSet},
-                      {"save", runSave},
+                     {{"list", listParameters, "fetch"},
+                      {"get", getParameters},
+                      {"set", setParameters},
+                      {"save", saveParameters},
                       {"load", fromFile(true)},
                       {"diff", fromFile(false)}},
                      "list|get NAME...|set NAME=VALUE...|save FILE|load FILE|diff FILE");

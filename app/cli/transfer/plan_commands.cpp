@@ -26,7 +26,7 @@ std::shared_ptr<VehicleTask> planTask(const TaskSettings &settings, vehicle::Req
         settings, std::move(request), [take = std::move(take)](const MissionResult &result) { return take(*result.items); });
 }
 
-void show(const MissionItem &item, bool json)
+void printItem(const MissionItem &item, bool json)
 {
     if (!json) {
         const auto p = [&item](int i) { return static_cast<double>(item.parameters[i]); };
@@ -45,7 +45,7 @@ void show(const MissionItem &item, bool json)
     printLine(out.text());
 }
 
-int runList(const QString &name, const QStringList &arguments, MissionType type)
+int listItems(const QString &name, const QStringList &arguments, MissionType type)
 {
     Options options(name, QStringLiteral("Reads the items from the vehicle and prints them."));
     declareTransfer(options);
@@ -55,13 +55,13 @@ int runList(const QString &name, const QStringList &arguments, MissionType type)
     return runTransfer(name, options, [&](const TaskSettings &settings) {
         return planTask(settings, vehicle::ReadMission{type}, [settings](const Items &items) {
             for (const MissionItem &item : items)
-                show(item, settings.json);
+                printItem(item, settings.json);
             return std::string();
         });
     });
 }
 
-int runDownload(const QString &name, const QStringList &arguments, MissionType type)
+int downloadItems(const QString &name, const QStringList &arguments, MissionType type)
 {
     Options options(name, QStringLiteral("Reads the items from the vehicle and saves them in a file (QGC WPL 110)."));
     options.addArgument("FILE", "File to write; an existing one is replaced.");
@@ -82,7 +82,7 @@ int runDownload(const QString &name, const QStringList &arguments, MissionType t
     });
 }
 
-int runUpload(const QString &name, const QStringList &arguments, MissionType type)
+int uploadItems(const QString &name, const QStringList &arguments, MissionType type)
 {
     Options options(
         name,
@@ -107,7 +107,7 @@ int runUpload(const QString &name, const QStringList &arguments, MissionType typ
     });
 }
 
-int runClear(const QString &name, const QStringList &arguments, MissionType type)
+int clearItems(const QString &name, const QStringList &arguments, MissionType type)
 {
     Options options(name, QStringLiteral("Removes all items from the vehicle."));
     declareTransfer(options);
@@ -128,10 +128,10 @@ int runPlan(const char *plan, const QStringList &arguments, MissionType type)
         return [=](const QString &name, const QStringList &rest) { return run(name, rest, type); };
     };
     return runAction(QLatin1String(plan), arguments,
-                     {{"list", of(runList)},
-                      {"download", of(runDownload), "read"},
-                      {"upload", of(runUpload), "write"},
-                      {"clear", of(runClear)}},
+                     {{"list", of(listItems)},
+                      {"download", of(downloadItems), "read"},
+                      {"upload", of(uploadItems), "write"},
+                      {"clear", of(clearItems)}},
                      "list|download FILE|upload FILE|clear");
 }
 
