@@ -107,5 +107,3 @@ private:
 };
 
 } // namespace skyseal::engine
-
-Q_DECLARE_METATYPE(skyseal::engine::RunOutcome)

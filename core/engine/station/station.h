@@ -27,9 +27,6 @@ namespace skyseal::engine {
 struct Snapshot;
 }
 
-Q_DECLARE_METATYPE(std::shared_ptr<const skyseal::engine::Snapshot>)
-Q_DECLARE_METATYPE(skyseal::engine::Event)
-
 namespace skyseal::crypto {
 class MavsecCipher;
 }
