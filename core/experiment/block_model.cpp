@@ -1,6 +1,7 @@
 #include "core/experiment/block_model.h"
 
-#include <limits>
+#include "core/experiment/statistics.h"
+
 #include <map>
 #include <set>
 #include <utility>
@@ -40,7 +41,6 @@ BlockModel::BlockModel(Reduced reduced, std::size_t arms)
 
 BlockContrast BlockModel::contrast(std::size_t first, std::size_t second) const
 {
-    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
     if (!m_fit.comparable(first, second))
         return {kNaN, kNaN, kNaN, 0};
     std::set<std::size_t> one, both;

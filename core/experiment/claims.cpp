@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <optional>
 #include <ranges>
 #include <tuple>
@@ -200,7 +199,7 @@ public:
             if (finding() == Finding::NotDecided && end > 1 + m_margin && findingBy(end * kBeyond) != Finding::NotDecided)
                 return end - 1;
         }
-        return std::numeric_limits<double>::quiet_NaN();
+        return kNaN;
     }
 
     /// Claim::decidableBelow
@@ -212,7 +211,7 @@ public:
                 && findingBy(*end / kBeyond) != Finding::NotDecided)
                 return *end - 1;
         }
-        return std::numeric_limits<double>::quiet_NaN();
+        return kNaN;
     }
 
     std::string text() const
@@ -300,7 +299,6 @@ Claim judged(const Results &results, std::string_view key, std::string text, Met
 /// Memory that a suite adds to a process: the heap of a session, or of a keyed cipher. NaN if not measured.
 double heapOf(const Results &results, SuiteId suite, bool ofSession)
 {
-    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
     if (suite == SuiteId::None)
         return 0;
     if (!ofSession) {
@@ -332,7 +330,7 @@ double residentOf(const Results &results)
 /// ratio is exact.
 Claim judgedMemory(const Results &results, std::string_view key, std::string text, Judge judge, const std::vector<Pair> &pairs)
 {
-    Claim out{key, std::move(text), Finding::NotDecided, {}, std::numeric_limits<double>::quiet_NaN()};
+    Claim out{key, std::move(text), Finding::NotDecided, {}, kNaN};
     const double resident = residentOf(results);
     // One kind of heap for all suites, since a session has more than its cipher.
     const bool ofSession = std::ranges::all_of(pairs, [&](const Pair &pair) {
@@ -472,11 +470,11 @@ std::vector<Claim> paperClaims(const Results &results)
              ? "The measurement (energy_per_frame) is that of this machine with all programs of the sweep, above idle; it "
                "does not apply to a drone."
              : "Energy was not measured, and that of a desktop processor would not apply to a drone.",
-         std::numeric_limits<double>::quiet_NaN()});
+         kNaN});
     out.push_back({"confidentiality", "Encryption with ChaCha20 guarantees confidentiality.", Finding::NotDecided,
                    "A measurement of costs cannot show it. Every suite is also authenticated here, unlike in the paper, so "
                    "the cost of the four classic ciphers includes HMAC-SHA-256.",
-                   std::numeric_limits<double>::quiet_NaN()});
+                   kNaN});
     return out;
 }
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace skyseal::experiment {
@@ -15,7 +14,6 @@ using crypto::SuiteId;
 
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kLeastUnvaried = 5; ///< launches or blocks; a count that was the same a few times may still vary by one
 constexpr double kRounding = 1e-11;       ///< of logarithms and of shares
 

@@ -7,18 +7,16 @@
 #include "core/experiment/html_parts.h"
 #include "core/experiment/random_effects.h"
 #include "core/experiment/report_warnings.h"
+#include "core/experiment/statistics.h"
 #include "core/experiment/sweep_text.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace skyseal::experiment {
 
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// A ratio as several machines found it.
 struct Pooling

@@ -12,6 +12,9 @@
 
 namespace skyseal::experiment {
 
+/// A value that was not measured, or cannot be computed.
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
 /// The value that a Student t variable with `degrees` (> 0, need not be whole) falls below with probability `share`
 /// (0 < share < 1). Exact to about 12 digits.
 double studentQuantile(double share, double degrees);

@@ -13,7 +13,7 @@ namespace skyseal::experiment {
 
 namespace {
 
-constexpr std::size_t kNameWidth = 32, kWidth = 22;
+constexpr std::size_t kNameWidth = 32, kColumnWidth = 22;
 
 /// Width on a terminal: characters, not bytes of UTF-8.
 std::string padded(const std::string &text, std::size_t width, bool right)
@@ -35,13 +35,13 @@ std::vector<std::string> ratioLines(const Results &results, std::size_t conditio
         const std::vector<Contrast> contrasts = plannedContrasts(results, condition, load, metric);
         if (contrasts.empty())
             continue;
-        head += padded(std::string(info(metric).key), kWidth, true);
+        head += padded(std::string(info(metric).key), kColumnWidth, true);
         for (const Contrast &one : contrasts) {
             if (one.first != reference)
                 continue;
             char text[64];
             std::snprintf(text, sizeof text, "%.3f (%.3f–%.3f)", one.value(), one.low(), one.high());
-            lines[one.second] += padded(std::isfinite(one.low()) ? text : readable(one.value()), kWidth, true);
+            lines[one.second] += padded(std::isfinite(one.low()) ? text : readable(one.value()), kColumnWidth, true);
         }
     }
     std::vector<std::string> out;
@@ -62,8 +62,8 @@ std::array<std::string, 2> header()
 {
     std::string keys = padded("", kNameWidth, false), units = keys;
     for (const Metric metric : metricsShownIn(kTerminal)) {
-        keys += padded(std::string(info(metric).key), kWidth, true);
-        units += padded(std::string(info(metric).unit), kWidth, true);
+        keys += padded(std::string(info(metric).key), kColumnWidth, true);
+        units += padded(std::string(info(metric).unit), kColumnWidth, true);
     }
     return {keys, units};
 }
@@ -207,7 +207,7 @@ std::vector<std::string> sweepText(const Results &results)
                     const std::string text = meanText(results, {condition, load, arm}, metric);
                     anyOutlier = anyOutlier || text.ends_with('*');
                     anyCut = anyCut || text.find("≤") != std::string::npos;
-                    line += padded(text, kWidth, true);
+                    line += padded(text, kColumnWidth, true);
                 }
                 out.push_back(line);
             }

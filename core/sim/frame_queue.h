@@ -11,6 +11,8 @@ class FrameQueue
 {
 public:
     static constexpr std::size_t kCapacity = 256;
+    /// Frames of room that lists, bursts and logs leave.
+    static constexpr std::size_t kKeptForTelemetry = 32;
 
     explicit FrameQueue(std::uint8_t systemId, std::uint8_t componentId = mavlink::MAV_COMP_ID_AUTOPILOT1)
         : m_writer(systemId, componentId), m_frames(kCapacity)

@@ -8,10 +8,9 @@ using namespace mavlink;
 
 namespace {
 
-constexpr Duration kPace = std::chrono::milliseconds(10); // of bursts: 24 kB a second
-constexpr std::size_t kKeepFree = 32;                     // frames of the outbox that a burst may not take from telemetry
-constexpr std::uint32_t kBurst = 2000;                    // messages, as many as ArduPilot sends for one request
-constexpr Duration kReusable = std::chrono::seconds(3);   // after so long a session may be taken over
+constexpr Duration kBurstPace = std::chrono::milliseconds(10); // of bursts: 24 kB a second
+constexpr std::uint32_t kBurst = 2000;                         // messages, as many as ArduPilot sends for one request
+constexpr Duration kReusable = std::chrono::seconds(3);        // after so long a session may be taken over
 constexpr Duration kAbandoned = std::chrono::seconds(20);
 constexpr std::size_t kLongestUpload = 65535;
 
@@ -255,8 +254,8 @@ bool FtpServer::beginBurst(TimePoint now, Session *session, const FtpMessage &re
 void FtpServer::handleDeadline(TimePoint now)
 {
     while (m_due <= now) {
-        m_due += kPace;
-        if (m_outbox.room() < kKeepFree)
+        m_due += kBurstPace;
+        if (m_outbox.room() < FrameQueue::kKeptForTelemetry)
             continue;
         std::size_t looked = 0;
         while (looked < kSessions && m_sessions[m_nextBurst].burstLeft == 0) {

@@ -5,9 +5,8 @@
 namespace skyseal::sim {
 
 namespace {
-constexpr Duration kPace = std::chrono::milliseconds(4); // 22 kB a second
+constexpr Duration kLogPace = std::chrono::milliseconds(4); // 22 kB a second
 constexpr Duration kWhileArmed = std::chrono::seconds(1);
-constexpr std::size_t kKeepFree = 32; // frames of the outbox that a log may not take from telemetry
 } // namespace
 
 bool LogServer::refuses(const FrameSender &peer, bool repetitionIsFine)
@@ -76,8 +75,8 @@ void LogServer::handleDeadline(TimePoint now)
             m_due = now + kWhileArmed;
             return;
         }
-        m_due += kPace;
-        if (m_outbox.room() < kKeepFree)
+        m_due += kLogPace;
+        if (m_outbox.room() < FrameQueue::kKeptForTelemetry)
             continue;
         if (!(m_listing ? sendEntry() : sendData()))
             m_due = kNever;

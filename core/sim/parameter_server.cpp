@@ -10,8 +10,7 @@ namespace skyseal::sim {
 namespace {
 constexpr std::string_view kHashName = "_HASH_CHECK";
 constexpr std::uint16_t kNoIndex = 65535;
-constexpr Duration kPace = std::chrono::milliseconds(4); // 250 a second
-constexpr std::size_t kKeepFree = 32;                    // frames of the outbox that a list may not take from telemetry
+constexpr Duration kParameterPace = std::chrono::milliseconds(4); // 250 a second
 } // namespace
 
 std::uint16_t ParameterServer::answerIndex(std::size_t index) const
@@ -66,8 +65,8 @@ void ParameterServer::set(std::string_view name, float value)
 void ParameterServer::handleDeadline(TimePoint now)
 {
     while (m_due <= now) {
-        m_due += kPace;
-        if (m_outbox.room() < kKeepFree)
+        m_due += kParameterPace;
+        if (m_outbox.room() < FrameQueue::kKeptForTelemetry)
             continue;
         if (std::exchange(m_hashDue, false)) {
             sendHash();

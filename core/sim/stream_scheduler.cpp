@@ -63,7 +63,7 @@ constexpr std::array<Member, 32> kMembers{{
     {VfrHud::kId, MAV_DATA_STREAM_EXTRA2, 4},
     {Ahrs::kId, MAV_DATA_STREAM_EXTRA3},
     {SystemTime::kId, MAV_DATA_STREAM_EXTRA3},
-    {Wind::kId, MAV_DATA_STREAM_EXTRA3},
+    {mavlink::Wind::kId, MAV_DATA_STREAM_EXTRA3},
     {BatteryStatus::kId, MAV_DATA_STREAM_EXTRA3, 0.5},
     {EkfStatusReport::kId, MAV_DATA_STREAM_EXTRA3},
     {Vibration::kId, MAV_DATA_STREAM_EXTRA3, 0.1},
