@@ -9,7 +9,7 @@ namespace skyseal::ui {
 
 namespace {
 
-struct Text
+struct ValueChoiceText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::ValueChoice)
 };
@@ -23,7 +23,7 @@ tl::expected<std::optional<double>, QString> readLimit(const QJsonObject &object
     if (value.isUndefined())
         return std::optional<double>();
     if (!value.isDouble())
-        return tl::unexpected(Text::tr("\"%1\" is not a number").arg(key));
+        return tl::unexpected(ValueChoiceText::tr("\"%1\" is not a number").arg(key));
     return std::optional(value.toDouble());
 }
 
@@ -33,29 +33,29 @@ tl::expected<ValueChoice, QString> readChoice(const QJsonValue &value)
     const QString id = object.value(kSource).toString();
     const auto source = findValueSource(id);
     if (!source)
-        return tl::unexpected(Text::tr("there is no value \"%1\"").arg(id.left(80)));
+        return tl::unexpected(ValueChoiceText::tr("there is no value \"%1\"").arg(id.left(80)));
     ValueChoice out{.source = *source};
     const QJsonValue caption = object.value(kCaption), decimals = object.value(kDecimals), line = object.value(kLine);
     out.caption = caption.toString();
     if (!(caption.isUndefined() || caption.isString()) || out.caption.size() > kLongestCaption)
-        return tl::unexpected(Text::tr("\"caption\" is not text of at most %1 characters").arg(kLongestCaption));
+        return tl::unexpected(ValueChoiceText::tr("\"caption\" is not text of at most %1 characters").arg(kLongestCaption));
     out.decimals = decimals.toInt(decimals.isUndefined() ? -1 : -2);
     if (out.decimals < -1 || out.decimals > kMostDecimals)
-        return tl::unexpected(Text::tr("\"decimals\" is not a number from 0 to %1").arg(kMostDecimals));
+        return tl::unexpected(ValueChoiceText::tr("\"decimals\" is not a number from 0 to %1").arg(kMostDecimals));
     const auto low = readLimit(object, kLow), high = readLimit(object, kHigh);
     if (!low || !high)
         return tl::unexpected(low ? high.error() : low.error());
     out.low = *low;
     out.high = *high;
     if (out.low && out.high && *out.low >= *out.high)
-        return tl::unexpected(Text::tr("\"low\" is not below \"high\""));
+        return tl::unexpected(ValueChoiceText::tr("\"low\" is not below \"high\""));
     if (!(line.isUndefined() || line.isBool()))
-        return tl::unexpected(Text::tr("\"line\" is neither true nor false"));
+        return tl::unexpected(ValueChoiceText::tr("\"line\" is neither true nor false"));
     out.line = line.toBool();
     const QJsonValue unit = object.value(kUnit);
     out.unitText = unit.toString();
     if (!(unit.isUndefined() || unit.isString()) || out.unitText.size() > kLongestUnit)
-        return tl::unexpected(Text::tr("\"unit\" is not text of at most %1 characters").arg(kLongestUnit));
+        return tl::unexpected(ValueChoiceText::tr("\"unit\" is not text of at most %1 characters").arg(kLongestUnit));
     return out;
 }
 
@@ -118,15 +118,16 @@ tl::expected<ValueChoices, QString> readValueChoices(const QString &text)
     QJsonParseError error;
     const QJsonDocument document = QJsonDocument::fromJson(text.toUtf8(), &error);
     if (!document.isArray())
-        return tl::unexpected(error.error ? Text::tr("not JSON: %1").arg(error.errorString()) : Text::tr("not a list"));
+        return tl::unexpected(error.error ? ValueChoiceText::tr("not JSON: %1").arg(error.errorString())
+                                          : ValueChoiceText::tr("not a list"));
     const QJsonArray entries = document.array();
     if (entries.size() > static_cast<qsizetype>(kMostValues))
-        return tl::unexpected(Text::tr("more than %1 values").arg(kMostValues));
+        return tl::unexpected(ValueChoiceText::tr("more than %1 values").arg(kMostValues));
     ValueChoices out;
     for (const QJsonValue entry : entries) {
         auto choice = readChoice(entry);
         if (!choice)
-            return tl::unexpected(Text::tr("value %1: %2").arg(out.size() + 1).arg(choice.error()));
+            return tl::unexpected(ValueChoiceText::tr("value %1: %2").arg(out.size() + 1).arg(choice.error()));
         out.push_back(std::move(*choice));
     }
     return out;

@@ -20,7 +20,7 @@ namespace skyseal::ui {
 namespace {
 
 /// The translation context of this file.
-struct Text
+struct AlertListText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::AlertList)
 };
@@ -33,7 +33,7 @@ constexpr double kSlowestAnswer = 30;  ///< seconds
 
 QString ageText(double seconds)
 {
-    return seconds < 60 ? Text::tr("%1 s").arg(number(seconds, 0)) : durationText(seconds);
+    return seconds < 60 ? AlertListText::tr("%1 s").arg(number(seconds, 0)) : durationText(seconds);
 }
 
 QString framesText(std::uint64_t count, const QString &one, const QString &many)
@@ -87,21 +87,21 @@ void AlertList::showVehicle(const engine::VehicleSnapshot &vehicle, double now)
     if (state.messageAge > kStaleAfterSeconds)
         raiseState({{AlertKind::LinkLost, id},
                     AlertSeverity::Severe,
-                    Text::tr("Link lost %1").arg(ageText(state.messageAge)),
-                    Text::tr("Nothing has been received from the vehicle since. The last received values are shown.")},
+                    AlertListText::tr("Link lost %1").arg(ageText(state.messageAge)),
+                    AlertListText::tr("Nothing has been received from the vehicle since. The last received values are shown.")},
                    now);
     const auto status = state.systemStatus;
     if (status == mavlink::MAV_STATE_CRITICAL || status == mavlink::MAV_STATE_EMERGENCY
         || status == mavlink::MAV_STATE_FLIGHT_TERMINATION) {
-        const QString title = status == mavlink::MAV_STATE_CRITICAL ? Text::tr("Failsafe")
-            : status == mavlink::MAV_STATE_EMERGENCY                ? Text::tr("Emergency")
-                                                                    : Text::tr("Flight terminated");
+        const QString title = status == mavlink::MAV_STATE_CRITICAL ? AlertListText::tr("Failsafe")
+            : status == mavlink::MAV_STATE_EMERGENCY                ? AlertListText::tr("Emergency")
+                                                                    : AlertListText::tr("Flight terminated");
         const auto said = m_failsafeTexts.find(id);
         const QString reason = said == m_failsafeTexts.end() ? QString() : said->second.text;
         Alert failsafe{{AlertKind::Failsafe, id},
                        AlertSeverity::Severe,
-                       reason.isEmpty() ? title : Text::tr("%1: %2").arg(title, reason),
-                       Text::tr("The autopilot reports an abnormal state. The Messages panel may show the reason.")};
+                       reason.isEmpty() ? title : AlertListText::tr("%1: %2").arg(title, reason),
+                       AlertListText::tr("The autopilot reports an abnormal state. The Messages panel may show the reason.")};
         failsafe.subject = status;
         raiseState(std::move(failsafe), now);
     } else if (const auto said = m_failsafeTexts.find(id);
@@ -112,9 +112,9 @@ void AlertList::showVehicle(const engine::VehicleSnapshot &vehicle, double now)
         Alert aircraft{
             {AlertKind::AircraftNear, id},
             AlertSeverity::Severe,
-            Text::tr("Aircraft near: %1").arg(near->name),
-            Text::tr("Within %1 of the vehicle, and less than %2 above or below it or at an unknown altitude. "
-                     "The map shows it.")
+            AlertListText::tr("Aircraft near: %1").arg(near->name),
+            AlertListText::tr("Within %1 of the vehicle, and less than %2 above or below it or at an unknown altitude. "
+                              "The map shows it.")
                 .arg(distanceFigure(kNearMetres, m_units).text(), distanceFigure(kNearMetresInHeight, m_units).text())};
         aircraft.subject = near->address;
         raiseState(std::move(aircraft), now);
@@ -124,11 +124,11 @@ void AlertList::showVehicle(const engine::VehicleSnapshot &vehicle, double now)
     const bool wasVeryLow = wasLow && known->second.alert.severity == AlertSeverity::Severe;
     if (state.batteryPercent <= kLowBatteryPercent + (wasLow ? kBatteryRise : 0)) {
         const bool veryLow = state.batteryPercent <= kVeryLowBatteryPercent + (wasVeryLow ? kBatteryRise : 0);
-        const QString text = veryLow ? Text::tr("Battery very low: %1 %") : Text::tr("Battery low: %1 %");
+        const QString text = veryLow ? AlertListText::tr("Battery very low: %1 %") : AlertListText::tr("Battery low: %1 %");
         raiseState({{AlertKind::LowBattery, id},
                     veryLow ? AlertSeverity::Severe : AlertSeverity::Warning,
                     text.arg(number(state.batteryPercent, 0)),
-                    Text::tr("As reported by the vehicle.")},
+                    AlertListText::tr("As reported by the vehicle.")},
                    now);
     }
     showMode(vehicle, now);
@@ -147,9 +147,9 @@ void AlertList::showMode(const engine::VehicleSnapshot &vehicle, double now)
         return;
     raiseEvent({{AlertKind::ModeChanged, id},
                 AlertSeverity::Warning,
-                Text::tr("Mode %1 → %2, not by this station").arg(engine::qt(before), engine::qt(vehicle.state.mode)),
-                Text::tr("The mode changed without a command from this station. The autopilot, the RC transmitter or "
-                         "another station changed it.")},
+                AlertListText::tr("Mode %1 → %2, not by this station").arg(engine::qt(before), engine::qt(vehicle.state.mode)),
+                AlertListText::tr("The mode changed without a command from this station. The autopilot, the RC transmitter or "
+                                  "another station changed it.")},
                now);
 }
 
@@ -167,22 +167,24 @@ void AlertList::showAttacks(const engine::Snapshot &snapshot, double now)
     for (const auto &[systemId, total] : m_refusals.totals())
         if (m_refusals.lastMinute(systemId, now) > 0)
             attacks[systemId].forged += total;
-    const QString details = Text::tr("All were refused. Counted since the link came up, as the Secure link panel does.");
+    const QString details = AlertListText::tr(
+        "All were refused. Counted since the link came up, as the Secure link panel does.");
     for (const auto &[systemId, attack] : attacks) {
         if (attack.forged > 0)
             raiseState({{AlertKind::ForgedFrames, systemId},
                         AlertSeverity::Warning,
-                        framesText(attack.forged, Text::tr("One forged frame"), Text::tr("%1 forged frames")),
+                        framesText(attack.forged, AlertListText::tr("One forged frame"), AlertListText::tr("%1 forged frames")),
                         details,
                         attack.forged},
                        now);
         if (attack.replayed > 0)
-            raiseState({{AlertKind::ReplayedFrames, systemId},
-                        AlertSeverity::Warning,
-                        framesText(attack.replayed, Text::tr("One replayed frame"), Text::tr("%1 replayed frames")),
-                        details,
-                        attack.replayed},
-                       now);
+            raiseState(
+                {{AlertKind::ReplayedFrames, systemId},
+                 AlertSeverity::Warning,
+                 framesText(attack.replayed, AlertListText::tr("One replayed frame"), AlertListText::tr("%1 replayed frames")),
+                 details,
+                 attack.replayed},
+                now);
     }
 }
 
@@ -193,7 +195,7 @@ void AlertList::showStorage(const engine::Snapshot &snapshot, double now)
         const engine::Event event = engine::RecordingProblem{recording.file, recording.problem};
         raiseState({{AlertKind::NotRecording},
                     AlertSeverity::Warning,
-                    Text::tr("Not recording: %1").arg(reasonText(recording.problem)),
+                    AlertListText::tr("Not recording: %1").arg(reasonText(recording.problem)),
                     engine::eventText(event, m_names).sentence},
                    now);
     }
@@ -201,7 +203,7 @@ void AlertList::showStorage(const engine::Snapshot &snapshot, double now)
         const engine::Event event = engine::CounterStorage{snapshot.storageProblem};
         raiseState({{AlertKind::CountersNotStored},
                     AlertSeverity::Warning,
-                    Text::tr("Counters not stored: %1").arg(reasonText(snapshot.storageProblem)),
+                    AlertListText::tr("Counters not stored: %1").arg(reasonText(snapshot.storageProblem)),
                     engine::eventText(event, m_names).sentence},
                    now);
     }
@@ -212,7 +214,7 @@ void AlertList::showStorage(const engine::Snapshot &snapshot, double now)
         const engine::Event event = channel::PeerStorageChanged{session, true};
         raiseState({{AlertKind::AgentNotStoring, vehicleOf(session)},
                     AlertSeverity::Warning,
-                    Text::tr("%1: its disk may be full").arg(peerText(session)),
+                    AlertListText::tr("%1: its disk may be full").arg(peerText(session)),
                     engine::eventText(event, m_names).sentence},
                    now);
     }
@@ -251,7 +253,7 @@ void AlertList::handleEvent(const engine::Event &event, double now)
         if (down->reason == channel::DownReason::Cloned)
             raiseEvent({{AlertKind::KeysCloned, vehicleOf(down->session)},
                         AlertSeverity::Severe,
-                        Text::tr("%1: keys in use twice").arg(peerText(down->session)),
+                        AlertListText::tr("%1: keys in use twice").arg(peerText(down->session)),
                         engine::eventText(event, m_names).sentence},
                        now);
     } else if (std::holds_alternative<channel::SessionUp>(event)) {
@@ -260,8 +262,8 @@ void AlertList::handleEvent(const engine::Event &event, double now)
         if (refused->reason == channel::RefusalReason::UnknownPeer)
             raiseEvent({{AlertKind::UnknownAgent},
                         AlertSeverity::Warning,
-                        Text::tr("Unknown agent at %1").arg(engine::qt(link::toText(refused->path.remote))),
-                        Text::tr("%1. To pair with it, choose Pair or open Security → Keys and peers")
+                        AlertListText::tr("Unknown agent at %1").arg(engine::qt(link::toText(refused->path.remote))),
+                        AlertListText::tr("%1. To pair with it, choose Pair or open Security → Keys and peers")
                             .arg(engine::eventText(event, m_names).sentence)},
                        now);
     }
@@ -275,9 +277,9 @@ void AlertList::handleSwitch(const channel::SwitchDone &done, const engine::Even
     const QString suite = engine::suiteText(done.to);
     raiseEvent({{AlertKind::SuiteSwitch, vehicleOf(done.session)},
                 failed ? AlertSeverity::Warning : AlertSeverity::Information,
-                !failed          ? Text::tr("Switched to %1").arg(suite)
-                    : done.rekey ? Text::tr("Keys not changed: %1").arg(engine::switchFailureText(done.failure))
-                                 : Text::tr("Not switched to %1").arg(suite),
+                !failed          ? AlertListText::tr("Switched to %1").arg(suite)
+                    : done.rekey ? AlertListText::tr("Keys not changed: %1").arg(engine::switchFailureText(done.failure))
+                                 : AlertListText::tr("Not switched to %1").arg(suite),
                 engine::eventText(event, m_names).sentence},
                now);
 }
@@ -293,7 +295,7 @@ std::uint8_t AlertList::vehicleOf(channel::SessionId session) const
 QString AlertList::peerText(channel::SessionId session) const
 {
     const std::string name = m_names.of(session);
-    return name.empty() ? Text::tr("The agent") : engine::qt(name);
+    return name.empty() ? AlertListText::tr("The agent") : engine::qt(name);
 }
 
 void AlertList::raiseState(Alert alert, double now)
@@ -405,11 +407,12 @@ bool AlertList::hasMomentary() const
 /// The vehicle first, unless it is the only one; then how often an event was repeated.
 QString AlertList::shownText(const Alert &alert) const
 {
-    const QString text = alert.ongoing || alert.count == 1 ? alert.text
-                                                           : Text::tr("%1 (%2 times)").arg(alert.text, grouped(alert.count));
+    const QString text = alert.ongoing || alert.count == 1
+        ? alert.text
+        : AlertListText::tr("%1 (%2 times)").arg(alert.text, grouped(alert.count));
     const std::uint8_t id = alert.id.systemId;
     const bool isOnly = m_snapshot && m_snapshot->vehicles.size() == 1 && m_snapshot->vehicles.front().state.systemId == id;
-    return !isOnly && id != 0 ? Text::tr("Vehicle %1: %2").arg(id).arg(text) : text;
+    return !isOnly && id != 0 ? AlertListText::tr("Vehicle %1: %2").arg(id).arg(text) : text;
 }
 
 } // namespace skyseal::ui

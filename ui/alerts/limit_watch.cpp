@@ -13,7 +13,7 @@ namespace skyseal::ui {
 namespace {
 
 /// The translation context of this file.
-struct Text
+struct LimitWatchText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::LimitWatch)
 };
@@ -95,11 +95,13 @@ Alert LimitWatch::alertFor(const Place &place, const Course &course) const
     const auto text = [&](double number) { return valueFigure(number, unit, choice.decimals, m_units).text(); };
     const bool isLow = course.reported == LimitSide::Low;
     const QString limit = text(isLow ? *choice.low : *choice.high);
-    const QString what = isLow ? Text::tr("The low limit is %1.").arg(limit) : Text::tr("The high limit is %1.").arg(limit);
+    const QString what = isLow ? LimitWatchText::tr("The low limit is %1.").arg(limit)
+                               : LimitWatchText::tr("The high limit is %1.").arg(limit);
     Alert alert{{AlertKind::ValueLimit, place.first, place.second},
                 AlertSeverity::Warning,
-                (isLow ? Text::tr("%1 low: %2") : Text::tr("%1 high: %2")).arg(choice.shownCaption(), text(course.number)),
-                course.times == 1 ? what : Text::tr("%1 Passed %2 times.").arg(what).arg(course.times)};
+                (isLow ? LimitWatchText::tr("%1 low: %2") : LimitWatchText::tr("%1 high: %2"))
+                    .arg(choice.shownCaption(), text(course.number)),
+                course.times == 1 ? what : LimitWatchText::tr("%1 Passed %2 times.").arg(what).arg(course.times)};
     alert.subject = static_cast<std::uint64_t>(course.reported);
     return alert;
 }

@@ -14,7 +14,7 @@ using engine::MetricsSample;
 namespace {
 
 /// The translation context of the functions below.
-struct Text
+struct ChartBuilderText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::ChartBuilder)
 };
@@ -83,7 +83,7 @@ void appendRuns(std::vector<ChartRun> &runs, const SampleHistory &history, const
                 runs.push_back({sample.linkUp ? suiteColor(sample.suite) : suiteColor(crypto::SuiteId::None),
                                 line.stroke,
                                 line.name,
-                                sample.linkUp ? suiteName(sample.suite) : Text::tr("no link"),
+                                sample.linkUp ? suiteName(sample.suite) : ChartBuilderText::tr("no link"),
                                 {}});
             }
             runs.back().points.push_back(point);

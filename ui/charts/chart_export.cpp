@@ -18,7 +18,7 @@ namespace skyseal::ui {
 namespace {
 
 /// The translation context of the functions below.
-struct Text
+struct ChartExportText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::ChartExport)
 };
@@ -40,7 +40,7 @@ QByteArray svgOf(const std::vector<QWidget *> &parts, const QSize &size)
     generator.setOutputDevice(&out);
     generator.setSize(size);
     generator.setViewBox(QRect(QPoint(), size));
-    generator.setTitle(Text::tr("Skyseal diagnostics"));
+    generator.setTitle(ChartExportText::tr("Skyseal diagnostics"));
     QPainter painter(&generator);
     paintAll(painter, parts, size);
     painter.end();
@@ -70,7 +70,7 @@ QString writeImage(const QString &file, const QImage &image)
     QBuffer out;
     QImageWriter writer(&out, QFileInfo(file).suffix().toLatin1());
     if (!writer.write(image))
-        return Text::tr("%1 cannot be written as a picture: %2").arg(file, writer.errorString());
+        return ChartExportText::tr("%1 cannot be written as a picture: %2").arg(file, writer.errorString());
     return writeWhole(file, out.data());
 }
 

@@ -13,7 +13,7 @@ using engine::MetricsSample;
 namespace {
 
 /// The translation context of the functions below.
-struct Text
+struct ChartMarksText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::ChartMarks)
 };
@@ -32,7 +32,8 @@ public:
             refuse(sample, sample.refused - before.refused);
         if (sample.linkUp != before.linkUp) {
             if (m_heard)
-                add(sample, m_dim, sample.linkUp ? Text::tr("link recovered") : Text::tr("link lost"), true);
+                add(sample, m_dim, sample.linkUp ? ChartMarksText::tr("link recovered") : ChartMarksText::tr("link lost"),
+                    true);
         }
     }
 
@@ -42,7 +43,7 @@ public:
         if (before.suite != sample.suite)
             add(sample, suiteColor(sample.suite), suiteName(sample.suite), false);
         else if (before.epoch != sample.epoch)
-            add(sample, m_dim, Text::tr("new keys, epoch %1").arg(sample.epoch), false);
+            add(sample, m_dim, ChartMarksText::tr("new keys, epoch %1").arg(sample.epoch), false);
     }
 
     void heard() { m_heard = true; }
@@ -64,7 +65,7 @@ private:
         m_attackSeen = sample.time;
         m_refused += count;
         m_marks[static_cast<std::size_t>(m_attack)].text =
-            Text::tr("%1 forged, replayed or plain, refused").arg(grouped(m_refused));
+            ChartMarksText::tr("%1 forged, replayed or plain, refused").arg(grouped(m_refused));
     }
 
     double m_zero;

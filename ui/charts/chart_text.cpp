@@ -13,7 +13,7 @@ namespace skyseal::ui {
 namespace {
 
 /// The translation context of the functions below.
-struct Text
+struct ChartText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::ChartText)
 };
@@ -64,8 +64,8 @@ std::vector<Reading> readingsAt(const ChartContent &content, double x, double ne
 QString chartTimeText(double x, ChartTime time, int decimals)
 {
     if (time == ChartTime::BeforeNow && std::abs(x) < 1e-9)
-        return Text::tr("now");
-    return Text::tr("%1 s").arg(number(x, decimals));
+        return ChartText::tr("now");
+    return ChartText::tr("%1 s").arg(number(x, decimals));
 }
 
 QStringList chartTextAt(const ChartContent &content, double x, double reach, int decimals)
@@ -75,18 +75,18 @@ QStringList chartTextAt(const ChartContent &content, double x, double reach, int
     QString suite;
     for (const auto &[run, point] : readingsAt(content, x, near)) {
         const QString value = number(point.y(), decimals);
-        const QString line = run->line.isEmpty() ? value : Text::tr("%1 %2").arg(run->line, value);
+        const QString line = run->line.isEmpty() ? value : ChartText::tr("%1 %2").arg(run->line, value);
         if (content.time != ChartTime::InUse)
             suite = run->suite;
-        out << (content.time == ChartTime::InUse ? Text::tr("%1: %2").arg(run->suite, line) : line);
+        out << (content.time == ChartTime::InUse ? ChartText::tr("%1: %2").arg(run->suite, line) : line);
     }
     if (out.isEmpty())
         return out;
     const QString when = chartTimeText(x, content.time, 1);
-    out.prepend(suite.isEmpty() ? when : Text::tr("%1 · %2").arg(when, suite));
+    out.prepend(suite.isEmpty() ? when : ChartText::tr("%1 · %2").arg(when, suite));
     for (const ChartMark &mark : content.marks)
         if (std::abs(mark.x - x) <= reach)
-            out << (mark.incident ? Text::tr("! %1").arg(mark.text) : Text::tr("→ %1").arg(mark.text));
+            out << (mark.incident ? ChartText::tr("! %1").arg(mark.text) : ChartText::tr("→ %1").arg(mark.text));
     return out;
 }
 

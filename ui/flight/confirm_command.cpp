@@ -11,7 +11,7 @@ namespace skyseal::ui {
 
 namespace {
 
-struct Text
+struct ConfirmCommandText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::ConfirmCommand)
 };
@@ -25,7 +25,8 @@ QMessageBox *confirmCommand(VehicleCommands &commands, const vehicle::VehicleCom
                             const QString &details, QWidget *window)
 {
     const std::uint8_t systemId = commands.systemId();
-    const QString text = commands.isOneOfSeveral() ? Text::tr("Vehicle %1: %2").arg(systemId).arg(question) : question;
+    const QString text = commands.isOneOfSeveral() ? ConfirmCommandText::tr("Vehicle %1: %2").arg(systemId).arg(question)
+                                                   : question;
     QMessageBox *open = openQuestion(*window, kQuestion);
     if (open && open->text() == text && open->property(kVehicle).toInt() == systemId) { // as by a key that is held
         open->setInformativeText(details);
@@ -33,7 +34,7 @@ QMessageBox *confirmCommand(VehicleCommands &commands, const vehicle::VehicleCom
         return open;
     }
     QMessageBox *box = askToConfirm({.objectName = kQuestion,
-                                     .title = Text::tr("Confirm"),
+                                     .title = ConfirmCommandText::tr("Confirm"),
                                      .text = text,
                                      .details = details,
                                      .yes = commandText(command, commands.units())},
@@ -50,8 +51,8 @@ QString openItemsText(VehicleCommands &commands)
         return {};
     QStringList lines = open.mid(0, kNamed);
     if (open.size() > kNamed)
-        lines << Text::tr("and %1 more").arg(open.size() - kNamed);
-    return Text::tr("Not done on the checklist:") + QStringLiteral("\n• ") + lines.join(QStringLiteral("\n• "));
+        lines << ConfirmCommandText::tr("and %1 more").arg(open.size() - kNamed);
+    return ConfirmCommandText::tr("Not done on the checklist:") + QStringLiteral("\n• ") + lines.join(QStringLiteral("\n• "));
 }
 
 void armOrAsk(VehicleCommands &commands, QWidget *window)
@@ -59,7 +60,7 @@ void armOrAsk(VehicleCommands &commands, QWidget *window)
     const QString open = openItemsText(commands);
     if (open.isEmpty())
         return commands.send(commands.systemId(), vehicle::Arm{});
-    confirmCommand(commands, vehicle::Arm{}, Text::tr("Arm with an incomplete checklist?"), open, window);
+    confirmCommand(commands, vehicle::Arm{}, ConfirmCommandText::tr("Arm with an incomplete checklist?"), open, window);
 }
 
 } // namespace skyseal::ui

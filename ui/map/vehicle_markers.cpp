@@ -13,7 +13,7 @@ namespace skyseal::ui {
 
 namespace {
 
-struct Text
+struct VehicleMarkersText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::VehicleMarker)
 };
@@ -53,9 +53,9 @@ std::vector<VehicleMarker> otherVehicles(const ViewState &view)
 QString markerText(std::uint8_t systemId, crypto::SuiteId suite, int age)
 {
     if (age > 0)
-        return Text::tr("Vehicle %1 · %2 s ago").arg(systemId).arg(age);
-    return suite == crypto::SuiteId::None ? Text::tr("Vehicle %1 · not sealed").arg(systemId)
-                                          : Text::tr("Vehicle %1 · sealed").arg(systemId);
+        return VehicleMarkersText::tr("Vehicle %1 · %2 s ago").arg(systemId).arg(age);
+    return suite == crypto::SuiteId::None ? VehicleMarkersText::tr("Vehicle %1 · not sealed").arg(systemId)
+                                          : VehicleMarkersText::tr("Vehicle %1 · sealed").arg(systemId);
 }
 
 bool looksTheSame(const std::vector<VehicleMarker> &a, const std::vector<VehicleMarker> &b, double metresPerPixel)

@@ -9,7 +9,7 @@ using vehicle::MissionType;
 
 namespace {
 
-struct Text
+struct PlanReaderText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::PlanReader)
 };
@@ -17,21 +17,21 @@ struct Text
 QString readingText(MissionType type)
 {
     switch (type) {
-    case MissionType::Fence: return Text::tr("Reading the fence…");
-    case MissionType::Rally: return Text::tr("Reading the rally points…");
+    case MissionType::Fence: return PlanReaderText::tr("Reading the fence…");
+    case MissionType::Rally: return PlanReaderText::tr("Reading the rally points…");
     case MissionType::Mission: break;
     }
-    return Text::tr("Reading the mission…");
+    return PlanReaderText::tr("Reading the mission…");
 }
 
 QString countText(MissionType type, std::size_t items)
 {
     switch (type) {
-    case MissionType::Fence: return Text::tr("fence: %1").arg(items);
-    case MissionType::Rally: return Text::tr("rally points: %1").arg(items);
+    case MissionType::Fence: return PlanReaderText::tr("fence: %1").arg(items);
+    case MissionType::Rally: return PlanReaderText::tr("rally points: %1").arg(items);
     case MissionType::Mission: break;
     }
-    return Text::tr("mission items: %1").arg(items);
+    return PlanReaderText::tr("mission items: %1").arg(items);
 }
 
 } // namespace

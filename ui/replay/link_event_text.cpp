@@ -8,7 +8,7 @@ namespace skyseal::ui {
 
 namespace {
 
-struct Text
+struct LinkEventText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::LinkEventText)
 };
@@ -19,8 +19,8 @@ QString unreadableEventsText(const tlog::LogIndex &index)
 {
     if (index.unreadableEvents == 0)
         return {};
-    return engine::counted(index.unreadableEvents, Text::tr("one unreadable line about ciphers"),
-                           Text::tr("%1 unreadable lines about ciphers"));
+    return engine::counted(index.unreadableEvents, LinkEventText::tr("one unreadable line about ciphers"),
+                           LinkEventText::tr("%1 unreadable lines about ciphers"));
 }
 
 } // namespace skyseal::ui

@@ -12,7 +12,7 @@ namespace skyseal::ui {
 
 namespace {
 
-struct Text
+struct AllowPlainText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::AllowPlain)
 };
@@ -21,7 +21,7 @@ struct Text
 
 QString allowPlainText(const engine::PendingVehicle &held)
 {
-    return Text::tr("Allow plain MAVLink for vehicle %1…").arg(held.systemId);
+    return AllowPlainText::tr("Allow plain MAVLink for vehicle %1…").arg(held.systemId);
 }
 
 void askAllowPlain(StationInterface &station, const engine::PendingVehicle &held, QWidget *parent)
@@ -29,16 +29,17 @@ void askAllowPlain(StationInterface &station, const engine::PendingVehicle &held
     // The consent is for the system id alone, because an address proves no more than the id does.
     askToConfirm(
         {.objectName = QStringLiteral("confirmPlain"),
-         .title = Text::tr("Plain MAVLink"),
-         .text = Text::tr("Accept plain MAVLink from vehicle %1?").arg(held.systemId),
+         .title = AllowPlainText::tr("Plain MAVLink"),
+         .text = AllowPlainText::tr("Accept plain MAVLink from vehicle %1?").arg(held.systemId),
          .details =
-             Text::tr("It currently sends from %2. If you allow it, any sender of plain MAVLink that claims to be vehicle %1, "
-                      "from any address, is shown and commanded as that vehicle until this program ends or a sealed link to "
-                      "the vehicle is up. Anyone on the path can read and change the traffic.\n\nIf this should be the "
-                      "vehicle of %3, choose Cancel: its sealed link is broken or blocked.")
+             AllowPlainText::tr(
+                 "It currently sends from %2. If you allow it, any sender of plain MAVLink that claims to be vehicle %1, "
+                 "from any address, is shown and commanded as that vehicle until this program ends or a sealed link to "
+                 "the vehicle is up. Anyone on the path can read and change the traffic.\n\nIf this should be the "
+                 "vehicle of %3, choose Cancel: its sealed link is broken or blocked.")
                  .arg(held.systemId)
                  .arg(fromStd(held.remoteAddress), engine::anyOfNames(held.mayBe)),
-         .yes = Text::tr("Allow plain MAVLink"),
+         .yes = AllowPlainText::tr("Allow plain MAVLink"),
          .icon = QMessageBox::Warning},
         parent, &station, [&station, systemId = held.systemId] { station.allowPlaintext(systemId); });
 }

@@ -11,7 +11,7 @@ namespace skyseal::ui {
 
 namespace {
 
-struct Text
+struct ShortcutRulesText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::ShortcutRules)
 };
@@ -39,26 +39,26 @@ QString reason(const QKeySequence &keys)
     const Qt::Key key = keys[0].key();
     const Qt::KeyboardModifiers held = keys[0].keyboardModifiers() & ~Qt::KeypadModifier;
     if (keys.count() > 1)
-        return Text::tr("it must be pressed at once.");
+        return ShortcutRulesText::tr("it must be pressed at once.");
     if (key == Qt::Key_unknown || key == 0)
-        return Text::tr("this key is not known.");
+        return ShortcutRulesText::tr("this key is not known.");
     if (HeldKeys::isPressKey(key))
-        return Text::tr("Space and Enter press buttons.");
+        return ShortcutRulesText::tr("Space and Enter press buttons.");
     if (key == Qt::Key_Tab || key == Qt::Key_Backtab)
-        return Text::tr("Tab moves between controls.");
+        return ShortcutRulesText::tr("Tab moves between controls.");
     if (key == Qt::Key_Escape)
-        return Text::tr("Esc closes and cancels.");
+        return ShortcutRulesText::tr("Esc closes and cancels.");
     if (isArrow(key))
-        return Text::tr("the arrows move in the map, in lists and in texts.");
+        return ShortcutRulesText::tr("the arrows move in the map, in lists and in texts.");
     if (held == Qt::AltModifier && isLetter(key))
-        return Text::tr("Alt with a letter opens menus and presses buttons.");
+        return ShortcutRulesText::tr("Alt with a letter opens menus and presses buttons.");
     if (held == Qt::ShiftModifier && key == Qt::Key_F10)
-        return Text::tr("it opens the menu at the pointer.");
+        return ShortcutRulesText::tr("it opens the menu at the pointer.");
     if (editsText(keys))
-        return Text::tr("it edits texts.");
+        return ShortcutRulesText::tr("it edits texts.");
     const bool isFunctionKey = key >= Qt::Key_F1 && key <= Qt::Key_F35;
     if (!isFunctionKey && !(held & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)))
-        return Text::tr("without Ctrl or Alt, texts, lists and the map need it. F1 to F35 are free.");
+        return ShortcutRulesText::tr("without Ctrl or Alt, texts, lists and the map need it. F1 to F35 are free.");
     return {};
 }
 
@@ -69,8 +69,9 @@ QString shortcutRefusal(const QKeySequence &keys)
     if (keys.isEmpty())
         return {};
     const QString why = reason(keys);
-    return why.isEmpty() ? QString()
-                         : Text::tr("%1 cannot be a shortcut: %2").arg(keys.toString(QKeySequence::NativeText), why);
+    return why.isEmpty()
+        ? QString()
+        : ShortcutRulesText::tr("%1 cannot be a shortcut: %2").arg(keys.toString(QKeySequence::NativeText), why);
 }
 
 } // namespace skyseal::ui

@@ -15,7 +15,7 @@ using experiment::SweepArm;
 
 namespace {
 
-struct Text
+struct SweepLabelsText
 {
     Q_DECLARE_TR_FUNCTIONS(Sweep)
 };
@@ -35,52 +35,53 @@ QString localNumber(const std::string &figures)
 QString framingText(const SweepArm &arm)
 {
     if (arm.suite == crypto::SuiteId::None)
-        return Text::tr("none");
+        return SweepLabelsText::tr("none");
     switch (arm.framing) {
-    case experiment::ArmFraming::Inline: return Text::tr("inline");
-    case experiment::ArmFraming::Bare: return Text::tr("bare, insecure");
+    case experiment::ArmFraming::Inline: return SweepLabelsText::tr("inline");
+    case experiment::ArmFraming::Bare: return SweepLabelsText::tr("bare, insecure");
     case experiment::ArmFraming::Sealed: break;
     }
-    return Text::tr("sealed");
+    return SweepLabelsText::tr("sealed");
 }
 
 QString armText(const SweepArm &arm)
 {
-    const QString name = arm.suite == crypto::SuiteId::None ? suiteName(arm.suite)
-                                                            : Text::tr("%1, %2").arg(suiteName(arm.suite), framingText(arm));
-    return arm.again ? Text::tr("%1 (A/A)").arg(name) : name;
+    const QString name = arm.suite == crypto::SuiteId::None
+        ? suiteName(arm.suite)
+        : SweepLabelsText::tr("%1, %2").arg(suiteName(arm.suite), framingText(arm));
+    return arm.again ? SweepLabelsText::tr("%1 (A/A)").arg(name) : name;
 }
 
 QString loadText(experiment::Load load)
 {
     if (load.isPaced())
-        return Text::tr("load of %1 frames/s").arg(load.perSecond);
-    return load == experiment::Load::Natural ? Text::tr("natural load") : Text::tr("saturated load");
+        return SweepLabelsText::tr("load of %1 frames/s").arg(load.perSecond);
+    return load == experiment::Load::Natural ? SweepLabelsText::tr("natural load") : SweepLabelsText::tr("saturated load");
 }
 
 QString linkText(const experiment::Condition &link)
 {
     if (link.clean())
-        return Text::tr("clean link");
+        return SweepLabelsText::tr("clean link");
     const auto text = [](double value) { return localNumber(experiment::readable(value)); };
     const auto ms = [&](Duration time) { return text(1000 * seconds(time)); };
     const impair::ImpairmentSettings &is = link.settings;
     QStringList parts;
     if (is.baud > 0)
-        parts << Text::tr("%1 baud").arg(text(static_cast<double>(is.baud)));
+        parts << SweepLabelsText::tr("%1 baud").arg(text(static_cast<double>(is.baud)));
     if (is.loss > 0)
-        parts << Text::tr("%1 % loss").arg(text(100 * is.loss));
+        parts << SweepLabelsText::tr("%1 % loss").arg(text(100 * is.loss));
     if (is.duplicate > 0)
-        parts << Text::tr("%1 % duplicates").arg(text(100 * is.duplicate));
+        parts << SweepLabelsText::tr("%1 % duplicates").arg(text(100 * is.duplicate));
     if (is.reorder > 0)
-        parts << Text::tr("%1 % reordered").arg(text(100 * is.reorder));
+        parts << SweepLabelsText::tr("%1 % reordered").arg(text(100 * is.reorder));
     if (is.corrupt > 0)
-        parts << Text::tr("%1 % corrupted").arg(text(100 * is.corrupt));
+        parts << SweepLabelsText::tr("%1 % corrupted").arg(text(100 * is.corrupt));
     if (is.delay > Duration::zero())
-        parts << Text::tr("%1 ms delay").arg(ms(is.delay));
+        parts << SweepLabelsText::tr("%1 ms delay").arg(ms(is.delay));
     if (is.jitter > Duration::zero())
-        parts << Text::tr("up to %1 ms jitter").arg(ms(is.jitter));
-    return parts.isEmpty() ? Text::tr("no impairment") : parts.join(QStringLiteral(", "));
+        parts << SweepLabelsText::tr("up to %1 ms jitter").arg(ms(is.jitter));
+    return parts.isEmpty() ? SweepLabelsText::tr("no impairment") : parts.join(QStringLiteral(", "));
 }
 
 QString placeText(const experiment::Plan &plan, std::size_t condition, std::size_t load)
@@ -94,14 +95,15 @@ QString placeText(const experiment::Plan &plan, std::size_t condition, std::size
 QString aboutTime(double seconds)
 {
     const long whole = std::max(1L, std::lround(seconds));
-    return whole < 60 ? Text::tr("about %1 s").arg(whole) : Text::tr("about %1 min %2 s").arg(whole / 60).arg(whole % 60);
+    return whole < 60 ? SweepLabelsText::tr("about %1 s").arg(whole)
+                      : SweepLabelsText::tr("about %1 min %2 s").arg(whole / 60).arg(whole % 60);
 }
 
 QString ratioText(const experiment::Contrast &ratio)
 {
     const auto text = [](double value) { return localNumber(experiment::readable(value)); };
     return std::isfinite(ratio.low()) && std::isfinite(ratio.high())
-        ? Text::tr("%1 (%2 to %3)").arg(text(ratio.value()), text(ratio.low()), text(ratio.high()))
+        ? SweepLabelsText::tr("%1 (%2 to %3)").arg(text(ratio.value()), text(ratio.low()), text(ratio.high()))
         : text(ratio.value());
 }
 
@@ -109,8 +111,8 @@ QString ratiosText(const experiment::Plan &plan)
 {
     const auto reference = experiment::referenceArm(plan);
     if (!reference || plan.arms[*reference].suite == crypto::SuiteId::None)
-        return Text::tr("Ratios to plain MAVLink");
-    return Text::tr("Ratios to %1").arg(armText(plan.arms[*reference]));
+        return SweepLabelsText::tr("Ratios to plain MAVLink");
+    return SweepLabelsText::tr("Ratios to %1").arg(armText(plan.arms[*reference]));
 }
 
 QString metricTitle(experiment::Metric metric)
@@ -132,13 +134,13 @@ QString metricText(experiment::Metric metric, std::string_view unit)
 {
     if (unit.empty())
         return metricTitle(metric);
-    const QString shown = unit == "frames/s" ? Text::tr("frames/s") : fromStd(unit);
+    const QString shown = unit == "frames/s" ? SweepLabelsText::tr("frames/s") : fromStd(unit);
     return metricTitle(metric) + QStringLiteral(", ") + shown;
 }
 
 QString notInFramingText()
 {
-    return Text::tr("not in this framing");
+    return SweepLabelsText::tr("not in this framing");
 }
 
 } // namespace skyseal::ui

@@ -12,7 +12,7 @@ namespace skyseal::ui {
 
 namespace {
 
-struct Text
+struct ActionPermitsText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::ActionPermits)
 };
@@ -29,7 +29,7 @@ public:
     template<typename Command> QString operator()(const Command &) const { return {}; }
     QString operator()(const vehicle::Arm &) const
     {
-        return heard() && m_vehicle.state.armed ? Text::tr("the vehicle is armed") : QString();
+        return heard() && m_vehicle.state.armed ? ActionPermitsText::tr("the vehicle is armed") : QString();
     }
 
     /// The emergency stop does not depend on it.
@@ -39,7 +39,8 @@ public:
     {
         if (!m_vehicle.state.inAir)
             return {};
-        return heard() ? Text::tr("the vehicle is already flying") : Text::tr("the vehicle was flying when it was last heard");
+        return heard() ? ActionPermitsText::tr("the vehicle is already flying")
+                       : ActionPermitsText::tr("the vehicle was flying when it was last heard");
     }
     QString operator()(const vehicle::Loiter &) const { return movesDisabledReason(m_view); }
     QString operator()(const vehicle::ChangeAltitude &) const { return climbsDisabledReason(m_view); }
@@ -48,15 +49,18 @@ public:
     {
         const std::size_t home = m_kind.isArduPilot() ? 1 : 0; // ArduPilot's item 0
         if (m_vehicle.mission && m_vehicle.mission->size() <= home)
-            return Text::tr("the mission last read is empty: read it again");
+            return ActionPermitsText::tr("the mission last read is empty: read it again");
         if (!heard()) // it begins a flight that nobody would see
-            return Text::tr("the vehicle is not heard");
+            return ActionPermitsText::tr("the vehicle is not heard");
         return m_kind.isPx4() ? QString() : disarmed(); // PX4 arms by itself
     }
 
 private:
     bool heard() const { return m_vehicle.state.heartbeatAge <= kStaleAfterSeconds; }
-    QString disarmed() const { return heard() && !m_vehicle.state.armed ? Text::tr("the vehicle is disarmed") : QString(); }
+    QString disarmed() const
+    {
+        return heard() && !m_vehicle.state.armed ? ActionPermitsText::tr("the vehicle is disarmed") : QString();
+    }
 
     const ViewState &m_view;
     const engine::VehicleSnapshot &m_vehicle;
@@ -76,7 +80,7 @@ QString actionDisabledReason(const vehicle::VehicleCommand &command, const ViewS
         if (const auto plan = vehicle::planCommand(command, view.vehicle->state, {}); !plan)
             reason = reasonText(plan.error());
     }
-    return reason.isEmpty() ? QString() : Text::tr("Not now: %1").arg(reason);
+    return reason.isEmpty() ? QString() : ActionPermitsText::tr("Not now: %1").arg(reason);
 }
 
 } // namespace skyseal::ui

@@ -12,7 +12,7 @@ namespace skyseal::ui {
 namespace {
 
 /// The translation context of this file.
-struct Text
+struct AircraftText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::AircraftText)
 };
@@ -54,10 +54,10 @@ std::optional<AircraftSight> nearestOf(const vehicle::VehicleState &vehicle)
 QString aircraftText(const AircraftSight &sight, UnitSystem units)
 {
     const QString sign = sight.metresAbove >= 0 ? QStringLiteral("+") : QString();
-    const QString height = std::isnan(sight.metresAbove) ? Text::tr("altitude unknown")
+    const QString height = std::isnan(sight.metresAbove) ? AircraftText::tr("altitude unknown")
                                                          : sign + figureIn(wholeAltitudes(units), sight.metresAbove).text();
     const QString text = QStringLiteral("%1 · %2").arg(sight.name, height);
-    return sight.isNear ? Text::tr("%1 · near").arg(text) : text;
+    return sight.isNear ? AircraftText::tr("%1 · near").arg(text) : text;
 }
 
 } // namespace skyseal::ui

@@ -11,7 +11,7 @@ namespace skyseal::ui {
 
 namespace {
 
-struct Text
+struct CommandAgeText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::CommandAge)
 };
@@ -28,30 +28,35 @@ std::optional<CommandAge> commandAgeOf(const ViewState &view)
     // Rounded up: the agent knows an upper bound.
     const double age = std::ceil(static_cast<double>(report.ageMicroseconds) / 1e5) / 10;
     const double limit = static_cast<double>(report.limitMilliseconds) / 1e3;
-    const QString ageText = Text::tr("%1 s").arg(number(age, 1)), limitText = Text::tr("%1 s").arg(number(limit, 1));
+    const QString ageText = CommandAgeText::tr("%1 s").arg(number(age, 1)),
+                  limitText = CommandAgeText::tr("%1 s").arg(number(limit, 1));
     CommandAge out;
     out.late = age >= kLateFrom;
     out.ignored = limit > 0 && age > limit;
     if (!report.isAgeKnown())
         out.sentence = out.ignored
-            ? Text::tr("Commands are ignored: their delay is unknown, and the limit is %1").arg(limitText)
-            : Text::tr("The delay of commands is unknown");
+            ? CommandAgeText::tr("Commands are ignored: their delay is unknown, and the limit is %1").arg(limitText)
+            : CommandAgeText::tr("The delay of commands is unknown");
     else if (out.ignored)
-        out.sentence = Text::tr("Commands are ignored: they arrive up to %1 late, and the limit is %2").arg(ageText, limitText);
+        out.sentence =
+            CommandAgeText::tr("Commands are ignored: they arrive up to %1 late, and the limit is %2").arg(ageText, limitText);
     else if (out.late)
-        out.sentence = Text::tr("Commands arrive up to %1 late").arg(ageText);
+        out.sentence = CommandAgeText::tr("Commands arrive up to %1 late").arg(ageText);
     else
-        out.sentence = Text::tr("Commands arrive within %1").arg(ageText);
+        out.sentence = CommandAgeText::tr("Commands arrive within %1").arg(ageText);
     if (!report.isAgeKnown())
-        out.brief = out.ignored ? Text::tr("Commands ignored, delay unknown") : Text::tr("Delay of commands unknown");
+        out.brief = out.ignored ? CommandAgeText::tr("Commands ignored, delay unknown")
+                                : CommandAgeText::tr("Delay of commands unknown");
     else
-        out.brief = out.ignored ? Text::tr("Commands ignored, %1 late").arg(ageText)
-                                : Text::tr("Commands %1 late").arg(ageText);
-    const QString overtaken = Text::tr("%1 s").arg(number(static_cast<double>(report.overtakenMilliseconds) / 1e3, 1));
+        out.brief = out.ignored ? CommandAgeText::tr("Commands ignored, %1 late").arg(ageText)
+                                : CommandAgeText::tr("Commands %1 late").arg(ageText);
+    const QString overtaken = CommandAgeText::tr("%1 s").arg(
+        number(static_cast<double>(report.overtakenMilliseconds) / 1e3, 1));
     out.limits = limit > 0
-        ? Text::tr("The agent ignores commands that are older than %1, or that were overtaken by newer messages by %2")
+        ? CommandAgeText::tr(
+              "The agent ignores commands that are older than %1, or that were overtaken by newer messages by %2")
               .arg(limitText, overtaken)
-        : Text::tr("The agent ignores commands that were overtaken by newer messages by %1").arg(overtaken);
+        : CommandAgeText::tr("The agent ignores commands that were overtaken by newer messages by %1").arg(overtaken);
     return out;
 }
 

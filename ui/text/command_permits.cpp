@@ -13,7 +13,7 @@ namespace skyseal::ui {
 
 namespace {
 
-struct Text
+struct CommandPermitsText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::CommandPermits)
 };
@@ -23,11 +23,11 @@ struct Text
 QString commandsDisabledReason(const ViewState &view)
 {
     if (view.isReplay())
-        return Text::tr("a replay is shown");
+        return CommandPermitsText::tr("a replay is shown");
     if (view.pendingApproval && !view.session)
-        return Text::tr("it is not sealed, and plain MAVLink is not allowed");
+        return CommandPermitsText::tr("it is not sealed, and plain MAVLink is not allowed");
     if (!view.vehicle)
-        return Text::tr("no vehicle");
+        return CommandPermitsText::tr("no vehicle");
     if (const auto oneWay = oneWayOf(view))
         return oneWay->disabledReason;
     const auto ended = linkEndedOf(view);
@@ -41,8 +41,10 @@ QString movesDisabledReason(const ViewState &view)
         return reason;
     const vehicle::VehicleState &state = view.vehicle->state;
     if (!state.armed)
-        return Text::tr("the vehicle is disarmed");
-    return state.position.known() && std::isfinite(state.altitudeRelative) ? QString() : Text::tr("its position is not known");
+        return CommandPermitsText::tr("the vehicle is disarmed");
+    return state.position.known() && std::isfinite(state.altitudeRelative)
+        ? QString()
+        : CommandPermitsText::tr("its position is not known");
 }
 
 QString climbsDisabledReason(const ViewState &view)
@@ -51,25 +53,25 @@ QString climbsDisabledReason(const ViewState &view)
     if (!reason.isEmpty())
         return reason;
     const vehicle::VehicleKind kind{view.vehicle->state.type, view.vehicle->state.autopilot};
-    return kind.isRover() || kind.isSubmarine() ? Text::tr("this kind of vehicle does not fly") : QString();
+    return kind.isRover() || kind.isSubmarine() ? CommandPermitsText::tr("this kind of vehicle does not fly") : QString();
 }
 
 QString nothingCanBeSent(const QString &reason)
 {
-    return reason.isEmpty() ? QString() : Text::tr("Nothing can be sent: %1").arg(reason);
+    return reason.isEmpty() ? QString() : CommandPermitsText::tr("Nothing can be sent: %1").arg(reason);
 }
 
 QString demoDisabledReason(const ViewState &view)
 {
     const SnapshotPtr &station = view.station();
     if (view.isReplay())
-        return Text::tr("A replay is shown");
+        return CommandPermitsText::tr("A replay is shown");
     if (!station)
         return {};
     if (!station->vehicles.empty() || !station->pendingApproval.empty())
-        return Text::tr("A vehicle is connected: the demo would end its link");
+        return CommandPermitsText::tr("A vehicle is connected: the demo would end its link");
     if (!station->sessions.empty())
-        return Text::tr("A link is sealed: the demo would end it");
+        return CommandPermitsText::tr("A link is sealed: the demo would end it");
     return {};
 }
 

@@ -17,7 +17,7 @@ namespace skyseal::ui {
 namespace {
 
 /// The translation context of this file.
-struct Text
+struct CoordinatesText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::Coordinates)
 };
@@ -85,9 +85,9 @@ QString metres(double value)
 /// With the hemisphere in words: a single letter could be that of a band, and band S is in the north.
 QString utmText(const GridPlace &place)
 {
-    const QString hemisphere = place.north ? Text::tr("north") : Text::tr("south");
+    const QString hemisphere = place.north ? CoordinatesText::tr("north") : CoordinatesText::tr("south");
     const QString zone = place.zone == 0 ? QStringLiteral("UPS") : QString::number(place.zone);
-    return Text::tr("%1 %2 %3 mE %4 mN").arg(zone, hemisphere, metres(place.easting), metres(place.northing));
+    return CoordinatesText::tr("%1 %2 %3 mE %4 mN").arg(zone, hemisphere, metres(place.easting), metres(place.northing));
 }
 
 /// As GeographicLib writes it, in lower case, which no band has.
@@ -110,12 +110,12 @@ QString mgrsText(const GridPlace &place)
 QString compassLetter(Compass direction)
 {
     switch (direction) {
-    case Compass::North: return Text::tr("N", "north");
-    case Compass::East: return Text::tr("E", "east");
-    case Compass::South: return Text::tr("S", "south");
+    case Compass::North: return CoordinatesText::tr("N", "north");
+    case Compass::East: return CoordinatesText::tr("E", "east");
+    case Compass::South: return CoordinatesText::tr("S", "south");
     case Compass::West: break;
     }
-    return Text::tr("W", "west");
+    return CoordinatesText::tr("W", "west");
 }
 
 QString coordinatesText(double latitude, double longitude, CoordinateFormat format)

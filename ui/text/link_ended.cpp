@@ -15,7 +15,7 @@ using channel::DownReason;
 
 namespace {
 
-struct Text
+struct LinkEndedText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::LinkEnded)
 };
@@ -27,33 +27,35 @@ std::optional<LinkEnded> linkEndedOf(const ViewState &view)
     if (view.session || !view.vehicle || !view.vehicle->session)
         return std::nullopt;
     const engine::EndedSession ended = view.vehicle->ended.value_or(engine::EndedSession{});
-    const QString name = ended.peerName.empty() ? Text::tr("the agent") : fromStd(ended.peerName);
+    const QString name = ended.peerName.empty() ? LinkEndedText::tr("the agent") : fromStd(ended.peerName);
     const QString ago = durationText(ended.age);
     const QString waiting = QLatin1Char(' ')
-        + Text::tr("Waiting: the session is re-established automatically when the agent is heard again. The last "
-                   "received values are shown. Plain MAVLink with the vehicle's system ID is still refused.");
+        + LinkEndedText::tr("Waiting: the session is re-established automatically when the agent is heard again. The last "
+                            "received values are shown. Plain MAVLink with the vehicle's system ID is still refused.");
     if (view.inSweep && ended.reason == DownReason::Closed)
-        return LinkEnded{Text::tr("New session · %1").arg(name),
-                         Text::tr("The sweep changes the protection of the link, which needs a new handshake.")};
+        return LinkEnded{LinkEndedText::tr("New session · %1").arg(name),
+                         LinkEndedText::tr("The sweep changes the protection of the link, which needs a new handshake.")};
     switch (ended.reason) {
     case DownReason::Revoked:
-        return LinkEnded{Text::tr("Revoked · %1").arg(name),
-                         Text::tr("%1 is no longer a known peer: its session ended %2 ago and cannot be re-established. "
-                                  "The last received values are shown. Pair it again to continue.")
-                             .arg(name, ago),
-                         true};
+        return LinkEnded{
+            LinkEndedText::tr("Revoked · %1").arg(name),
+            LinkEndedText::tr("%1 is no longer a known peer: its session ended %2 ago and cannot be re-established. "
+                              "The last received values are shown. Pair it again to continue.")
+                .arg(name, ago),
+            true};
     case DownReason::TimedOut:
-        return LinkEnded{Text::tr("Session lost · %1").arg(name),
-                         Text::tr("%1 was silent for too long; the session ended %2 ago.").arg(name, ago) + waiting};
+        return LinkEnded{LinkEndedText::tr("Session lost · %1").arg(name),
+                         LinkEndedText::tr("%1 was silent for too long; the session ended %2 ago.").arg(name, ago) + waiting};
     case DownReason::PeerRestarted:
     case DownReason::PeerClosed:
     case DownReason::Exhausted:
     case DownReason::Cloned:
     case DownReason::Closed: break;
     }
-    return LinkEnded{Text::tr("Session ended · %1").arg(name),
-                     Text::tr("The session with %1 ended %2 ago: %3.").arg(name, ago, engine::downReasonText(ended.reason))
-                         + waiting};
+    return LinkEnded{
+        LinkEndedText::tr("Session ended · %1").arg(name),
+        LinkEndedText::tr("The session with %1 ended %2 ago: %3.").arg(name, ago, engine::downReasonText(ended.reason))
+            + waiting};
 }
 
 const engine::UnansweringAgent *unansweringOf(const ViewState &view)

@@ -18,19 +18,19 @@ using engine::Security;
 namespace {
 
 /// The translation context of the functions below.
-struct Text
+struct LockFaceText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::LockFace)
 };
 
 QString peerName(const engine::SessionSnapshot &session)
 {
-    return session.info.peerName.empty() ? Text::tr("peer") : fromStd(session.info.peerName);
+    return session.info.peerName.empty() ? LockFaceText::tr("peer") : fromStd(session.info.peerName);
 }
 
 QString sealedToolTip(const engine::SessionSnapshot &session)
 {
-    return Text::tr("Sealed with %1 for %2\nPeer %3 at %4\nFingerprint %5")
+    return LockFaceText::tr("Sealed with %1 for %2\nPeer %3 at %4\nFingerprint %5")
         .arg(suiteName(session.info.suite), durationText(session.age), peerName(session), fromStd(session.remoteAddress),
              fromStd(session.fingerprint));
 }
@@ -48,19 +48,20 @@ LockFace unsealedFace(const QStringList &variants, const QString &toolTip)
 
 LockFace pendingApprovalFace(const engine::PendingVehicle &held)
 {
-    return unsealedFace({Text::tr("Not sealed · vehicle %1 needs approval").arg(held.systemId),
-                         Text::tr("Not sealed · needs approval"), Text::tr("Not sealed")},
-                        Text::tr("Vehicle %1 at %2 may be impersonating %3, which has not been heard yet. Its telemetry is not "
-                                 "shown and nothing is sent to it until you allow plain MAVLink for it.")
-                            .arg(held.systemId)
-                            .arg(fromStd(held.remoteAddress), engine::anyOfNames(held.mayBe)));
+    return unsealedFace(
+        {LockFaceText::tr("Not sealed · vehicle %1 needs approval").arg(held.systemId),
+         LockFaceText::tr("Not sealed · needs approval"), LockFaceText::tr("Not sealed")},
+        LockFaceText::tr("Vehicle %1 at %2 may be impersonating %3, which has not been heard yet. Its telemetry is not "
+                         "shown and nothing is sent to it until you allow plain MAVLink for it.")
+            .arg(held.systemId)
+            .arg(fromStd(held.remoteAddress), engine::anyOfNames(held.mayBe)));
 }
 
 LockFace plainFace(const ViewState &view)
 {
     if (const auto oneWay = oneWayOf(view)) {
-        LockFace face = unsealedFace({oneWay->title, oneWay->recorded ? Text::tr("Recording") : Text::tr("Not sealed")},
-                                     oneWay->advice);
+        LockFace face = unsealedFace(
+            {oneWay->title, oneWay->recorded ? LockFaceText::tr("Recording") : LockFaceText::tr("Not sealed")}, oneWay->advice);
         if (oneWay->recorded) {
             face.security = Security::Nothing;
             face.icon = QStringLiteral("lock-none");
@@ -69,12 +70,13 @@ LockFace plainFace(const ViewState &view)
     }
     if (view.plainRun)
         return unsealedFace(
-            {Text::tr("Not sealed · sweep running"), Text::tr("Not sealed")},
-            Text::tr("The sweep is measuring plain MAVLink, with your consent: anyone on the path can read and change "
-                     "the traffic. The sweep seals the link again afterwards."));
-    return unsealedFace({Text::tr("Not sealed · plain MAVLink"), Text::tr("Not sealed")},
-                        Text::tr("Anyone on the path can read and change the traffic. Start skyseal-air beside the vehicle to "
-                                 "seal the link."));
+            {LockFaceText::tr("Not sealed · sweep running"), LockFaceText::tr("Not sealed")},
+            LockFaceText::tr("The sweep is measuring plain MAVLink, with your consent: anyone on the path can read and change "
+                             "the traffic. The sweep seals the link again afterwards."));
+    return unsealedFace(
+        {LockFaceText::tr("Not sealed · plain MAVLink"), LockFaceText::tr("Not sealed")},
+        LockFaceText::tr("Anyone on the path can read and change the traffic. Start skyseal-air beside the vehicle to "
+                         "seal the link."));
 }
 
 } // namespace
@@ -102,25 +104,26 @@ LockFace lockFaceOf(const ViewState &view)
         if (const engine::UnansweringAgent *agent = unansweringOf(view)) {
             face.icon = QStringLiteral("lock-none");
             face.lost = true;
-            face.variants = {Text::tr("%1 does not answer").arg(fromStd(agent->peerName)), Text::tr("No answer")};
-            face.toolTip = Text::tr("The agent %1 at %2 is reachable but does not answer. Does it know this station's "
-                                    "key?\nFingerprint %3")
+            face.variants = {LockFaceText::tr("%1 does not answer").arg(fromStd(agent->peerName)),
+                             LockFaceText::tr("No answer")};
+            face.toolTip = LockFaceText::tr("The agent %1 at %2 is reachable but does not answer. Does it know this station's "
+                                            "key?\nFingerprint %3")
                                .arg(fromStd(agent->peerName), fromStd(agent->remoteAddress), fromStd(agent->ownFingerprint));
             return face;
         }
         if (const auto ended = linkEndedOf(view)) {
             face.icon = QStringLiteral("lock-none");
             face.lost = true;
-            face.variants = {ended->title, ended->revoked ? Text::tr("Revoked") : Text::tr("No session")};
+            face.variants = {ended->title, ended->revoked ? LockFaceText::tr("Revoked") : LockFaceText::tr("No session")};
             face.toolTip = ended->advice;
             return face;
         }
         if (face.security == Security::Nothing) {
             face.icon = QStringLiteral("lock-none");
-            face.variants = {Text::tr("Nothing sealed"), Text::tr("Nothing sealed")};
-            face.toolTip = view.key.isOpening ? Text::tr("No sealed links yet: this station's key is being opened")
-                : view.key.problem.isEmpty()  ? Text::tr("No vehicle and no session yet")
-                                              : Text::tr("No sealed links: this station cannot use its key")
+            face.variants = {LockFaceText::tr("Nothing sealed"), LockFaceText::tr("Nothing sealed")};
+            face.toolTip = view.key.isOpening ? LockFaceText::tr("No sealed links yet: this station's key is being opened")
+                : view.key.problem.isEmpty()  ? LockFaceText::tr("No vehicle and no session yet")
+                                              : LockFaceText::tr("No sealed links: this station cannot use its key")
                                                    .append(QLatin1Char('\n'))
                                                    .append(view.key.problem);
             return face;
@@ -137,34 +140,37 @@ LockFace lockFaceOf(const ViewState &view)
     case Security::Switching: {
         face.icon = QStringLiteral("lock-switching");
         if (session.info.pending.value_or(session.info.suite) == session.info.suite) {
-            face.variants = {suite + dot + Text::tr("changing keys…")};
-            face.toolTip += QLatin1Char('\n') + Text::tr("New keys are being negotiated");
+            face.variants = {suite + dot + LockFaceText::tr("changing keys…")};
+            face.toolTip += QLatin1Char('\n') + LockFaceText::tr("New keys are being negotiated");
             break;
         }
         const QString to = suiteName(*session.info.pending);
-        face.variants = {suite + QStringLiteral(" → ") + to + dot + Text::tr("switching…"),
-                         suite + dot + Text::tr("switching…")};
-        face.toolTip += QLatin1Char('\n') + Text::tr("Switching to %1").arg(to);
+        face.variants = {suite + QStringLiteral(" → ") + to + dot + LockFaceText::tr("switching…"),
+                         suite + dot + LockFaceText::tr("switching…")};
+        face.toolTip += QLatin1Char('\n') + LockFaceText::tr("Switching to %1").arg(to);
         break;
     }
     case Security::UnderAttack: {
         const std::uint64_t records = refusedFrames(session, view.refusedLastMinute > 0).all();
         const std::uint64_t outside = view.refusedLastMinute > 0 ? view.refused : 0;
-        const QString brief = Text::tr("%1 refused").arg(grouped(records + outside));
+        const QString brief = LockFaceText::tr("%1 refused").arg(grouped(records + outside));
         face.icon = QStringLiteral("lock-alert");
-        face.variants = {suite + dot + peer + dot + Text::tr("under attack, %1").arg(brief), suite + dot + brief, brief};
+        face.variants = {suite + dot + peer + dot + LockFaceText::tr("under attack, %1").arg(brief), suite + dot + brief,
+                         brief};
         if (records > 0)
             face.toolTip += QLatin1Char('\n')
-                + Text::tr("Under attack: %1 forged or replayed records since the link came up. All of them were refused.")
+                + LockFaceText::tr(
+                      "Under attack: %1 forged or replayed records since the link came up. All of them were refused.")
                       .arg(grouped(records));
         if (outside > 0)
             face.toolTip += QLatin1Char('\n')
-                + Text::tr("Under attack: %1 spoofed frames of this vehicle since the link came up. All of them were refused.")
+                + LockFaceText::tr(
+                      "Under attack: %1 spoofed frames of this vehicle since the link came up. All of them were refused.")
                       .arg(grouped(outside));
         break;
     }
     default: {
-        const QString epoch = Text::tr("epoch %1").arg(static_cast<std::uint32_t>(session.info.epoch));
+        const QString epoch = LockFaceText::tr("epoch %1").arg(static_cast<std::uint32_t>(session.info.epoch));
         face.icon = QStringLiteral("lock-closed");
         face.variants = {suite + dot + peer + dot + epoch, suite + dot + peer, suite};
         break;

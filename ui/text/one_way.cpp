@@ -8,7 +8,7 @@ namespace skyseal::ui {
 
 namespace {
 
-struct Text
+struct OneWayText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::OneWay)
 };
@@ -20,14 +20,14 @@ std::optional<OneWay> oneWayOf(const ViewState &view)
     if (!view.link || view.vehicle->session)
         return std::nullopt;
     if (view.link->recording)
-        return OneWay{Text::tr("Replay"),
-                      Text::tr("The values come from a recorded log. They are not live, and nothing can be sent."),
-                      Text::tr("it is a replay"), true};
+        return OneWay{OneWayText::tr("Replay"),
+                      OneWayText::tr("The values come from a recorded log. They are not live, and nothing can be sent."),
+                      OneWayText::tr("it is a replay"), true};
     if (view.link->listenOnly)
-        return OneWay{Text::tr("Not sealed, receive only"),
-                      Text::tr("This stream is protected as in the published MAVSec code, which is insecure: anyone on "
-                               "the path can change it. Nothing is sent."),
-                      Text::tr("its link is receive-only")};
+        return OneWay{OneWayText::tr("Not sealed, receive only"),
+                      OneWayText::tr("This stream is protected as in the published MAVSec code, which is insecure: anyone on "
+                                     "the path can change it. Nothing is sent."),
+                      OneWayText::tr("its link is receive-only")};
     return std::nullopt;
 }
 

@@ -8,7 +8,7 @@ namespace skyseal::ui {
 
 namespace {
 
-struct Text
+struct PreArmText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::PreArmText)
 };
@@ -84,20 +84,20 @@ PreArm preArmOf(const ViewState &view)
 QString preArmText(const ViewState &view)
 {
     switch (preArmOf(view)) {
-    case PreArm::Unknown: return Text::tr("Pre-arm: unknown");
-    case PreArm::Ok: return Text::tr("Pre-arm: ok");
-    case PreArm::Armed: return Text::tr("Pre-arm: armed");
+    case PreArm::Unknown: return PreArmText::tr("Pre-arm: unknown");
+    case PreArm::Ok: return PreArmText::tr("Pre-arm: ok");
+    case PreArm::Armed: return PreArmText::tr("Pre-arm: armed");
     case PreArm::Refused: break;
     }
     const auto reasons = static_cast<int>(view.vehicle->state.preArmReasons.size());
     if (reasons == 0)
-        return Text::tr("Pre-arm: not ok");
-    return reasons == 1 ? Text::tr("Pre-arm: 1 failure") : Text::tr("Pre-arm: %1 failures").arg(reasons);
+        return PreArmText::tr("Pre-arm: not ok");
+    return reasons == 1 ? PreArmText::tr("Pre-arm: 1 failure") : PreArmText::tr("Pre-arm: %1 failures").arg(reasons);
 }
 
 QString widestPreArmText()
 {
-    return Text::tr("Pre-arm: %1 failures").arg(88);
+    return PreArmText::tr("Pre-arm: %1 failures").arg(88);
 }
 
 QString preArmSentence(const ViewState &view)
@@ -105,16 +105,17 @@ QString preArmSentence(const ViewState &view)
     switch (preArmOf(view)) {
     case PreArm::Unknown:
         if (!view.vehicle)
-            return Text::tr("No vehicle is connected.");
-        return view.stale() ? Text::tr("The vehicle is silent, so the state of its checks is not known.")
-                            : Text::tr("The vehicle does not report whether its checks pass, and has not reported a failure.");
-    case PreArm::Ok: return Text::tr("The vehicle reports that all checks pass.");
-    case PreArm::Armed: return Text::tr("The vehicle is armed.");
+            return PreArmText::tr("No vehicle is connected.");
+        return view.stale()
+            ? PreArmText::tr("The vehicle is silent, so the state of its checks is not known.")
+            : PreArmText::tr("The vehicle does not report whether its checks pass, and has not reported a failure.");
+    case PreArm::Ok: return PreArmText::tr("The vehicle reports that all checks pass.");
+    case PreArm::Armed: return PreArmText::tr("The vehicle is armed.");
     case PreArm::Refused: break;
     }
     return view.vehicle->state.preArmReasons.empty()
-        ? Text::tr("The vehicle reports that a check fails, but not which one. It repeats its failures every 30 s.")
-        : Text::tr("The vehicle will not arm. A failure is removed when it has not been repeated for 40 s.");
+        ? PreArmText::tr("The vehicle reports that a check fails, but not which one. It repeats its failures every 30 s.")
+        : PreArmText::tr("The vehicle will not arm. A failure is removed when it has not been repeated for 40 s.");
 }
 
 QString preArmRemedy(const QString &reason)
@@ -122,8 +123,8 @@ QString preArmRemedy(const QString &reason)
     const QString text = QLatin1Char(' ') + reason;
     for (const Remedy &remedy : kRemedies)
         if (text.contains(QLatin1Char(' ') + QLatin1String(remedy.word), Qt::CaseInsensitive))
-            return Text::tr(remedy.text);
-    return Text::tr("Look up the message in the autopilot's documentation.");
+            return PreArmText::tr(remedy.text);
+    return PreArmText::tr("Look up the message in the autopilot's documentation.");
 }
 
 } // namespace skyseal::ui

@@ -20,7 +20,7 @@ struct Words
 };
 
 /// The translations' context, with the words of the derived quantities.
-struct Text
+struct ValueSourceText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::ValueSource)
 
@@ -67,8 +67,8 @@ public:
 
 const Words *wordsOf(const vehicle::StateField &state)
 {
-    const auto *found = std::ranges::find(Text::kWords, state.name, &Words::name);
-    return found == std::end(Text::kWords) ? nullptr : found;
+    const auto *found = std::ranges::find(ValueSourceText::kWords, state.name, &Words::name);
+    return found == std::end(ValueSourceText::kWords) ? nullptr : found;
 }
 
 bool isText(const mavlink::FieldInfo &field)
@@ -114,22 +114,22 @@ QString ValueSource::id() const
 QString ValueSource::title() const
 {
     const Words *words = state ? wordsOf(*state) : nullptr;
-    return words ? Text::tr(words->title) : id();
+    return words ? ValueSourceText::tr(words->title) : id();
 }
 
 QString ValueSource::caption() const
 {
     const Words *words = state ? wordsOf(*state) : nullptr;
-    return words ? Text::tr(words->caption) : id().section(QLatin1Char('.'), -1);
+    return words ? ValueSourceText::tr(words->caption) : id().section(QLatin1Char('.'), -1);
 }
 
 QString ValueSource::description() const
 {
     if (state)
-        return Text::tr("derived by the station: %1").arg(id());
+        return ValueSourceText::tr("derived by the station: %1").arg(id());
     QStringList parts{fromStd(mavlink::nameOf(field->type))};
     if (field->arrayLength)
-        parts << Text::tr("%1 elements").arg(field->arrayLength);
+        parts << ValueSourceText::tr("%1 elements").arg(field->arrayLength);
     if (!field->enumName.empty())
         parts << fromStd(field->enumName);
     return parts.join(QStringLiteral(" · "));

@@ -11,7 +11,7 @@ namespace skyseal::ui {
 namespace {
 
 /// The translations' context of the free functions below.
-struct Text
+struct VehicleText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::StateText)
 };
@@ -21,15 +21,15 @@ struct Text
 QString fixText(int gpsFixType)
 {
     switch (gpsFixType) {
-    case mavlink::GPS_FIX_TYPE_NO_GPS: return Text::tr("no GPS");
-    case mavlink::GPS_FIX_TYPE_NO_FIX: return Text::tr("no fix");
-    case mavlink::GPS_FIX_TYPE_2D_FIX: return Text::tr("2D fix");
-    case mavlink::GPS_FIX_TYPE_3D_FIX: return Text::tr("3D fix");
-    case mavlink::GPS_FIX_TYPE_DGPS: return Text::tr("DGPS");
-    case mavlink::GPS_FIX_TYPE_RTK_FLOAT: return Text::tr("RTK float");
-    case mavlink::GPS_FIX_TYPE_RTK_FIXED: return Text::tr("RTK fixed");
-    case mavlink::GPS_FIX_TYPE_STATIC: return Text::tr("static");
-    case mavlink::GPS_FIX_TYPE_PPP: return Text::tr("PPP");
+    case mavlink::GPS_FIX_TYPE_NO_GPS: return VehicleText::tr("no GPS");
+    case mavlink::GPS_FIX_TYPE_NO_FIX: return VehicleText::tr("no fix");
+    case mavlink::GPS_FIX_TYPE_2D_FIX: return VehicleText::tr("2D fix");
+    case mavlink::GPS_FIX_TYPE_3D_FIX: return VehicleText::tr("3D fix");
+    case mavlink::GPS_FIX_TYPE_DGPS: return VehicleText::tr("DGPS");
+    case mavlink::GPS_FIX_TYPE_RTK_FLOAT: return VehicleText::tr("RTK float");
+    case mavlink::GPS_FIX_TYPE_RTK_FIXED: return VehicleText::tr("RTK fixed");
+    case mavlink::GPS_FIX_TYPE_STATIC: return VehicleText::tr("static");
+    case mavlink::GPS_FIX_TYPE_PPP: return VehicleText::tr("PPP");
     default: return dash();
     }
 }
@@ -37,14 +37,14 @@ QString fixText(int gpsFixType)
 QString severityText(std::uint8_t severity)
 {
     switch (severity) {
-    case mavlink::MAV_SEVERITY_EMERGENCY: return Text::tr("emergency");
-    case mavlink::MAV_SEVERITY_ALERT: return Text::tr("alert");
-    case mavlink::MAV_SEVERITY_CRITICAL: return Text::tr("critical");
-    case mavlink::MAV_SEVERITY_ERROR: return Text::tr("error");
-    case mavlink::MAV_SEVERITY_WARNING: return Text::tr("warning");
-    case mavlink::MAV_SEVERITY_NOTICE: return Text::tr("notice");
-    case mavlink::MAV_SEVERITY_INFO: return Text::tr("info");
-    default: return Text::tr("debug");
+    case mavlink::MAV_SEVERITY_EMERGENCY: return VehicleText::tr("emergency");
+    case mavlink::MAV_SEVERITY_ALERT: return VehicleText::tr("alert");
+    case mavlink::MAV_SEVERITY_CRITICAL: return VehicleText::tr("critical");
+    case mavlink::MAV_SEVERITY_ERROR: return VehicleText::tr("error");
+    case mavlink::MAV_SEVERITY_WARNING: return VehicleText::tr("warning");
+    case mavlink::MAV_SEVERITY_NOTICE: return VehicleText::tr("notice");
+    case mavlink::MAV_SEVERITY_INFO: return VehicleText::tr("info");
+    default: return VehicleText::tr("debug");
     }
 }
 
@@ -56,30 +56,31 @@ QString commandText(const vehicle::VehicleCommand &command, UnitSystem units)
         return figureIn(scale, metres).text();
     };
     return std::visit(
-        Overloaded{[](const vehicle::Arm &) { return Text::tr("Arm"); },
-                   [](const vehicle::Disarm &c) { return c.force ? Text::tr("Emergency stop") : Text::tr("Disarm"); },
-                   [&](const vehicle::TakeOff &c) { return Text::tr("Take off to %1").arg(altitude(c.altitude)); },
-                   [](const vehicle::Land &) { return Text::tr("Land"); },
-                   [](const vehicle::ReturnToLaunch &) { return Text::tr("RTL"); },
-                   [](const vehicle::SetMode &c) { return Text::tr("Mode %1").arg(fromStd(c.mode)); },
-                   [](const vehicle::GoTo &) { return Text::tr("Go here"); },
-                   [&](const vehicle::ChangeAltitude &c) {
-                       return Text::tr("Change altitude to %1").arg(altitude(c.altitudeRelative));
-                   },
-                   [](const vehicle::Loiter &) { return Text::tr("Pause"); },
-                   [](const vehicle::PointAt &) { return Text::tr("Point camera here"); },
-                   [](const vehicle::StopPointing &) { return Text::tr("Stop pointing camera"); },
-                   [](const vehicle::SetHome &) { return Text::tr("Set home here"); },
-                   [&](const vehicle::ChangeSpeed &c) {
-                       return Text::tr("Speed %1").arg(speedFigure(c.metresPerSecond, units).text());
-                   },
-                   [](const vehicle::SetCurrentMissionItem &c) { return Text::tr("Mission item %1").arg(c.index); },
-                   [](const vehicle::StartMission &) { return Text::tr("Start mission"); },
-                   [](const vehicle::Reboot &) { return Text::tr("Restart the autopilot"); },
-                   [](const vehicle::RawCommand &c) {
-                       return c.command == mavlink::MAV_CMD_RUN_PREARM_CHECKS ? Text::tr("Pre-arm checks")
-                                                                              : Text::tr("Command %1").arg(c.command);
-                   }},
+        Overloaded{
+            [](const vehicle::Arm &) { return VehicleText::tr("Arm"); },
+            [](const vehicle::Disarm &c) { return c.force ? VehicleText::tr("Emergency stop") : VehicleText::tr("Disarm"); },
+            [&](const vehicle::TakeOff &c) { return VehicleText::tr("Take off to %1").arg(altitude(c.altitude)); },
+            [](const vehicle::Land &) { return VehicleText::tr("Land"); },
+            [](const vehicle::ReturnToLaunch &) { return VehicleText::tr("RTL"); },
+            [](const vehicle::SetMode &c) { return VehicleText::tr("Mode %1").arg(fromStd(c.mode)); },
+            [](const vehicle::GoTo &) { return VehicleText::tr("Go here"); },
+            [&](const vehicle::ChangeAltitude &c) {
+                return VehicleText::tr("Change altitude to %1").arg(altitude(c.altitudeRelative));
+            },
+            [](const vehicle::Loiter &) { return VehicleText::tr("Pause"); },
+            [](const vehicle::PointAt &) { return VehicleText::tr("Point camera here"); },
+            [](const vehicle::StopPointing &) { return VehicleText::tr("Stop pointing camera"); },
+            [](const vehicle::SetHome &) { return VehicleText::tr("Set home here"); },
+            [&](const vehicle::ChangeSpeed &c) {
+                return VehicleText::tr("Speed %1").arg(speedFigure(c.metresPerSecond, units).text());
+            },
+            [](const vehicle::SetCurrentMissionItem &c) { return VehicleText::tr("Mission item %1").arg(c.index); },
+            [](const vehicle::StartMission &) { return VehicleText::tr("Start mission"); },
+            [](const vehicle::Reboot &) { return VehicleText::tr("Restart the autopilot"); },
+            [](const vehicle::RawCommand &c) {
+                return c.command == mavlink::MAV_CMD_RUN_PREARM_CHECKS ? VehicleText::tr("Pre-arm checks")
+                                                                       : VehicleText::tr("Command %1").arg(c.command);
+            }},
         command);
 }
 

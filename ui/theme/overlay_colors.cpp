@@ -8,7 +8,7 @@ namespace skyseal::ui {
 
 namespace {
 
-struct Text
+struct OverlayColorsText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::OverlayColor)
 };
@@ -32,14 +32,14 @@ QColor overlayColor(OverlayColor color, const QPalette &palette)
 QString overlayColorText(OverlayColor color)
 {
     switch (color) {
-    case OverlayColor::Blue: return Text::tr("Blue");
-    case OverlayColor::Orange: return Text::tr("Orange");
-    case OverlayColor::Red: return Text::tr("Red");
-    case OverlayColor::Green: return Text::tr("Green");
-    case OverlayColor::Purple: return Text::tr("Purple");
+    case OverlayColor::Blue: return OverlayColorsText::tr("Blue");
+    case OverlayColor::Orange: return OverlayColorsText::tr("Orange");
+    case OverlayColor::Red: return OverlayColorsText::tr("Red");
+    case OverlayColor::Green: return OverlayColorsText::tr("Green");
+    case OverlayColor::Purple: return OverlayColorsText::tr("Purple");
     case OverlayColor::Grey: break;
     }
-    return Text::tr("Grey");
+    return OverlayColorsText::tr("Grey");
 }
 
 } // namespace skyseal::ui

@@ -11,7 +11,7 @@ namespace skyseal::ui {
 
 namespace {
 
-struct Text
+struct MbtilesWriterText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::MbtilesWriter)
 };
@@ -44,20 +44,21 @@ Result<void, QString> MbtilesWriter::run(const char *sql)
     if (sqlite3_exec(m_database.get(), sql, nullptr, nullptr, nullptr) == SQLITE_OK)
         return {};
     return tl::unexpected(
-        Text::tr("%1 cannot be written: %2").arg(m_path, QString::fromUtf8(sqlite3_errmsg(m_database.get()))));
+        MbtilesWriterText::tr("%1 cannot be written: %2").arg(m_path, QString::fromUtf8(sqlite3_errmsg(m_database.get()))));
 }
 
 Result<std::unique_ptr<MbtilesWriter>, QString> MbtilesWriter::create(const QString &path)
 {
     std::unique_ptr<MbtilesWriter> out(new MbtilesWriter(path));
     if (QFile::exists(out->m_part) && !QFile::remove(out->m_part)) // of a program that ended early
-        return tl::unexpected(Text::tr("%1 cannot be replaced").arg(out->m_part));
+        return tl::unexpected(MbtilesWriterText::tr("%1 cannot be replaced").arg(out->m_part));
     sqlite3 *database = nullptr;
     const int opened = sqlite3_open_v2(QFile::encodeName(out->m_part).constData(), &database,
                                        SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX, nullptr);
     out->m_database.reset(database);
     if (opened != SQLITE_OK)
-        return tl::unexpected(Text::tr("%1 cannot be written: %2").arg(path, QString::fromUtf8(sqlite3_errmsg(database))));
+        return tl::unexpected(
+            MbtilesWriterText::tr("%1 cannot be written: %2").arg(path, QString::fromUtf8(sqlite3_errmsg(database))));
     // Without a journal: an incomplete file is thrown away in any case.
     if (auto made = out->run("PRAGMA journal_mode=OFF; PRAGMA synchronous=OFF; PRAGMA cache_size=-2048; BEGIN;"
                              "CREATE TABLE metadata (name TEXT, value TEXT);"
@@ -83,7 +84,7 @@ Result<void, QString> MbtilesWriter::add(const TileId &tile, const QByteArray &b
     sqlite3_clear_bindings(insert);
     if (result != SQLITE_DONE)
         return tl::unexpected(
-            Text::tr("%1 cannot be written: %2").arg(m_path, QString::fromUtf8(sqlite3_errmsg(m_database.get()))));
+            MbtilesWriterText::tr("%1 cannot be written: %2").arg(m_path, QString::fromUtf8(sqlite3_errmsg(m_database.get()))));
     return {};
 }
 
@@ -104,7 +105,7 @@ Result<void, QString> MbtilesWriter::finish(const QHash<QString, QString> &metad
     m_insert.reset();
     const bool renamed = std::rename(QFile::encodeName(m_part).constData(), QFile::encodeName(m_path).constData()) == 0;
     if (!renamed)
-        return tl::unexpected(Text::tr("%1 cannot be written").arg(m_path));
+        return tl::unexpected(MbtilesWriterText::tr("%1 cannot be written").arg(m_path));
     m_database.reset(); // after the renaming, so that a failure still removes the part
     return {};
 }

@@ -6,7 +6,7 @@ namespace skyseal::ui {
 
 namespace {
 
-struct Text
+struct RegionFetchText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::RegionFetch)
 };
@@ -72,7 +72,7 @@ void RegionFetch::tileFailed(Job job)
 Result<QString, QString> RegionFetch::finish(const QString &name, const QString &attribution)
 {
     if (m_progress.bytes == 0)
-        return tl::unexpected(Text::tr("the server has no tiles there"));
+        return tl::unexpected(RegionFetchText::tr("the server has no tiles there"));
     const auto done = m_writer->finish({{QStringLiteral("name"), name},
                                         {QStringLiteral("format"), formatName(m_format)},
                                         {QStringLiteral("type"), QStringLiteral("baselayer")},

@@ -16,7 +16,7 @@ namespace skyseal::ui {
 
 namespace {
 
-struct Text
+struct TileFileText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::TileFile)
 };
@@ -98,11 +98,11 @@ Result<TileFile, QString> TileFile::open(const QString &path)
                                        SQLITE_OPEN_READONLY | SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_PRIVATECACHE, nullptr);
     out.m_database.reset(database);
     if (opened != SQLITE_OK)
-        return tl::unexpected(Text::tr("%1 cannot be opened: %2").arg(path, out.problem()));
+        return tl::unexpected(TileFileText::tr("%1 cannot be opened: %2").arg(path, out.problem()));
     protect(database);
     const bool isGeoPackage = out.prepare("SELECT 1 FROM gpkg_contents") != nullptr;
     if (auto read = isGeoPackage ? out.readGeoPackage() : out.readMbtiles(); !read)
-        return tl::unexpected(Text::tr("%1 cannot be shown: %2").arg(path, read.error()));
+        return tl::unexpected(TileFileText::tr("%1 cannot be shown: %2").arg(path, read.error()));
     return out;
 }
 
@@ -115,17 +115,17 @@ TileFile::Statement TileFile::prepare(const char *sql) const
 
 QString TileFile::problem() const
 {
-    return m_database ? QString::fromUtf8(sqlite3_errmsg(m_database.get())) : Text::tr("out of memory");
+    return m_database ? QString::fromUtf8(sqlite3_errmsg(m_database.get())) : TileFileText::tr("out of memory");
 }
 
 Result<void, QString> TileFile::readMbtiles()
 {
     m_select = prepare("SELECT tile_data FROM tiles WHERE zoom_level=?1 AND tile_column=?2 AND tile_row=?3 LIMIT 1");
     if (!m_select)
-        return tl::unexpected(Text::tr("it is neither an MBTiles nor a GeoPackage file (%1)").arg(problem()));
+        return tl::unexpected(TileFileText::tr("it is neither an MBTiles nor a GeoPackage file (%1)").arg(problem()));
     const QString format = metadata("format").toLower();
     if (format == QStringLiteral("pbf"))
-        return tl::unexpected(Text::tr("it has vector tiles; only images (PNG, JPEG, WebP) can be shown"));
+        return tl::unexpected(TileFileText::tr("it has vector tiles; only images (PNG, JPEG, WebP) can be shown"));
     m_facts.name = plainText(metadata("name"));
     m_facts.attribution = plainText(metadata("attribution"));
     bool ok = false;
@@ -159,14 +159,14 @@ Result<void, QString> TileFile::readGeoPackage()
                                        "WHERE c.data_type='tiles' AND r.organization_coordsys_id=3857 "
                                        "ORDER BY c.table_name LIMIT 1");
     if (!contents)
-        return tl::unexpected(Text::tr("it has no map tiles (%1)").arg(problem()));
+        return tl::unexpected(TileFileText::tr("it has no map tiles (%1)").arg(problem()));
     if (step(m_database.get(), contents.get()) != SQLITE_ROW)
-        return tl::unexpected(Text::tr("it has no map tiles in Web Mercator (EPSG:3857)"));
+        return tl::unexpected(TileFileText::tr("it has no map tiles in Web Mercator (EPSG:3857)"));
     const QByteArray table = textAt(contents.get(), 0).toUtf8();
     m_facts.name = plainText(textAt(contents.get(), 1));
     readMatrices(table.constData(), sqlite3_column_double(contents.get(), 2), sqlite3_column_double(contents.get(), 3));
     if (m_matrices.empty())
-        return tl::unexpected(Text::tr("its tiles are not those of the usual grid, %1 pixels wide").arg(kTilePixels));
+        return tl::unexpected(TileFileText::tr("its tiles are not those of the usual grid, %1 pixels wide").arg(kTilePixels));
     m_facts.deepest = std::ranges::max(m_matrices, {}, &Matrix::level).level;
     const std::unique_ptr<char, void (*)(void *)> sql(
         sqlite3_mprintf("SELECT tile_data FROM \"%w\" WHERE zoom_level=?1 AND tile_column=?2 AND tile_row=?3 LIMIT 1",
@@ -224,10 +224,10 @@ Result<std::optional<QByteArray>, QString> TileFile::tile(const TileId &tile)
         const auto *data = static_cast<const char *>(sqlite3_column_blob(m_select.get(), 0));
         const int size = sqlite3_column_bytes(m_select.get(), 0);
         if (size > kLargestTile)
-            return tl::unexpected(Text::tr("a tile is larger than %1 kB").arg(kLargestTile / 1024));
+            return tl::unexpected(TileFileText::tr("a tile is larger than %1 kB").arg(kLargestTile / 1024));
         out = QByteArray(data, size);
     } else if (result != SQLITE_DONE) {
-        return tl::unexpected(result == SQLITE_INTERRUPT ? Text::tr("the file takes too long to search") : problem());
+        return tl::unexpected(result == SQLITE_INTERRUPT ? TileFileText::tr("the file takes too long to search") : problem());
     }
     sqlite3_reset(m_select.get());
     return out;

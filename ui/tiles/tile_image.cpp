@@ -8,7 +8,7 @@ namespace skyseal::ui {
 
 namespace {
 
-struct Text
+struct TileImageText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::TileImage)
 };
@@ -46,10 +46,10 @@ QString formatName(TileFormat format)
 Result<QImage, QString> decodeTile(const QByteArray &bytes)
 {
     if (bytes.size() > kLargestTile)
-        return tl::unexpected(Text::tr("a tile is larger than %1 kB").arg(kLargestTile / 1024));
+        return tl::unexpected(TileImageText::tr("a tile is larger than %1 kB").arg(kLargestTile / 1024));
     const TileFormat format = tileFormatOf(bytes);
     if (format == TileFormat::Unknown)
-        return tl::unexpected(Text::tr("a tile is neither PNG, JPEG nor WebP"));
+        return tl::unexpected(TileImageText::tr("a tile is neither PNG, JPEG nor WebP"));
     QBuffer buffer;
     buffer.setData(bytes);
     buffer.open(QIODevice::ReadOnly);
@@ -57,13 +57,13 @@ Result<QImage, QString> decodeTile(const QByteArray &bytes)
     reader.setAutoDetectImageFormat(false);
     const QSize size = reader.size(); // from the header, before anything is allocated
     if (size.isEmpty())
-        return tl::unexpected(Text::tr("a tile cannot be read as %1").arg(formatName(format)));
+        return tl::unexpected(TileImageText::tr("a tile cannot be read as %1").arg(formatName(format)));
     if (size.width() > kWidestTile || size.height() > kWidestTile)
         return tl::unexpected(
-            Text::tr("a tile has %1×%2 pixels, more than %3").arg(size.width()).arg(size.height()).arg(kWidestTile));
+            TileImageText::tr("a tile has %1×%2 pixels, more than %3").arg(size.width()).arg(size.height()).arg(kWidestTile));
     QImage image = reader.read();
     if (image.isNull() || image.size() != size)
-        return tl::unexpected(Text::tr("a tile cannot be read as %1").arg(formatName(format)));
+        return tl::unexpected(TileImageText::tr("a tile cannot be read as %1").arg(formatName(format)));
     image.convertTo(image.hasAlphaChannel() ? QImage::Format_ARGB32_Premultiplied : QImage::Format_RGB32);
     return image;
 }

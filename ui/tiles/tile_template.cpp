@@ -6,7 +6,7 @@ namespace skyseal::ui {
 
 namespace {
 
-struct Text
+struct TileTemplateText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::TileTemplate)
 };
@@ -28,19 +28,20 @@ Result<TileTemplate, QString> TileTemplate::parse(const QString &text)
     out.m_text = text.trimmed();
     const bool rows = out.m_text.contains(QStringLiteral("{y}")) != out.m_text.contains(QStringLiteral("{-y}"));
     if (!out.m_text.contains(QStringLiteral("{z}")) || !out.m_text.contains(QStringLiteral("{x}")) || !rows)
-        return tl::unexpected(Text::tr("The address must contain {z}, {x} and {y}, where the server expects zoom level, "
-                                       "column and row"));
+        return tl::unexpected(
+            TileTemplateText::tr("The address must contain {z}, {x} and {y}, where the server expects zoom level, "
+                                 "column and row"));
     const QString example = filled(out.m_text, {});
     if (example.contains(QLatin1Char('{')) || example.contains(QLatin1Char('}')))
-        return tl::unexpected(Text::tr("Only the placeholders {z}, {x} and {y} (or {-y}) are supported"));
+        return tl::unexpected(TileTemplateText::tr("Only the placeholders {z}, {x} and {y} (or {-y}) are supported"));
     const QUrl url(example, QUrl::StrictMode);
     if (!url.isValid() || url.host().isEmpty()
         || (url.scheme() != QStringLiteral("https") && url.scheme() != QStringLiteral("http")))
-        return tl::unexpected(Text::tr("The address must begin with https:// or http:// and name a server"));
+        return tl::unexpected(TileTemplateText::tr("The address must begin with https:// or http:// and name a server"));
     // The server's name stays the same for all tiles, so that the operator knows whom the map asks.
     out.m_host = url.host();
     if (QUrl(filled(out.m_text, {1, 1, 0})).host() != out.m_host)
-        return tl::unexpected(Text::tr("The server name must not contain placeholders"));
+        return tl::unexpected(TileTemplateText::tr("The server name must not contain placeholders"));
     return out;
 }
 
@@ -52,7 +53,8 @@ QUrl TileTemplate::urlOf(const TileId &tile) const
 QString TileTemplate::offlineForbiddenReason() const
 {
     if (m_host == QStringLiteral("openstreetmap.org") || m_host.endsWith(QStringLiteral(".openstreetmap.org")))
-        return Text::tr("openstreetmap.org does not permit fetching areas for later use; choose a server that does");
+        return TileTemplateText::tr(
+            "openstreetmap.org does not permit fetching areas for later use; choose a server that does");
     return {};
 }
 

@@ -12,7 +12,7 @@ namespace skyseal::ui {
 
 namespace {
 
-struct Text
+struct ValueReadingText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::ValueReading)
 };
@@ -30,9 +30,10 @@ ValueReading readState(const ValueSource &source, const vehicle::VehicleState &s
     if (source.isNumber()) {
         out.number = number * source.unit().factor;
         if (field.name == "flight_time" && !state.takeOffSeen) {
-            out.note = Text::tr("since first heard");
-            out.explanation = Text::tr("The vehicle was already flying when this station first heard it. The time counts from "
-                                       "then: the flight itself is longer.");
+            out.note = ValueReadingText::tr("since first heard");
+            out.explanation = ValueReadingText::tr(
+                "The vehicle was already flying when this station first heard it. The time counts from "
+                "then: the flight itself is longer.");
         }
     } else if (!std::isfinite(number)) {
         return out;
@@ -40,9 +41,9 @@ ValueReading readState(const ValueSource &source, const vehicle::VehicleState &s
         out.word = fixText(static_cast<int>(number));
     } else if (field.name == "ekf_ok") {
         out.isBad = number == 0;
-        out.word = out.isBad ? Text::tr("bad") : Text::tr("good");
+        out.word = out.isBad ? ValueReadingText::tr("bad") : ValueReadingText::tr("good");
     } else {
-        out.word = number != 0 ? Text::tr("yes") : Text::tr("no");
+        out.word = number != 0 ? ValueReadingText::tr("yes") : ValueReadingText::tr("no");
     }
     return out;
 }

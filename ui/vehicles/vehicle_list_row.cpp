@@ -19,7 +19,7 @@ using engine::Security;
 namespace {
 
 /// The translation context of the functions below.
-struct Text
+struct VehicleListRowText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::VehicleListRow)
 };
@@ -33,7 +33,8 @@ VehicleListCell nameCell(const ViewState &view)
     const QString peer = view.session ? fromStd(view.session->info.peerName) : QString();
     VehicleListCell cell{.text = peer.isEmpty() ? QString::number(id) : QStringLiteral("%1 · %2").arg(id).arg(peer),
                          .rank = double(id)};
-    cell.tip = peer.isEmpty() ? Text::tr("Vehicle %1").arg(id) : Text::tr("Vehicle %1, agent %2").arg(id).arg(peer);
+    cell.tip = peer.isEmpty() ? VehicleListRowText::tr("Vehicle %1").arg(id)
+                              : VehicleListRowText::tr("Vehicle %1, agent %2").arg(id).arg(peer);
     return cell;
 }
 
@@ -43,10 +44,10 @@ VehicleListCell batteryCell(const vehicle::VehicleState &state)
     const bool low = state.batteryPercent <= kLowBatteryPercent;
     const QString percent = number(state.batteryPercent, 0) + QStringLiteral(" %");
     return {.text = !known ? dash()
-                : low      ? Text::tr("%1 · low").arg(percent)
+                : low      ? VehicleListRowText::tr("%1 · low").arg(percent)
                            : percent,
             .tone = low ? CellTone::Alarm : CellTone::Usual,
-            .tip = Text::tr("%1 V").arg(number(state.batteryVoltage, 1)),
+            .tip = VehicleListRowText::tr("%1 V").arg(number(state.batteryVoltage, 1)),
             .rank = known ? std::round(state.batteryPercent) : kUnknownLast};
 }
 
@@ -58,13 +59,16 @@ bool isLost(const ViewState &view)
 VehicleListCell linkCell(const ViewState &view)
 {
     if (isLost(view))
-        return {.text = Text::tr("lost"), .tone = CellTone::Alarm, .tip = Text::tr("No frames received"), .rank = -1};
+        return {.text = VehicleListRowText::tr("lost"),
+                .tone = CellTone::Alarm,
+                .tip = VehicleListRowText::tr("No frames received"),
+                .rank = -1};
     const double arrived = 100 - (view.session ? view.session->lossPercent : view.vehicle->lossPercent);
     const QString percent = number(arrived, 0) + QStringLiteral(" %");
     const bool poor = arrived < kPoorPercent;
-    return {.text = poor ? Text::tr("%1 · poor").arg(percent) : percent,
+    return {.text = poor ? VehicleListRowText::tr("%1 · poor").arg(percent) : percent,
             .tone = poor ? CellTone::Warning : CellTone::Usual,
-            .tip = Text::tr("Share of the frames that arrived within the last second"),
+            .tip = VehicleListRowText::tr("Share of the frames that arrived within the last second"),
             .rank = std::round(arrived)};
 }
 
@@ -73,11 +77,11 @@ VehicleListCell ageCell(const ViewState &view)
 {
     const double age = view.vehicle->state.messageAge;
     return {.text = !std::isfinite(age) ? dash()
-                : age < 1               ? Text::tr("< 1 s")
-                : age < 60              ? Text::tr("%1 s").arg(std::floor(age))
+                : age < 1               ? VehicleListRowText::tr("< 1 s")
+                : age < 60              ? VehicleListRowText::tr("%1 s").arg(std::floor(age))
                                         : durationText(age),
             .tone = view.stale() ? CellTone::Alarm : CellTone::Usual,
-            .tip = Text::tr("Since the newest frame"),
+            .tip = VehicleListRowText::tr("Since the newest frame"),
             .rank = std::isfinite(age) ? std::floor(age) : kUnknownLast};
 }
 
@@ -87,9 +91,9 @@ VehicleListCell lockCell(const ViewState &view)
     const QString brief = face.variants.last(); // the suite, or what there is in place of a session
     VehicleListCell cell{.text = brief, .tip = face.toolTip, .icon = face.icon, .rank = double(face.security)};
     switch (face.security) {
-    case Security::Sealed: cell.text = Text::tr("Sealed · %1").arg(brief); break;
+    case Security::Sealed: cell.text = VehicleListRowText::tr("Sealed · %1").arg(brief); break;
     case Security::UnderAttack:
-        cell.text = Text::tr("Under attack · %1").arg(brief);
+        cell.text = VehicleListRowText::tr("Under attack · %1").arg(brief);
         cell.tone = CellTone::Alarm;
         break;
     case Security::Plain: cell.tone = CellTone::Warning; break;
@@ -113,10 +117,10 @@ VehicleListCell alertsCell(std::uint8_t systemId, std::span<const Alert> alerts)
         texts << alert.text;
     }
     if (count == 0)
-        return {.text = dash(), .tone = CellTone::Dim, .tip = Text::tr("No alerts")};
-    const QString word = gravest == AlertSeverity::Severe ? Text::tr("severe")
-        : gravest == AlertSeverity::Warning               ? Text::tr("warning")
-                                                          : Text::tr("notice");
+        return {.text = dash(), .tone = CellTone::Dim, .tip = VehicleListRowText::tr("No alerts")};
+    const QString word = gravest == AlertSeverity::Severe ? VehicleListRowText::tr("severe")
+        : gravest == AlertSeverity::Warning               ? VehicleListRowText::tr("warning")
+                                                          : VehicleListRowText::tr("notice");
     return {.text = QStringLiteral("%1 · %2").arg(count).arg(word),
             .tone = gravest == AlertSeverity::Severe ? CellTone::Alarm
                 : gravest == AlertSeverity::Warning  ? CellTone::Warning
@@ -135,7 +139,7 @@ VehicleListRow vehicleListRowOf(const ViewState &view, std::span<const Alert> al
     row[Vehicle] = nameCell(view);
     row[Kind] = {.text = engine::vehicleTypeText(state.type), .tip = fromStd(state.firmware)};
     row[Mode] = {.text = state.mode.empty() ? dash() : fromStd(state.mode)};
-    row[Armed] = {.text = state.armed ? Text::tr("Armed") : Text::tr("Disarmed"),
+    row[Armed] = {.text = state.armed ? VehicleListRowText::tr("Armed") : VehicleListRowText::tr("Disarmed"),
                   .tone = state.armed ? CellTone::Alarm : CellTone::Usual,
                   .rank = state.armed ? 0.0 : 1.0};
     row[Battery] = batteryCell(state);

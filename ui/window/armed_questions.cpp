@@ -14,7 +14,7 @@ namespace skyseal::ui {
 
 namespace {
 
-struct Text
+struct ArmedQuestionsText
 {
     Q_DECLARE_TR_FUNCTIONS(ArmedQuestions)
 };
@@ -57,22 +57,23 @@ QString armedVehiclesOf(const engine::Snapshot &snapshot, const QString &peer)
 void askToReplay(const QString &armed, QWidget *window, std::function<void()> replay)
 {
     ask({.objectName = QStringLiteral("confirmReplay"),
-         .title = Text::tr("Replay a log"),
-         .text = areSeveral(armed) ? Text::tr("Vehicles %1 are armed. Replay a log?").arg(armed)
-                                   : Text::tr("Vehicle %1 is armed. Replay a log?").arg(armed),
-         .details = Text::tr("No vehicle can be commanded until you go back to the live picture."),
-         .yes = Text::tr("Replay")},
+         .title = ArmedQuestionsText::tr("Replay a log"),
+         .text = areSeveral(armed) ? ArmedQuestionsText::tr("Vehicles %1 are armed. Replay a log?").arg(armed)
+                                   : ArmedQuestionsText::tr("Vehicle %1 is armed. Replay a log?").arg(armed),
+         .details = ArmedQuestionsText::tr("No vehicle can be commanded until you go back to the live picture."),
+         .yes = ArmedQuestionsText::tr("Replay")},
         window, std::move(replay));
 }
 
 void askToQuit(const QString &armed, QWidget *window, std::function<void()> quit)
 {
     ask({.objectName = QStringLiteral("confirmQuit"),
-         .title = Text::tr("Quit Skyseal"),
-         .text = areSeveral(armed) ? Text::tr("Vehicles %1 are armed. Quit?").arg(armed)
-                                   : Text::tr("Vehicle %1 is armed. Quit?").arg(armed),
-         .details = Text::tr("While Skyseal is closed, no vehicle can be commanded from here, and failsafes may trigger."),
-         .yes = Text::tr("Quit")},
+         .title = ArmedQuestionsText::tr("Quit Skyseal"),
+         .text = areSeveral(armed) ? ArmedQuestionsText::tr("Vehicles %1 are armed. Quit?").arg(armed)
+                                   : ArmedQuestionsText::tr("Vehicle %1 is armed. Quit?").arg(armed),
+         .details = ArmedQuestionsText::tr(
+             "While Skyseal is closed, no vehicle can be commanded from here, and failsafes may trigger."),
+         .yes = ArmedQuestionsText::tr("Quit")},
         window, std::move(quit));
 }
 

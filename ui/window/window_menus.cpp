@@ -24,7 +24,7 @@ namespace skyseal::ui {
 namespace {
 
 /// The translation context of this file.
-struct Text
+struct WindowMenusText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::WindowMenus)
 };
@@ -37,22 +37,22 @@ void confirmAndSend(const MenuTargets &on, const QString &question, const vehicl
 Menu fileMenu(const MenuTargets &on)
 {
     return {QStringLiteral("menuFile"),
-            Text::tr("&File"),
+            WindowMenusText::tr("&File"),
             {{.id = QStringLiteral("actionSettings"),
-              .text = Text::tr("&Settings…"),
+              .text = WindowMenusText::tr("&Settings…"),
               .trigger = [on] { on.dialogs.openSettings(); },
               .shortcut = Qt::CTRL | Qt::Key_Comma},
              {.id = QStringLiteral("actionShortcuts"),
-              .text = Text::tr("&Keyboard shortcuts…"),
+              .text = WindowMenusText::tr("&Keyboard shortcuts…"),
               .trigger = [on] { on.dialogs.openShortcuts(on.shortcuts); },
               .shortcut = Qt::CTRL | Qt::SHIFT | Qt::Key_F1},
              {.id = QStringLiteral("actionReplay"),
-              .text = Text::tr("&Replay a log…"),
+              .text = WindowMenusText::tr("&Replay a log…"),
               .trigger = [on] { on.dialogs.openReplay(); },
               .shortcut = QKeySequence::Open},
              {},
              {.id = QStringLiteral("actionQuit"),
-              .text = Text::tr("&Quit"),
+              .text = WindowMenusText::tr("&Quit"),
               .trigger = [on] { on.window.close(); },
               .shortcut = Qt::CTRL | Qt::Key_Q}}};
 }
@@ -60,9 +60,9 @@ Menu fileMenu(const MenuTargets &on)
 Menu linkMenu(const MenuTargets &on)
 {
     return {QStringLiteral("menuLink"),
-            Text::tr("&Link"),
+            WindowMenusText::tr("&Link"),
             {{.id = QStringLiteral("actionConnect"),
-              .text = Text::tr("&Connect…"),
+              .text = WindowMenusText::tr("&Connect…"),
               .trigger = [on] { on.dialogs.openLink(); },
               .shortcut = Qt::Key_F12}}};
 }
@@ -75,7 +75,7 @@ MenuItems modeItems(const MenuTargets &on)
             items.push_back({.text = fromStd(mode) + QStringLiteral("…"),
                              .trigger =
                                  [on, mode] {
-                                     confirmAndSend(on, Text::tr("Change the mode to %1?").arg(fromStd(mode)),
+                                     confirmAndSend(on, WindowMenusText::tr("Change the mode to %1?").arg(fromStd(mode)),
                                                     vehicle::SetMode{mode});
                                  },
                              .checked = mode == vehicle->state.mode});
@@ -91,7 +91,7 @@ MenuItems vehicleItems(const MenuTargets &on)
         return items;
     for (const auto &vehicle : view.snapshot->vehicles) {
         const std::uint8_t id = vehicle.state.systemId;
-        items.push_back({.text = Text::tr("Vehicle %1").arg(id),
+        items.push_back({.text = WindowMenusText::tr("Vehicle %1").arg(id),
                          .trigger = [on, id] { on.selection.selectVehicle(id); },
                          .checked = view.vehicle && view.vehicle->state.systemId == id});
     }
@@ -118,44 +118,45 @@ Menu vehicleMenu(const MenuTargets &on)
                         .shortcut = Qt::CTRL | Qt::SHIFT | key,
                         .disabledReason = permit(order)};
     };
-    MenuItem arm = command(Text::tr("&Arm…"), QStringLiteral("actionArm"), Qt::Key_R,
-                           Text::tr("Arm the motors? The propellers will turn."), vehicle::Arm{});
+    MenuItem arm = command(WindowMenusText::tr("&Arm…"), QStringLiteral("actionArm"), Qt::Key_R,
+                           WindowMenusText::tr("Arm the motors? The propellers will turn."), vehicle::Arm{});
     arm.trigger = [on] {
-        confirmCommand(on.commands, vehicle::Arm{}, Text::tr("Arm the motors? The propellers will turn."),
+        confirmCommand(on.commands, vehicle::Arm{}, WindowMenusText::tr("Arm the motors? The propellers will turn."),
                        openItemsText(on.commands), &on.window);
     };
     return {QStringLiteral("menuVehicle"),
-            Text::tr("&Vehicle"),
+            WindowMenusText::tr("&Vehicle"),
             {arm,
-             command(Text::tr("&Disarm…"), QStringLiteral("actionDisarm"), Qt::Key_D, Text::tr("Disarm the motors?"),
-                     vehicle::Disarm{}),
+             command(WindowMenusText::tr("&Disarm…"), QStringLiteral("actionDisarm"), Qt::Key_D,
+                     WindowMenusText::tr("Disarm the motors?"), vehicle::Disarm{}),
              {},
              {.id = QStringLiteral("actionTakeOff"),
-              .text = Text::tr("&Take off…"),
+              .text = WindowMenusText::tr("&Take off…"),
               .trigger = [on] { on.dialogs.openTakeOff(); },
               .shortcut = Qt::CTRL | Qt::SHIFT | Qt::Key_T,
               .disabledReason = permit(vehicle::TakeOff{on.commands.takeOffAltitude()})},
-             command(Text::tr("&Land…"), QStringLiteral("actionLand"), Qt::Key_L, Text::tr("Land here?"), vehicle::Land{}),
-             command(Text::tr("&Return to launch (RTL)…"), QStringLiteral("actionReturn"), Qt::Key_H,
-                     Text::tr("Return to launch and land there?"), vehicle::ReturnToLaunch{}),
-             command(Text::tr("&Pause…"), QStringLiteral("actionPause"), Qt::Key_P,
-                     Text::tr("Stop and hold the present position?"), vehicle::Loiter{}),
+             command(WindowMenusText::tr("&Land…"), QStringLiteral("actionLand"), Qt::Key_L, WindowMenusText::tr("Land here?"),
+                     vehicle::Land{}),
+             command(WindowMenusText::tr("&Return to launch (RTL)…"), QStringLiteral("actionReturn"), Qt::Key_H,
+                     WindowMenusText::tr("Return to launch and land there?"), vehicle::ReturnToLaunch{}),
+             command(WindowMenusText::tr("&Pause…"), QStringLiteral("actionPause"), Qt::Key_P,
+                     WindowMenusText::tr("Stop and hold the present position?"), vehicle::Loiter{}),
              {.id = QStringLiteral("actionChangeAltitude"),
-              .text = Text::tr("&Change altitude…"),
+              .text = WindowMenusText::tr("&Change altitude…"),
               .trigger = [on] { on.dialogs.openChangeAltitude(on.selection.view()); },
               .shortcut = Qt::CTRL | Qt::SHIFT | Qt::Key_G,
               .disabledReason = permit(vehicle::ChangeAltitude{.altitudeRelative = 0, .changeMode = true})},
-             command(Text::tr("&Start mission…"), QStringLiteral("actionStartMission"), Qt::Key_S, Text::tr("Fly the mission?"),
-                     vehicle::StartMission{}),
+             command(WindowMenusText::tr("&Start mission…"), QStringLiteral("actionStartMission"), Qt::Key_S,
+                     WindowMenusText::tr("Fly the mission?"), vehicle::StartMission{}),
              {},
              {.id = QStringLiteral("menuMode"),
-              .text = Text::tr("&Mode"),
+              .text = WindowMenusText::tr("&Mode"),
               .disabledReason = [on] { return actionDisabledReason(anyMode(on), on.selection.view()); },
               .submenu = [on] { return modeItems(on); }},
              {},
              {.id = QStringLiteral("menuChooseVehicle"),
-              .text = Text::tr("S&how"),
-              .disabledReason = [on] { return on.selection.view().vehicle ? QString() : Text::tr("No vehicle"); },
+              .text = WindowMenusText::tr("S&how"),
+              .disabledReason = [on] { return on.selection.view().vehicle ? QString() : WindowMenusText::tr("No vehicle"); },
               .submenu = [on] { return vehicleItems(on); }}}};
 }
 
@@ -164,41 +165,42 @@ MenuItems plainItems(const MenuTargets &on)
     MenuItems items;
     if (const auto &snapshot = on.selection.view().snapshot) {
         for (const engine::PendingVehicle &pending : snapshot->pendingApproval)
-            items.push_back({.text = Text::tr("Vehicle %1 at %2…").arg(pending.systemId).arg(fromStd(pending.remoteAddress)),
-                             .trigger = [on, pending] { askAllowPlain(on.station, pending, &on.window); }});
+            items.push_back(
+                {.text = WindowMenusText::tr("Vehicle %1 at %2…").arg(pending.systemId).arg(fromStd(pending.remoteAddress)),
+                 .trigger = [on, pending] { askAllowPlain(on.station, pending, &on.window); }});
     }
     return items;
 }
 
 Menu securityMenu(const MenuTargets &on)
 {
-    MenuItems items{{.text = Text::tr("Cipher suite")}};
+    MenuItems items{{.text = WindowMenusText::tr("Cipher suite")}};
     for (QAction *action : on.suites.actions())
         items.push_back({.action = action});
     items.push_back({});
     items.push_back({.action = on.suites.changeKeysAction()});
     items.push_back({.id = QStringLiteral("menuAllowPlain"),
-                     .text = Text::tr("Allow &plain MAVLink"),
+                     .text = WindowMenusText::tr("Allow &plain MAVLink"),
                      .disabledReason =
                          [on] {
                              const auto &snapshot = on.selection.view().snapshot;
                              const bool any = snapshot && !snapshot->pendingApproval.empty();
-                             return any ? QString() : Text::tr("No vehicle is waiting for approval");
+                             return any ? QString() : WindowMenusText::tr("No vehicle is waiting for approval");
                          },
                      .submenu = [on] { return plainItems(on); }});
     items.push_back({.id = QStringLiteral("actionKeys"),
-                     .text = Text::tr("&Keys and peers…"),
+                     .text = WindowMenusText::tr("&Keys and peers…"),
                      .trigger = [on] { on.dialogs.openKeys(); },
                      .shortcut = Qt::CTRL | Qt::Key_P});
-    return {QStringLiteral("menuSecurity"), Text::tr("&Security"), std::move(items)};
+    return {QStringLiteral("menuSecurity"), WindowMenusText::tr("&Security"), std::move(items)};
 }
 
 MenuItems trackColorItems(WindowDialogs &dialogs)
 {
-    const std::pair<TrackColors, QString> all[] = {{TrackColors::Suite, Text::tr("&Cipher suite")},
-                                                   {TrackColors::LinkQuality, Text::tr("Link &quality")},
-                                                   {TrackColors::Altitude, Text::tr("&Altitude")},
-                                                   {TrackColors::Speed, Text::tr("&Speed")}};
+    const std::pair<TrackColors, QString> all[] = {{TrackColors::Suite, WindowMenusText::tr("&Cipher suite")},
+                                                   {TrackColors::LinkQuality, WindowMenusText::tr("Link &quality")},
+                                                   {TrackColors::Altitude, WindowMenusText::tr("&Altitude")},
+                                                   {TrackColors::Speed, WindowMenusText::tr("&Speed")}};
     MenuItems items;
     for (const auto &[colors, text] : all)
         items.push_back({.id = QStringLiteral("trackColors%1").arg(static_cast<int>(colors)),
@@ -218,85 +220,89 @@ Menu viewMenu(const MenuTargets &on)
         items.push_back({.action = action});
     const auto reset = [on] { on.workspaces.reset(); };
     const QKeySequence resets = Qt::ALT | Qt::SHIFT | Qt::Key_R;
-    const MenuItems others{
-        {},
-        {.id = QStringLiteral("actionFollow"),
-         .text = Text::tr("&Follow the vehicle"),
-         .trigger = [on] { on.map.followVehicle(); },
-         .shortcut = Qt::CTRL | Qt::Key_Home},
-        {.action = on.map.rotation().action()},
-        {.action = on.goToAlerts},
-        {.id = QStringLiteral("actionZoomIn"),
-         .text = Text::tr("Zoom &in"),
-         .trigger = [on] { on.map.zoomBy(1.5); },
-         .shortcut = QKeySequence::ZoomIn,
-         .repeats = true},
-        {.id = QStringLiteral("actionZoomOut"),
-         .text = Text::tr("Zoom &out"),
-         .trigger = [on] { on.map.zoomBy(1 / 1.5); },
-         .shortcut = QKeySequence::ZoomOut,
-         .repeats = true},
-        {.action = on.map.measure().action()},
-        {.id = QStringLiteral("actionEditValues"),
-         .text = Text::tr("&Edit values…"),
-         .trigger = [on] { on.dialogs.openValues(); },
-         .shortcut = Qt::CTRL | Qt::Key_E},
-        {.id = QStringLiteral("menuTrackColors"),
-         .text = Text::tr("&Track colours"),
-         .submenu = [on] { return trackColorItems(on.dialogs); }},
-        {.id = QStringLiteral("actionClearTrack"),
-         .text = Text::tr("&Clear the track"),
-         .trigger = [on] { on.map.clearTrack(); },
-         .shortcut = Qt::CTRL | Qt::SHIFT | Qt::Key_X},
-        {.id = QStringLiteral("actionMapSource"),
-         .text = Text::tr("&Map source…"),
-         .trigger = [on] { on.dialogs.openMapSource(); },
-         .shortcut = Qt::CTRL | Qt::Key_M},
-        {.id = QStringLiteral("actionOverlays"),
-         .text = Text::tr("O&verlays…"),
-         .trigger = [on] { on.dialogs.openOverlays(on.map); },
-         .shortcut = Qt::CTRL | Qt::SHIFT | Qt::Key_O},
-        {.id = QStringLiteral("actionFetchArea"),
-         .text = Text::tr("Fetch the &area in view…"),
-         .trigger = [on] { on.dialogs.openRegion(on.map); },
-         .shortcut = Qt::CTRL | Qt::SHIFT | Qt::Key_F},
-        {},
-        {.id = QStringLiteral("actionResetView"), .text = Text::tr("&Reset the layout"), .trigger = reset, .shortcut = resets},
-        {.id = QStringLiteral("actionFullScreen"),
-         .text = Text::tr("F&ull screen"),
-         .trigger = [on] { on.window.setWindowState(on.window.windowState() ^ Qt::WindowFullScreen); },
-         .shortcut = Qt::Key_F11,
-         .checked = false}};
+    const MenuItems others{{},
+                           {.id = QStringLiteral("actionFollow"),
+                            .text = WindowMenusText::tr("&Follow the vehicle"),
+                            .trigger = [on] { on.map.followVehicle(); },
+                            .shortcut = Qt::CTRL | Qt::Key_Home},
+                           {.action = on.map.rotation().action()},
+                           {.action = on.goToAlerts},
+                           {.id = QStringLiteral("actionZoomIn"),
+                            .text = WindowMenusText::tr("Zoom &in"),
+                            .trigger = [on] { on.map.zoomBy(1.5); },
+                            .shortcut = QKeySequence::ZoomIn,
+                            .repeats = true},
+                           {.id = QStringLiteral("actionZoomOut"),
+                            .text = WindowMenusText::tr("Zoom &out"),
+                            .trigger = [on] { on.map.zoomBy(1 / 1.5); },
+                            .shortcut = QKeySequence::ZoomOut,
+                            .repeats = true},
+                           {.action = on.map.measure().action()},
+                           {.id = QStringLiteral("actionEditValues"),
+                            .text = WindowMenusText::tr("&Edit values…"),
+                            .trigger = [on] { on.dialogs.openValues(); },
+                            .shortcut = Qt::CTRL | Qt::Key_E},
+                           {.id = QStringLiteral("menuTrackColors"),
+                            .text = WindowMenusText::tr("&Track colours"),
+                            .submenu = [on] { return trackColorItems(on.dialogs); }},
+                           {.id = QStringLiteral("actionClearTrack"),
+                            .text = WindowMenusText::tr("&Clear the track"),
+                            .trigger = [on] { on.map.clearTrack(); },
+                            .shortcut = Qt::CTRL | Qt::SHIFT | Qt::Key_X},
+                           {.id = QStringLiteral("actionMapSource"),
+                            .text = WindowMenusText::tr("&Map source…"),
+                            .trigger = [on] { on.dialogs.openMapSource(); },
+                            .shortcut = Qt::CTRL | Qt::Key_M},
+                           {.id = QStringLiteral("actionOverlays"),
+                            .text = WindowMenusText::tr("O&verlays…"),
+                            .trigger = [on] { on.dialogs.openOverlays(on.map); },
+                            .shortcut = Qt::CTRL | Qt::SHIFT | Qt::Key_O},
+                           {.id = QStringLiteral("actionFetchArea"),
+                            .text = WindowMenusText::tr("Fetch the &area in view…"),
+                            .trigger = [on] { on.dialogs.openRegion(on.map); },
+                            .shortcut = Qt::CTRL | Qt::SHIFT | Qt::Key_F},
+                           {},
+                           {.id = QStringLiteral("actionResetView"),
+                            .text = WindowMenusText::tr("&Reset the layout"),
+                            .trigger = reset,
+                            .shortcut = resets},
+                           {.id = QStringLiteral("actionFullScreen"),
+                            .text = WindowMenusText::tr("F&ull screen"),
+                            .trigger = [on] { on.window.setWindowState(on.window.windowState() ^ Qt::WindowFullScreen); },
+                            .shortcut = Qt::Key_F11,
+                            .checked = false}};
     items.insert(items.end(), others.begin(), others.end());
-    return {QStringLiteral("menuView"), Text::tr("V&iew"), std::move(items)};
+    return {QStringLiteral("menuView"), WindowMenusText::tr("V&iew"), std::move(items)};
 }
 
 Menu toolsMenu(const MenuTargets &on)
 {
     MenuItems items{{.id = QStringLiteral("actionPalette"),
-                     .text = Text::tr("&Find a command…"),
+                     .text = WindowMenusText::tr("&Find a command…"),
                      .trigger = [on] { CommandPalette::open(on.window, on.actions); },
                      .shortcut = Qt::CTRL | Qt::Key_K},
                     {},
                     {.id = QStringLiteral("actionSweep"),
-                     .text = Text::tr("Run a s&weep…"),
+                     .text = WindowMenusText::tr("Run a s&weep…"),
                      .trigger = on.openSweep,
                      .shortcut = Qt::CTRL | Qt::Key_R}};
     if (on.startDemo) {
         items.push_back({.id = QStringLiteral("actionDemo"),
-                         .text = Text::tr("Start the &demo"),
+                         .text = WindowMenusText::tr("Start the &demo"),
                          .trigger = on.startDemo,
                          .shortcut = Qt::CTRL | Qt::Key_D,
                          .disabledReason = [on] {
-                             return on.inDemo() ? Text::tr("The demo is running") : demoDisabledReason(on.selection.view());
+                             return on.inDemo() ? WindowMenusText::tr("The demo is running")
+                                                : demoDisabledReason(on.selection.view());
                          }});
-        items.push_back({.id = QStringLiteral("actionEndDemo"),
-                         .text = Text::tr("&End the demo"),
-                         .trigger = on.endDemo,
-                         .shortcut = Qt::ALT | Qt::SHIFT | Qt::Key_E,
-                         .disabledReason = [on] { return on.inDemo() ? QString() : Text::tr("No demo is running"); }});
+        items.push_back(
+            {.id = QStringLiteral("actionEndDemo"),
+             .text = WindowMenusText::tr("&End the demo"),
+             .trigger = on.endDemo,
+             .shortcut = Qt::ALT | Qt::SHIFT | Qt::Key_E,
+             .disabledReason = [on] { return on.inDemo() ? QString() : WindowMenusText::tr("No demo is running"); }});
     }
-    return {QStringLiteral("menuTools"), Text::tr("&Tools"), std::move(items)};
+    return {QStringLiteral("menuTools"), WindowMenusText::tr("&Tools"), std::move(items)};
 }
 
 Menu helpMenu(const MenuTargets &on)
@@ -308,21 +314,21 @@ Menu helpMenu(const MenuTargets &on)
                         .shortcut = keys};
     };
     return {QStringLiteral("menuHelp"),
-            Text::tr("&Help"),
-            {page("actionHelp", Text::tr("&First steps"), "start", QKeySequence::HelpContents),
+            WindowMenusText::tr("&Help"),
+            {page("actionHelp", WindowMenusText::tr("&First steps"), "start", QKeySequence::HelpContents),
              {},
-             page("actionHelpFly", Text::tr("&Fly workspace"), "fly", Qt::ALT | Qt::SHIFT | Qt::Key_F),
-             page("actionHelpPlan", Text::tr("&Plan workspace"), "plan", Qt::ALT | Qt::SHIFT | Qt::Key_P),
-             page("actionHelpVehicle", Text::tr("Ve&hicle workspace"), "vehicle", Qt::ALT | Qt::SHIFT | Qt::Key_V),
-             page("actionHelpLab", Text::tr("&Lab workspace"), "lab", Qt::ALT | Qt::SHIFT | Qt::Key_L),
+             page("actionHelpFly", WindowMenusText::tr("&Fly workspace"), "fly", Qt::ALT | Qt::SHIFT | Qt::Key_F),
+             page("actionHelpPlan", WindowMenusText::tr("&Plan workspace"), "plan", Qt::ALT | Qt::SHIFT | Qt::Key_P),
+             page("actionHelpVehicle", WindowMenusText::tr("Ve&hicle workspace"), "vehicle", Qt::ALT | Qt::SHIFT | Qt::Key_V),
+             page("actionHelpLab", WindowMenusText::tr("&Lab workspace"), "lab", Qt::ALT | Qt::SHIFT | Qt::Key_L),
              {},
-             page("actionHelpSealing", Text::tr("&Sealing a link"), "sealing", Qt::ALT | Qt::SHIFT | Qt::Key_S),
-             page("actionHelpMap", Text::tr("The &map"), "map", Qt::ALT | Qt::SHIFT | Qt::Key_M),
-             page("actionHelpValues", Text::tr("&Values"), "values", Qt::ALT | Qt::SHIFT | Qt::Key_U),
-             page("actionHelpDiagnostics", Text::tr("&Diagnostics"), "diagnostics", Qt::ALT | Qt::SHIFT | Qt::Key_D),
+             page("actionHelpSealing", WindowMenusText::tr("&Sealing a link"), "sealing", Qt::ALT | Qt::SHIFT | Qt::Key_S),
+             page("actionHelpMap", WindowMenusText::tr("The &map"), "map", Qt::ALT | Qt::SHIFT | Qt::Key_M),
+             page("actionHelpValues", WindowMenusText::tr("&Values"), "values", Qt::ALT | Qt::SHIFT | Qt::Key_U),
+             page("actionHelpDiagnostics", WindowMenusText::tr("&Diagnostics"), "diagnostics", Qt::ALT | Qt::SHIFT | Qt::Key_D),
              {},
              {.id = QStringLiteral("actionAbout"),
-              .text = Text::tr("&About Skyseal"),
+              .text = WindowMenusText::tr("&About Skyseal"),
               .trigger = [on] { on.dialogs.openAbout(on.version); },
               .shortcut = Qt::ALT | Qt::SHIFT | Qt::Key_B}}};
 }
