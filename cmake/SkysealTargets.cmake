@@ -74,22 +74,18 @@ function(skyseal_notable_includes file out)
   set(${out} "${found}" PARENT_SCOPE)
 endfunction()
 
-# skyseal_group(FILE OUT): with which others of its folder FILE, a whole path, is compiled; nothing if alone. The users of the
-# same notable headers are in two groups, those of none in eight; attack tests have groups of their own, since weakened_tests
-# takes these. The name of a file and its includes alone decide, so that a new file brings no two old ones together.
+# skyseal_group(FILE OUT): with which others of its folder FILE, a whole path, is compiled. The users of the same notable headers
+# are in two groups; those of none in eight in the large folders, tests and the window, and in three elsewhere. Attack tests have
+# groups of their own, since weakened_tests takes these. The name of a file and its includes alone decide, so that a new file
+# brings no two old ones together.
 function(skyseal_group file out)
-  set(${out} "" PARENT_SCOPE)
   cmake_path(GET file FILENAME name)
+  cmake_path(RELATIVE_PATH file BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE place)
   set(group)
   if(name MATCHES "^attack_")
     list(APPEND group attack)
   endif()
   if(EXISTS ${file})
-    # A file of free functions has a context of its own for its translated texts, and all of these have one name.
-    file(STRINGS ${file} alone REGEX "^struct Text$" LIMIT_COUNT 1)
-    if(alone)
-      return()
-    endif()
     skyseal_notable_includes(${file} headers)
     foreach(header IN LISTS headers)
       if(header IN_LIST skyseal_wide_headers)
@@ -100,9 +96,12 @@ function(skyseal_group file out)
       endif()
     endforeach()
   endif()
-  set(groups 8)
   if(group)
     set(groups 2)
+  elseif(place MATCHES "^(tests|ui)/")
+    set(groups 8)
+  else()
+    set(groups 3)
   endif()
   string(MD5 hash ${name})
   string(SUBSTRING ${hash} 0 1 digit)
@@ -124,9 +123,7 @@ function(skyseal_unite target)
   foreach(source IN LISTS ARGN)
     cmake_path(ABSOLUTE_PATH source NORMALIZE)
     skyseal_group(${source} group)
-    if(NOT group STREQUAL "")
-      set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP ${folder}_${group})
-    endif()
+    set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP ${folder}_${group})
   endforeach()
   # A class with members of types from an anonymous namespace is as local in an included source file as in its own.
   target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
