@@ -244,8 +244,8 @@ void RecipesTest::chartedQuantityTakesOneEdit()
 {
     ChangedTree tree;
     tree.insert(q("ui/charts/quantities.cpp"), "std::vector<Quantity> rates()\n{\n    return {\n",
-                "        {.key = \"dummy\", .title = Text::tr(\"Dummy\"), .unit = Text::tr(\"frames/s\"),\n"
-                "         .note = Text::tr(\"An example.\"), .group = QuantityGroupId::Rates,\n"
+                "        {.key = \"dummy\", .title = QuantitiesText::tr(\"Dummy\"), .unit = QuantitiesText::tr(\"frames/s\"),\n"
+                "         .note = QuantitiesText::tr(\"An example.\"), .group = QuantityGroupId::Rates,\n"
                 "         .lines = {{{}, Stroke::Solid, {\"dummy_per_s\", read<&MetricsSample::openedFramesPerSecond>}}}},\n");
     QCOMPARE(tree.edited().size(), 1);
     checkThatRecipeNames(recipe("a charted quantity"), tree.edited());
