@@ -24,14 +24,14 @@ std::string withoutBlanks(std::string text)
     return text;
 }
 
-std::string sentence(const QString &text)
+std::string withFullStop(const QString &text)
 {
     return text.toStdString() + ".";
 }
 
 std::string notPaired(const std::string &reason)
 {
-    return sentence(engine::notPairedText(QString::fromStdString(reason)));
+    return withFullStop(engine::notPairedText(QString::fromStdString(reason)));
 }
 
 } // namespace
@@ -106,14 +106,14 @@ void PairingPrompt::take(PairingStatus status)
         ask();
         return;
     case State::Confirmed: write("The other end has confirmed."); return;
-    case State::Other: write("WARNING: " + sentence(engine::otherDeviceTriedText())); return;
+    case State::Other: write("WARNING: " + withFullStop(engine::otherDeviceTriedText())); return;
     case State::Differs:
         if (!std::exchange(m_differs, true)) // the event repeats each second
-            write(sentence(engine::passphraseDiffersText()));
+            write(withFullStop(engine::passphraseDiffersText()));
         return;
     case State::Paired:
         m_paired = true;
-        write(sentence(engine::pairedText(QString::fromStdString(status.name))));
+        write(withFullStop(engine::pairedText(QString::fromStdString(status.name))));
         if (!status.reason.empty())
             write("WARNING: " + status.reason + ".");
         if (!m_settings.decidesRole)

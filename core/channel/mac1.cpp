@@ -11,8 +11,8 @@ namespace skyseal::channel {
 
 namespace {
 
-constexpr std::size_t kNonceLength = 16;
-constexpr std::size_t kCovered = 1 + kNonceLength; ///< bytes of an announcement that its MAC covers
+constexpr std::size_t kAnnouncedNonce = 16;
+constexpr std::size_t kCovered = 1 + kAnnouncedNonce; ///< bytes of an announcement that its MAC covers
 
 using Mac = std::array<std::uint8_t, kMacLength>;
 
@@ -60,7 +60,7 @@ Announcement::Datagram Announcement::make(RandomSource &random) const
 {
     Datagram out{};
     out[0] = firstByte(HandshakeMessage::Announcement);
-    random.fill(MutableByteView(out).subspan(1, kNonceLength));
+    random.fill(MutableByteView(out).subspan(1, kAnnouncedNonce));
     const Mac mac = macOver(m_key, ByteView(out).first(kCovered));
     std::copy(mac.begin(), mac.end(), out.begin() + kCovered);
     return out;

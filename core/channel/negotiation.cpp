@@ -11,17 +11,17 @@ using crypto::SuiteId;
 
 namespace {
 
-bool holds(const std::vector<SuiteId> &suites, SuiteId wanted)
-{
-    return std::find(suites.begin(), suites.end(), wanted) != suites.end();
-}
-
 bool isResearch(SuiteId suite)
 {
     return crypto::suiteInfo(suite).research;
 }
 
 } // namespace
+
+bool holds(const std::vector<SuiteId> &suites, SuiteId wanted)
+{
+    return std::find(suites.begin(), suites.end(), wanted) != suites.end();
+}
 
 std::vector<SuiteId> defaultSuites()
 {

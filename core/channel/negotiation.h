@@ -22,6 +22,8 @@ struct SuiteOffer
     bool operator==(const SuiteOffer &) const = default;
 };
 
+bool holds(const std::vector<crypto::SuiteId> &suites, crypto::SuiteId wanted);
+
 /// Makes the offer of a policy: research suites only with `allowResearch`, None only as `allowPlain`. Suites that do not fit
 /// into the list of the handshake are not offered: the list ends before the first of them (section 4.3).
 SuiteOffer offerOf(const Policy &policy);

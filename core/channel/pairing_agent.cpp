@@ -15,7 +15,7 @@ constexpr Duration kCallEvery = std::chrono::milliseconds(500);
 constexpr std::size_t kMaxAnswered = 8;
 /// Three scalar multiplications each, and the derivation of a generator.
 constexpr double kFirstsPerSecond = 15;
-constexpr Duration kAnswerKept = std::chrono::seconds(10);
+constexpr Duration kPairingAnswerKept = std::chrono::seconds(10);
 constexpr unsigned kMaxWrongPassphrases = 3;
 
 } // namespace
@@ -53,7 +53,7 @@ bool PairingAgent::mayCompute(TimePoint now, const Path &from)
 
 void PairingAgent::forgetOldAnswers(TimePoint now)
 {
-    std::erase_if(m_answered, [now](const Answered &answered) { return now >= answered.at + kAnswerKept; });
+    std::erase_if(m_answered, [now](const Answered &answered) { return now >= answered.at + kPairingAnswerKept; });
 }
 
 void PairingAgent::handleFirst(TimePoint now, const Path &from, ByteView datagram)

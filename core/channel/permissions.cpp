@@ -4,15 +4,6 @@
 
 namespace skyseal::channel {
 
-namespace {
-
-bool holds(const std::vector<crypto::SuiteId> &suites, crypto::SuiteId wanted)
-{
-    return std::find(suites.begin(), suites.end(), wanted) != suites.end();
-}
-
-} // namespace
-
 std::vector<crypto::SuiteId> Permissions::suites() const
 {
     auto suites = m_initiator ? permittedSuites(m_ours, m_peers) : permittedSuites(m_peers, m_ours);

@@ -151,11 +151,6 @@ Finding isEqual(double low, double high, double margin)
     return high < 1 / margin || low > margin ? Finding::Refuted : Finding::NotDecided;
 }
 
-std::string percentText(double share)
-{
-    return readable(100 * share) + " %";
-}
-
 /// With as many digits as a ratio near 1 takes: "1.00021".
 std::string exactText(double ratio)
 {

@@ -13,7 +13,7 @@ namespace skyseal::experiment {
 
 namespace {
 
-constexpr int kWidth = kChartWidth, kLeft = 126, kRight = 100, kRow = 17, kLine = kChartLine;
+constexpr int kLabels = 126, kFigures = 100, kForestRow = 17; ///< room at the left and at the right, height of a row
 
 struct RatioAxis
 {
@@ -21,7 +21,7 @@ struct RatioAxis
     double x(double value) const
     {
         const double share = std::log(value / low) / std::log(high / low);
-        return kLeft + (kWidth - kLeft - kRight) * std::clamp(share, 0.0, 1.0);
+        return kLabels + (kChartWidth - kLabels - kFigures) * std::clamp(share, 0.0, 1.0);
     }
 };
 
@@ -63,9 +63,9 @@ void drawTicks(std::string &out, const RatioAxis &axis, double bottom)
 
 void drawRow(std::string &out, const RatioAxis &axis, const ForestRow &row, double y)
 {
-    putText(out, kLeft - 6, y + 3.3, "end", row.label, row.isSummary ? " font-weight=\"bold\"" : "");
+    putText(out, kLabels - 6, y + 3.3, "end", row.label, row.isSummary ? " font-weight=\"bold\"" : "");
     if (!std::isfinite(row.value)) {
-        putText(out, kLeft + 4, y + 3.3, "start", row.missing, " font-style=\"italic\"");
+        putText(out, kLabels + 4, y + 3.3, "start", row.missing, " font-style=\"italic\"");
         return;
     }
     if (std::isfinite(row.expectedLow) && std::isfinite(row.expectedHigh))
@@ -83,7 +83,7 @@ void drawRow(std::string &out, const RatioAxis &axis, const ForestRow &row, doub
         std::snprintf(text, sizeof text, "%.3f (%.3f–%.3f)", row.value, row.low, row.high);
     else
         std::snprintf(text, sizeof text, "%.3f", row.value);
-    putText(out, kWidth - 3, y + 3.3, "end", text);
+    putText(out, kChartWidth - 3, y + 3.3, "end", text);
 }
 
 } // namespace
@@ -114,22 +114,22 @@ std::string svg(const ForestChart &chart)
     std::vector<std::string> lines = wrappedText(chart.subtitle);
     for (std::string &line : wrappedText(chart.legend))
         lines.push_back(std::move(line));
-    const double top = chartTop(lines), bottom = top + kRow * static_cast<double>(chart.rows.size());
+    const double top = chartTop(lines), bottom = top + kForestRow * static_cast<double>(chart.rows.size());
     const RatioAxis axis = axisOf(chart);
-    std::string out = chartHead(bottom + 2 * kLine + 8, chart.title, lines);
+    std::string out = chartHead(bottom + 2 * kChartLine + 8, chart.title, lines);
     if (chart.margin > 0) {
         const double left = axis.x(1 / (1 + chart.margin)), right = axis.x(1 + chart.margin);
         put(out, "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"#e4e4e4\"/>\n", left, top, right - left,
             bottom - top);
     }
     drawTicks(out, axis, bottom);
-    putLine(out, kLeft, bottom, kWidth - kRight, bottom, "#111111", 1);
+    putLine(out, kLabels, bottom, kChartWidth - kFigures, bottom, "#111111", 1);
     putLine(out, axis.x(1), top, axis.x(1), bottom, "#555555", 1);
-    putText(out, kLeft + (kWidth - kLeft - kRight) / 2.0, bottom + 26, "middle", chart.axis);
+    putText(out, kLabels + (kChartWidth - kLabels - kFigures) / 2.0, bottom + 26, "middle", chart.axis);
     for (std::size_t i = 0; i < chart.rows.size(); ++i) {
-        const double middle = top + kRow * (static_cast<double>(i) + 0.5);
+        const double middle = top + kForestRow * (static_cast<double>(i) + 0.5);
         if (chart.rows[i].isSummary && i > 0 && !chart.rows[i - 1].isSummary)
-            putLine(out, 3, middle - kRow / 2.0, kWidth - 3, middle - kRow / 2.0, "#111111", 0.6);
+            putLine(out, 3, middle - kForestRow / 2.0, kChartWidth - 3, middle - kForestRow / 2.0, "#111111", 0.6);
         drawRow(out, axis, chart.rows[i], middle);
     }
     return out + "</svg>\n";

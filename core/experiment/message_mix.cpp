@@ -31,11 +31,6 @@ MixCounts countsOf(const Results &results, std::size_t load, std::size_t arm)
     return out;
 }
 
-std::string percentText(double share)
-{
-    return readable(100 * share) + " %";
-}
-
 } // namespace
 
 MessageMix messageMixOf(const Results &results, std::size_t load)

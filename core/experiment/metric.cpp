@@ -444,6 +444,11 @@ std::string readable(double value)
     return out;
 }
 
+std::string percentText(double share)
+{
+    return readable(100 * share) + " %";
+}
+
 std::string readable(double mean, double low, double high)
 {
     constexpr int kMostDecimals = 6, kMostOfNone = 9;

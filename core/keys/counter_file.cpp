@@ -16,9 +16,9 @@
 namespace skyseal::keys {
 
 /// Greater numbers are far beyond the last counter of the protocol. The sum of this one and a block does not overflow.
-static constexpr std::uint64_t kGreatest = std::uint64_t(1) << 62;
+static constexpr std::uint64_t kGreatestCounter = std::uint64_t(1) << 62;
 
-static constexpr std::string_view kHeader = "skyseal-counters-v1";
+static constexpr std::string_view kCountersHeader = "skyseal-counters-v1";
 static constexpr std::string_view kNext = "next ";
 static constexpr std::string_view kSeen = "seen ";
 
@@ -58,7 +58,7 @@ Result<StoredCounters, InputError> StoredCounters::parse(std::string_view text, 
         const std::string_view line = text.substr(0, end);
         text.remove_prefix(end + 1);
         if (number == 1) {
-            if (line != kHeader)
+            if (line != kCountersHeader)
                 return damaged(number);
         } else if (line.starts_with(kNext) && !hasNext) {
             const auto value = numberOf(line.substr(kNext.size()));
@@ -75,7 +75,7 @@ Result<StoredCounters, InputError> StoredCounters::parse(std::string_view text, 
 
 std::string StoredCounters::text() const
 {
-    std::string out(kHeader);
+    std::string out(kCountersHeader);
     out.append("\n").append(kNext).append(std::to_string(next)).append("\n");
     for (const auto &[key, number] : seen)
         out.append(kSeen).append(toHex(key)).append(" ").append(std::to_string(number)).append("\n");
@@ -103,7 +103,7 @@ Result<StoredCounters, InputError> updateCounters(const std::string &path, Store
         const auto read = readCounters(path);
         if (!read)
             return tl::unexpected(read.error());
-        ours.next = std::max(ours.next, std::min(read->next, kGreatest));
+        ours.next = std::max(ours.next, std::min(read->next, kGreatestCounter));
         for (const auto &[key, number] : read->seen) {
             std::uint64_t &known = ours.seen[key];
             known = std::max(known, number);
@@ -296,7 +296,7 @@ std::optional<std::uint64_t> FileCounterStore::Shared::next()
 bool FileCounterStore::Shared::skipTo(std::uint64_t counter)
 {
     const std::lock_guard lock(m_mutex);
-    const std::uint64_t from = std::min(counter, kGreatest) + 1;
+    const std::uint64_t from = std::min(counter, kGreatestCounter) + 1;
     for (Block *block : {&m_block, &m_spare})
         block->begin = std::max(block->begin, from);
     if (!m_block.empty() || !m_spare.empty())
@@ -387,7 +387,7 @@ bool FileCounterStore::Shared::openFile(std::unique_lock<std::mutex> &lock)
     if (!stored)
         return false;
     add(*stored);
-    const std::uint64_t begin = std::max(first, std::min(stored->next, kGreatest));
+    const std::uint64_t begin = std::max(first, std::min(stored->next, kGreatestCounter));
     m_spare = {begin, begin + kBlock};
     m_floor = m_spare.end;
     return true;
@@ -406,7 +406,7 @@ void FileCounterStore::Shared::add(const StoredCounters &stored)
 void FileCounterStore::Shared::update(std::unique_lock<std::mutex> &lock)
 {
     const std::uint64_t reserve = m_wantsBlock ? weakened(Weakness::CountersOneByOne) ? 1 : kBlock : 0;
-    const StoredCounters ours{std::min(m_floor, kGreatest), m_seen};
+    const StoredCounters ours{std::min(m_floor, kGreatestCounter), m_seen};
     m_wantsSeen = false;
     m_busy = true;
     m_busySince = m_disk.now();
@@ -423,7 +423,7 @@ void FileCounterStore::Shared::update(std::unique_lock<std::mutex> &lock)
         const std::uint64_t end = stored ? stored->next : ours.next + reserve;
         m_spare = {std::max(end - reserve, m_floor), end}; // the floor may have risen meanwhile
         m_floor = std::max(m_floor, end);
-        m_wantsBlock = m_spare.empty() && m_floor < kGreatest;
+        m_wantsBlock = m_spare.empty() && m_floor < kGreatestCounter;
     }
     m_idle.notify_all();
 }

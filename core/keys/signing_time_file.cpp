@@ -9,30 +9,30 @@
 
 namespace skyseal::keys {
 
-static constexpr std::string_view kHeader = "skyseal-signing-time-v1\n";
-static constexpr std::uint64_t kGreatest = (std::uint64_t(1) << 48) - 1; // signatures have 48 bits for it
+static constexpr std::string_view kTimeHeader = "skyseal-signing-time-v1\n";
+static constexpr std::uint64_t kGreatestTime = (std::uint64_t(1) << 48) - 1; // signatures have 48 bits for it
 
 Result<std::uint64_t, InputError> parseSigningTime(std::string_view text, const std::string &source)
 {
     const auto damaged = [&source] {
         return tl::unexpected(fileError(source, "is not a file of signing times of Skyseal, or is damaged"));
     };
-    if (!text.starts_with(kHeader) || !text.ends_with('\n'))
+    if (!text.starts_with(kTimeHeader) || !text.ends_with('\n'))
         return damaged();
-    text.remove_prefix(kHeader.size());
+    text.remove_prefix(kTimeHeader.size());
     if (text.empty())
         return damaged();
     text.remove_suffix(1);
     std::uint64_t time = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), time);
-    if (error != std::errc() || end != text.data() + text.size() || time > kGreatest)
+    if (error != std::errc() || end != text.data() + text.size() || time > kGreatestTime)
         return damaged();
     return time;
 }
 
 std::string signingTimeText(std::uint64_t time)
 {
-    return std::string(kHeader) + std::to_string(time) + "\n";
+    return std::string(kTimeHeader) + std::to_string(time) + "\n";
 }
 
 /// State shared by both threads.

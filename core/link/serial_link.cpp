@@ -4,14 +4,14 @@
 
 namespace skyseal::link {
 
-static constexpr qint64 kReadBuffer = 64 << 10;
+static constexpr qint64 kSerialReadBuffer = 64 << 10;
 
 SerialLink::SerialLink(LinkUrl linkUrl, LinkId linkId, LinkListener &linkListener, LinkOptions linkOptions)
     : Link(std::move(linkUrl), linkId, linkListener, linkOptions), m_backoff(options().retryFirst, options().retryMax)
 {
     m_port.setPortName(QString::fromStdString(url().path()));
     m_port.setBaudRate(static_cast<qint32>(url().baud()));
-    m_port.setReadBufferSize(kReadBuffer);
+    m_port.setReadBufferSize(kSerialReadBuffer);
     m_retryTimer.setSingleShot(true);
     connect(&m_retryTimer, &QTimer::timeout, this, &SerialLink::openNow);
     connect(&m_port, &QSerialPort::errorOccurred, this, &SerialLink::failed);

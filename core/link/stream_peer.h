@@ -8,6 +8,8 @@
 
 namespace skyseal::link {
 
+inline constexpr qint64 kTcpReadBuffer = 256 << 10; ///< bounds the bytes of one wake-up
+
 class StreamPeer
 {
 public:

@@ -8,14 +8,12 @@
 
 namespace skyseal::link {
 
-static constexpr qint64 kReadBuffer = 256 << 10; // bounds the bytes of one wake-up
-
 TcpLink::TcpLink(LinkUrl linkUrl, LinkId linkId, LinkListener &linkListener, LinkOptions linkOptions)
     : Link(std::move(linkUrl), linkId, linkListener, linkOptions), m_backoff(options().retryFirst, options().retryMax)
 {
     // The desktop's proxy settings are meant for browsers; MAVLink must not pass through such a proxy.
     m_socket.setProxy(QNetworkProxy::NoProxy);
-    m_socket.setReadBufferSize(kReadBuffer);
+    m_socket.setReadBufferSize(kTcpReadBuffer);
     m_retryTimer.setSingleShot(true);
     connect(&m_retryTimer, &QTimer::timeout, this, &TcpLink::connectNow);
     connect(&m_socket, &QTcpSocket::connected, this, &TcpLink::connected);

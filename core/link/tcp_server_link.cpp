@@ -12,8 +12,6 @@
 
 namespace skyseal::link {
 
-static constexpr qint64 kReadBuffer = 256 << 10;
-
 TcpServerLink::TcpServerLink(LinkUrl linkUrl, LinkId linkId, LinkListener &linkListener, LinkOptions linkOptions)
     : Link(std::move(linkUrl), linkId, linkListener, linkOptions)
 {
@@ -74,7 +72,7 @@ void TcpServerLink::accept()
                 return;
             continue;
         }
-        socket->setReadBufferSize(kReadBuffer);
+        socket->setReadBufferSize(kTcpReadBuffer);
         socket->setSocketOption(QAbstractSocket::LowDelayOption, 1);
         socket->setSocketOption(QAbstractSocket::KeepAliveOption, 1);
         const Path path{id(), fromQt(socket->peerAddress(), socket->peerPort())};

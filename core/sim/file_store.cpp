@@ -6,11 +6,6 @@ namespace skyseal::sim {
 
 namespace {
 
-auto fail(FileError error)
-{
-    return tl::make_unexpected(error);
-}
-
 std::string folderOf(const std::string &path)
 {
     const std::size_t slash = path.rfind('/');

@@ -26,6 +26,11 @@ enum class FileError : std::uint8_t {
 };
 template<typename T> using StoreResult = Result<T, FileError>;
 
+inline tl::unexpected<FileError> fail(FileError error)
+{
+    return tl::make_unexpected(error);
+}
+
 struct FileEntry
 {
     std::string name; ///< without its folder

@@ -11,11 +11,6 @@ namespace {
 constexpr std::string_view kParameterFolder = "@PARAM", kParameterFile = "@PARAM/param.pck";
 constexpr std::string_view kLogFolder = "APM/LOGS", kNewestLog = "LASTLOG.TXT";
 
-auto fail(FileError error)
-{
-    return tl::make_unexpected(error);
-}
-
 std::string logName(const FlightLog &log)
 {
     char name[24];

@@ -1,5 +1,6 @@
 // core/README.md is the map of the code: it names every room, every program and every file of the channel, and nothing that is
 // not there.
+#include "tests/arch/content_of.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QDir>
@@ -13,8 +14,7 @@ const QString kSourceTree = QStringLiteral(SKYSEAL_SOURCE_DIR "/");
 
 QString mapOfTheCode()
 {
-    QFile file(kSourceTree + QStringLiteral("core/README.md"));
-    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+    return contentOf(kSourceTree + QStringLiteral("core/README.md"));
 }
 
 QStringList foldersIn(const QString &folder)

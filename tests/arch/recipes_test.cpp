@@ -1,6 +1,7 @@
 // Follows six recipes of core/README.md, with the examples in tests/arch/recipes: the files that a recipe adds and edits go to
 // a folder that the compiler searches before the source tree, and every file that they concern must compile. The number of
 // edited files is the cost of adding one more, and the recipe must name each of them.
+#include "tests/arch/content_of.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QDir>
@@ -24,17 +25,11 @@ QString q(const char *text)
 
 const QString kTree = q(SKYSEAL_SOURCE_DIR "/");
 
-QString read(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
-}
-
 /// The compiler's command for a file of the tree, or for another file of its library where several are compiled as one.
 QStringList commandFor(const QString &file)
 {
     static const QJsonArray kCommands =
-        QJsonDocument::fromJson(read(q(SKYSEAL_BUILD_DIR "/compile_commands.json")).toUtf8()).array();
+        QJsonDocument::fromJson(contentOf(q(SKYSEAL_BUILD_DIR "/compile_commands.json")).toUtf8()).array();
     const auto first = [](auto &&matches) {
         const auto found = std::ranges::find_if(kCommands, matches);
         return found == kCommands.end() ? QStringList() : QProcess::splitCommand((*found)[q("command")].toString());
@@ -54,14 +49,14 @@ public:
     /// Adds the example with this file's name.
     void add(const QString &file)
     {
-        write(file, read(kTree + q("tests/arch/recipes/") + QFileInfo(file).fileName()));
+        write(file, contentOf(kTree + q("tests/arch/recipes/") + QFileInfo(file).fileName()));
         m_added << file;
     }
 
     /// Inserts `line` behind `anchor`, which the file contains once.
     void insert(const QString &file, const char *anchor, const char *line)
     {
-        QString text = read(m_edited.contains(file) ? m_folder.filePath(file) : kTree + file);
+        QString text = contentOf(m_edited.contains(file) ? m_folder.filePath(file) : kTree + file);
         QVERIFY2(text.count(q(anchor)) == 1, qPrintable(file + q(": ") + q(anchor)));
         write(file, text.replace(q(anchor), q(anchor) + q(line)));
         if (!m_edited.contains(file))
@@ -115,7 +110,7 @@ private:
 /// The section "### Add …" of the map.
 QString recipe(const char *title)
 {
-    const QString map = read(kTree + q("core/README.md"));
+    const QString map = contentOf(kTree + q("core/README.md"));
     const qsizetype begin = map.indexOf(q("### Add ") + q(title));
     return begin < 0 ? QString() : map.mid(begin, map.indexOf(q("\n### "), begin + 1) - begin);
 }

@@ -1,21 +1,15 @@
 // Each row of allowed_skips.txt belongs to a test that can still skip for that reason, so that the list does not go on allowing
 // the skips of tests that are gone.
+#include "tests/arch/content_of.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QDirIterator>
-#include <QtCore/QFile>
 #include <QtCore/QRegularExpression>
 #include <QtTest/QTest>
 
 namespace {
 
 const QString kTests = QStringLiteral(SKYSEAL_SOURCE_DIR "/tests");
-
-QString contentOf(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
-}
 
 /// The sources and scripts of all tests, string literals that the compiler joins as one.
 QString allTests()

@@ -32,7 +32,7 @@ std::size_t committed(const Pair::End &end)
         std::count_if(done.begin(), done.end(), [](const SwitchDone &d) { return d.failure == SwitchFailure::None; }));
 }
 
-void traffic(Pair &pair)
+void trafficOfBoth(Pair &pair)
 {
     pair.every(20ms, [&pair] {
         pair.sendFrame(Air);
@@ -53,7 +53,7 @@ void AttackSwitchTest::raceOfBothEnds()
     options.link.delay = 5ms;
     options.link.jitter = 300ms;
     Pair pair(options);
-    traffic(pair);
+    trafficOfBoth(pair);
     QVERIFY(pair.run(10s, [&] { return pair.bothUp(); }));
     pair.run(5s);
     const std::size_t sessions = pair.ground().all<SessionUp>().size();
@@ -80,7 +80,7 @@ void AttackSwitchTest::acceptancesAreDropped()
 {
     // The agent accepts, and none of its messages reaches the station for six seconds: both continue under the old epoch.
     Pair pair(attackOptions());
-    traffic(pair);
+    trafficOfBoth(pair);
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
     pair.run(1s);
     pair.link.attacker = [&](TimePoint, SentDatagram &flight) { return flight.from == Ground || flight.tag != 0; };

@@ -50,11 +50,6 @@ std::vector<SuiteId> subset(unsigned bits)
     return out;
 }
 
-bool holds(const std::vector<SuiteId> &suites, SuiteId wanted)
-{
-    return std::find(suites.begin(), suites.end(), wanted) != suites.end();
-}
-
 template<typename Check> void forEveryPair(Check check)
 {
     for (unsigned a = 0; a < 64; ++a) {

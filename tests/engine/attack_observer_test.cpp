@@ -133,7 +133,7 @@ std::size_t othersWithin(const Bytes &frame, const Bytes &next)
     return others;
 }
 
-template<typename Message> Bytes frameOf(const Message &message, mavlink::FrameWriter &writer)
+template<typename Message> Bytes frameWrittenBy(const Message &message, mavlink::FrameWriter &writer)
 {
     std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
     return copyOf(writer.write(message, buffer));
@@ -195,9 +195,9 @@ void AttackObserverTest::streamRates()
     QVERIFY(flight.wait([&] { return flight.observer.up() && flight.agent->snapshot().mavlink.frames > 0; }));
     mavlink::FrameWriter writer(255, 190);
     const bool isStream = interval == 0;
-    const Bytes hostile = isStream ? frameOf(streamAt(static_cast<std::uint16_t>(rate)), writer)
-                                   : frameOf(messageEvery(interval), writer);
-    const Bytes honest = isStream ? frameOf(streamAt(10), writer) : frameOf(messageEvery(100'000), writer);
+    const Bytes hostile = isStream ? frameWrittenBy(streamAt(static_cast<std::uint16_t>(rate)), writer)
+                                   : frameWrittenBy(messageEvery(interval), writer);
+    const Bytes honest = isStream ? frameWrittenBy(streamAt(10), writer) : frameWrittenBy(messageEvery(100'000), writer);
     for (const Bytes &frame : {hostile, honest})
         flight.observer.sendEach(std::array{ByteView(frame)});
     const std::vector<Bytes> arrived = flight.arrivedUntil(honest);
@@ -229,8 +229,8 @@ void AttackObserverTest::thousandQuestions()
     mavlink::FrameWriter writer(255, 190);
     constexpr int kQuestions = 1000;
     for (int i = 0; i < kQuestions; ++i) {
-        const Bytes value = frameOf(mavlink::ParamRequestRead{.target_system = 1, .param_index = 7}, writer);
-        const Bytes list = frameOf(mavlink::ParamRequestList{.target_system = 1, .target_component = 1}, writer);
+        const Bytes value = frameWrittenBy(mavlink::ParamRequestRead{.target_system = 1, .param_index = 7}, writer);
+        const Bytes list = frameWrittenBy(mavlink::ParamRequestList{.target_system = 1, .target_component = 1}, writer);
         flight.observer.sendEach(std::array{ByteView(i % 10 < lists ? list : value)});
         if (i % 50 == 49)
             QVERIFY(flight.wait([&] { return judged(flight) > static_cast<std::uint64_t>(i); }));

@@ -3,23 +3,15 @@
 #include "core/engine/headless/channel_event_json.h"
 #include "core/engine/headless/event_json.h"
 #include "core/engine/station/snapshot.h"
+#include "tests/support/json_values.h"
 #include "tests/support/test_runner.h"
 
-#include <QtCore/QJsonDocument>
 #include <QtCore/QJsonObject>
 #include <QtTest/QTest>
 
 using namespace skyseal;
 using namespace skyseal::engine;
-
-namespace {
-
-QJsonObject parsed(const std::string &line)
-{
-    return QJsonDocument::fromJson(QByteArray::fromStdString(line)).object();
-}
-
-} // namespace
+using test::parsed;
 
 class EventJsonTest : public QObject
 {

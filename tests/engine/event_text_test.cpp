@@ -37,7 +37,7 @@ void checkForm(const EventText &text)
     QVERIFY(text.severity <= 7);
 }
 
-const channel::SessionId kSession{7};
+const channel::SessionId kTextSession{7};
 
 } // namespace
 
@@ -87,8 +87,8 @@ void EventTextTest::eachAgentEventHasASentence()
 void EventTextTest::channelEventsReadTheSameAtBothEnds()
 {
     PeerNames names;
-    names.note(channel::Event(channel::SessionUp{kSession, {}, "air-1", crypto::SuiteId::Aes256Gcm, {}}));
-    const channel::ForgeryAlarm alarm{kSession, 3, 4};
+    names.note(channel::Event(channel::SessionUp{kTextSession, {}, "air-1", crypto::SuiteId::Aes256Gcm, {}}));
+    const channel::ForgeryAlarm alarm{kTextSession, 3, 4};
     const EventText text = eventText(alarm, names);
     QCOMPARE(text.sentence,
              QStringLiteral("Under attack: refused 3 forged and 4 replayed records that claim to come from air-1"));
@@ -112,7 +112,7 @@ void EventTextTest::hostileTextsSteerNoLabel()
     const std::string hostile = text.toStdString();
     QVERIFY(!isPrintable(hostile));
     PeerNames names;
-    names.note(channel::Event(channel::SessionUp{kSession, {}, hostile, crypto::SuiteId::Aes256Gcm, {}}));
+    names.note(channel::Event(channel::SessionUp{kTextSession, {}, hostile, crypto::SuiteId::Aes256Gcm, {}}));
     vehicle::TextReceived received;
     received.text.text = hostile;
     vehicle::ParameterResult parameter;
@@ -120,8 +120,9 @@ void EventTextTest::hostileTextsSteerNoLabel()
     parameter.reason = hostile;
     vehicle::CommandResult command;
     command.reason = hostile;
-    for (const Event &event : {Event(received), Event(parameter), Event(command), Event(channel::ForgeryAlarm{kSession, 1, 1}),
-                               Event(channel::SessionUp{kSession, {}, hostile, crypto::SuiteId::Aes256Gcm, {}})}) {
+    for (const Event &event :
+         {Event(received), Event(parameter), Event(command), Event(channel::ForgeryAlarm{kTextSession, 1, 1}),
+          Event(channel::SessionUp{kTextSession, {}, hostile, crypto::SuiteId::Aes256Gcm, {}})}) {
         const EventText shown = eventText(event, names);
         QVERIFY2(isPrintable(shown.sentence.toStdString()), qPrintable(shown.sentence));
         QVERIFY2(isPrintable(shown.line().toStdString()), qPrintable(shown.line()));
@@ -131,8 +132,8 @@ void EventTextTest::hostileTextsSteerNoLabel()
 void EventTextTest::unknownAgeOfCommandsIsNamed()
 {
     PeerNames names;
-    names.note(channel::Event(channel::SessionUp{kSession, {}, "air-1", crypto::SuiteId::Aes256Gcm, {}}));
-    channel::CommandsLate late{kSession, 4, {}};
+    names.note(channel::Event(channel::SessionUp{kTextSession, {}, "air-1", crypto::SuiteId::Aes256Gcm, {}}));
+    channel::CommandsLate late{kTextSession, 4, {}};
     late.report.limitMilliseconds = 5000;
     late.report.ageMicroseconds = channel::FreshnessReport::kUnknownAge;
     QCOMPARE(eventText(late, names).sentence,
@@ -257,14 +258,14 @@ void EventTextTest::switchTimesAreRounded()
 void EventTextTest::peerNameIsKeptToTheEndOfItsSession()
 {
     PeerNames names;
-    names.note(Event(channel::SessionUp{kSession, {}, "air-1", crypto::SuiteId::Aes256Gcm, {}}));
+    names.note(Event(channel::SessionUp{kTextSession, {}, "air-1", crypto::SuiteId::Aes256Gcm, {}}));
     names.note(Event(VehicleLost{1}));
-    QCOMPARE(names.of(kSession), std::string("air-1"));
-    const Event down = channel::SessionDown{kSession, channel::DownReason::TimedOut, {}};
+    QCOMPARE(names.of(kTextSession), std::string("air-1"));
+    const Event down = channel::SessionDown{kTextSession, channel::DownReason::TimedOut, {}};
     names.note(down);
     QCOMPARE(eventText(down, names).sentence, QStringLiteral("Sealed link to air-1 ended: silent for too long"));
     names.note(Event(VehicleBack{1}));
-    QCOMPARE(names.of(kSession), std::string());
+    QCOMPARE(names.of(kTextSession), std::string());
 }
 
 SKYSEAL_TEST(EventTextTest)

@@ -7,14 +7,15 @@
 #include "core/mavlink/messages.h"
 #include "core/mqtt/topics.h"
 #include "core/vehicle/state_fields.h"
+#include "tests/support/json_values.h"
 #include "tests/support/test_runner.h"
 
-#include <QtCore/QJsonDocument>
 #include <QtCore/QJsonObject>
 #include <QtTest/QTest>
 
 using namespace skyseal;
 using namespace skyseal::engine;
+using test::parsed;
 
 namespace {
 
@@ -92,11 +93,6 @@ channel::SessionDown downOf(std::uint32_t session)
     channel::SessionDown out;
     out.session = channel::SessionId(session);
     return out;
-}
-
-QJsonObject parsed(const std::string &text)
-{
-    return QJsonDocument::fromJson(QByteArray::fromStdString(text)).object();
 }
 
 } // namespace

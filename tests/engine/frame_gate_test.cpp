@@ -14,7 +14,7 @@ using Verdict = FrameGate::Verdict;
 
 namespace {
 
-constexpr channel::SessionId kSession{1};
+constexpr channel::SessionId kGateSession{1};
 const Path kAgent{LinkId{1}, {{1}, 1000}}, kElsewhere{LinkId{2}, {{9}, 9}};
 constexpr TimePoint kStart{std::chrono::seconds(100)};
 
@@ -29,11 +29,11 @@ channel::Peer peer(std::uint8_t number, std::vector<std::uint8_t> systemIds = {}
 
 channel::SessionUp upOf(const channel::Peer &who)
 {
-    return {kSession, who.key, who.name, crypto::SuiteId::ChaCha20Poly1305, kAgent};
+    return {kGateSession, who.key, who.name, crypto::SuiteId::ChaCha20Poly1305, kAgent};
 }
 
 /// Keeps what is published.
-struct Published
+struct PublishedFrames
 {
     Notify notify = [this](Event event) { events.push_back(std::move(event)); };
     std::vector<Event> events;
@@ -61,7 +61,7 @@ void FrameGateTest::olderFramesAreNotPresent()
     const auto isPresent = [&gate](const auto &message, std::uint64_t position, channel::Freshness freshness = {}) {
         const QByteArray bytes = frameOf(message, 1);
         channel::Delivery delivery;
-        delivery.session = kSession;
+        delivery.session = kGateSession;
         delivery.position = channel::RecordPosition{position};
         delivery.freshness = freshness;
         return gate.isPresent(*mavlink::readFrame(viewOf(bytes), mavlink::Dialect::builtin()), delivery);
@@ -74,7 +74,7 @@ void FrameGateTest::olderFramesAreNotPresent()
     QVERIFY(isPresent(answer, 6)); // overtaken, but the newest of its kind
     QVERIFY(!isPresent(answer, 9, channel::Freshness::Overtaken));
     QVERIFY(isPresent(heartbeat, 8));
-    gate.sessionDown(kSession); // the records of another session count from 0
+    gate.sessionDown(kGateSession); // the records of another session count from 0
     gate.sessionUp(upOf(peer(1)));
     QVERIFY(isPresent(heartbeat, 0));
 }
@@ -87,10 +87,10 @@ void FrameGateTest::clearFrameByItsOrigin()
     QCOMPARE(int(gate.judgeClear(kElsewhere, 5, FrameOrigin::ListenOnly, false)), int(Verdict::Accept));
     QCOMPARE(int(gate.judgeClear(kElsewhere, 5, FrameOrigin::Recording, false)), int(Verdict::Accept));
     gate.sessionUp(upOf(peer(1)));
-    QVERIFY(gate.acceptSealed(kSession, 5));
+    QVERIFY(gate.acceptSealed(kGateSession, 5));
     for (const FrameOrigin origin : {FrameOrigin::Live, FrameOrigin::ListenOnly, FrameOrigin::Recording})
         QCOMPARE(int(gate.judgeClear(kElsewhere, 5, origin, true)), int(Verdict::Refuse));
-    gate.sessionDown(kSession);
+    gate.sessionDown(kGateSession);
     QCOMPARE(int(gate.judgeClear(kElsewhere, 5, FrameOrigin::Recording, true)), int(Verdict::Refuse));
     QCOMPARE(int(gate.judgeClear(kElsewhere, 5, FrameOrigin::Recording, false)), int(Verdict::Accept));
     QCOMPARE(int(gate.judgeClear(kElsewhere, 6, FrameOrigin::Live, false)), int(Verdict::Accept)); // all agents have been heard
@@ -115,7 +115,7 @@ void FrameGateTest::vehicleAwaitsApprovalAndIsAnnouncedOnce()
 void FrameGateTest::oneEventASecond()
 {
     FrameGate gate(SecureMode::Required);
-    Published published;
+    PublishedFrames published;
     for (int i = 0; i < 10; ++i) {
         gate.refuseClear(kElsewhere, static_cast<std::uint8_t>(i));
         gate.publishRefusals(kStart + i * std::chrono::milliseconds(90), published.notify);
@@ -134,14 +134,14 @@ void FrameGateTest::oneEventASecond()
 void FrameGateTest::refusalIsNamedThoughItsSessionEnded()
 {
     FrameGate gate(SecureMode::Required);
-    Published published;
+    PublishedFrames published;
     gate.policy().setPeers({peer(1, {7}), peer(2, {8})});
     gate.sessionUp(upOf(peer(1, {7})));
-    QVERIFY(!gate.acceptSealed(kSession, 9));
+    QVERIFY(!gate.acceptSealed(kGateSession, 9));
     gate.publishRefusals(kStart, published.notify);
-    QVERIFY(!gate.acceptSealed(kSession, 8)); // within the second, so it waits
+    QVERIFY(!gate.acceptSealed(kGateSession, 8)); // within the second, so it waits
     gate.publishRefusals(kStart, published.notify);
-    gate.sessionDown(kSession);
+    gate.sessionDown(kGateSession);
     gate.publishRefusals(kStart + std::chrono::seconds(1), published.notify);
     QCOMPARE(published.events.size(), std::size_t(2));
     const auto &first = std::get<SystemRefused>(published.events[0]), &second = std::get<SystemRefused>(published.events[1]);

@@ -17,7 +17,7 @@ using namespace skyseal::test;
 namespace {
 
 constexpr LinkId kLink{1};
-constexpr TimePoint kNow{std::chrono::seconds(100)};
+constexpr TimePoint kReceivedAt{std::chrono::seconds(100)};
 
 /// Writes down one letter for each call.
 struct Calls final : IngressSink
@@ -107,7 +107,7 @@ struct Bench
     std::string take(Bytes bytes)
     {
         calls.text.clear();
-        ingress.take(m_link, {{kLink, {}}, bytes, kNow});
+        ingress.take(m_link, {{kLink, {}}, bytes, kReceivedAt});
         return calls.text;
     }
 
@@ -211,10 +211,10 @@ void IngressTest::streamOfCobsIsNotSearched()
     Bench bench(sealedStream(), "tcp:127.0.0.1:1");
     Bytes block = inCobs(firstMessage());
     QCOMPARE(bench.take(block), std::string("C"));
-    QVERIFY(bench.ingress.isCobs({kLink, {}}, kNow));
+    QVERIFY(bench.ingress.isCobs({kLink, {}}, kReceivedAt));
     QCOMPARE(bench.take(kHeartbeat), std::string(""));
     bench.ingress.forget({kLink, {}});
-    QVERIFY(!bench.ingress.isCobs({kLink, {}}, kNow));
+    QVERIFY(!bench.ingress.isCobs({kLink, {}}, kReceivedAt));
     QCOMPARE(bench.take(kHeartbeat), std::string("f"));
 }
 
@@ -227,9 +227,9 @@ void IngressTest::newStreamTakesRecordsOfSessionsOnly()
     Bench bench(sealedStream(), "tcp:127.0.0.1:1");
     bench.calls.sessionRecord = record;
     QVERIFY(bench.take(inCobs(other)).find('C') == std::string::npos);
-    QVERIFY(!bench.ingress.isCobs({kLink, {}}, kNow));
+    QVERIFY(!bench.ingress.isCobs({kLink, {}}, kReceivedAt));
     QVERIFY(bench.take(inCobs(record)).ends_with('C'));
-    QVERIFY(bench.ingress.isCobs({kLink, {}}, kNow));
+    QVERIFY(bench.ingress.isCobs({kLink, {}}, kReceivedAt));
     QCOMPARE(bench.take(inCobs(other)), std::string("C"));
 }
 
@@ -274,7 +274,7 @@ void IngressTest::rulesChangeWithinABlock()
     IdleLink link("tcp:127.0.0.1:1", kLink);
     Bytes block = inCobs(firstMessage());
     block.insert(block.end(), kHeartbeat.begin(), kHeartbeat.end());
-    ingress.take(link, {{kLink, {}}, block, kNow});
+    ingress.take(link, {{kLink, {}}, block, kReceivedAt});
     QCOMPARE(sink.clear, 0);
 }
 

@@ -21,7 +21,7 @@ using namespace skyseal::engine;
 
 namespace {
 
-constexpr std::uint64_t kSeed = 20261121;
+constexpr std::uint64_t kMisreadingSeed = 20261121;
 constexpr std::uint16_t kSetInterval = mavlink::MAV_CMD_SET_MESSAGE_INTERVAL; // 511, permitted at some rates
 /// All messages that an observer may send.
 const std::set<std::uint32_t> kKinds{20, 21, 40, 43, 47, 51, 66, 75, 76, 111, 320, 321};
@@ -120,7 +120,7 @@ Bytes payloadFor(std::uint32_t id, std::mt19937_64 &random)
 /// Calls `check(frame)` with this number of permitted frames of each kind.
 template<typename Check> void forPassing(int each, Check check)
 {
-    std::mt19937_64 random(kSeed);
+    std::mt19937_64 random(kMisreadingSeed);
     for (const std::uint32_t id : kKinds) {
         int passed = 0, made = 0;
         for (; passed < each; ++made) {
@@ -144,7 +144,7 @@ class MisreadingTest : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void initTestCase() { qInfo("seed %llu", static_cast<unsigned long long>(kSeed)); }
+    void initTestCase() { qInfo("seed %llu", static_cast<unsigned long long>(kMisreadingSeed)); }
     void anyNumberOfMissingFirstBytes();
     void nestedFramesAreRefused_data();
     void nestedFramesAreRefused();
@@ -199,7 +199,7 @@ void MisreadingTest::nestedFramesAreRefused()
                                                              .param1 = 1,
                                                              .param2 = 21196},
                                         buffer);
-    std::mt19937_64 random(kSeed);
+    std::mt19937_64 random(kMisreadingSeed);
     Bytes payload = payloadFor(id, random);
     payload.insert(payload.end(), nested.begin(), nested.end());
     mavlink::FrameWriter outer(255, 190);
@@ -362,7 +362,7 @@ void MisreadingTest::usualRequestsPass()
 {
     // Times of a clock in nanoseconds: one in thirteen holds such a byte, with sequence and checksum.
     mavlink::FrameWriter writer(255, 190);
-    std::mt19937_64 random(kSeed);
+    std::mt19937_64 random(kMisreadingSeed);
     int passed = 0;
     constexpr int kTimes = 20000;
     for (int i = 0; i < kTimes; ++i) {

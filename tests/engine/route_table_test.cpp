@@ -9,8 +9,8 @@ using namespace skyseal::engine;
 
 namespace {
 
-constexpr TimePoint kNow{std::chrono::seconds(1000)};
-constexpr channel::SessionId kSession{1};
+constexpr TimePoint kRoutedAt{std::chrono::seconds(1000)};
+constexpr channel::SessionId kRouteSession{1};
 
 Path pathOf(std::uint16_t port)
 {
@@ -34,23 +34,23 @@ private Q_SLOTS:
 void RouteTableTest::sealedRouteWins()
 {
     RouteTable routes;
-    routes.ofSession(kSession);
-    routes.heardClear(kNow, 1, pathOf(10));
+    routes.ofSession(kRouteSession);
+    routes.heardClear(kRoutedAt, 1, pathOf(10));
     QVERIFY(!routes.leadingTo(1)->session);
-    routes.heardSealed(1, kSession);
-    routes.heardClear(kNow, 1, pathOf(11));
-    QVERIFY(routes.leadingTo(1)->session == kSession);
-    routes.sessionDown(kSession);
+    routes.heardSealed(1, kRouteSession);
+    routes.heardClear(kRoutedAt, 1, pathOf(11));
+    QVERIFY(routes.leadingTo(1)->session == kRouteSession);
+    routes.sessionDown(kRouteSession);
     QVERIFY(!routes.leadingTo(1)); // nothing for it goes out in clear because the session ended
 }
 
 void RouteTableTest::clearTargetsExpire()
 {
     RouteTable routes;
-    routes.heardClear(kNow, 1, pathOf(10));
-    routes.forgetSilent(kNow + RouteTable::kForgetAfter);
+    routes.heardClear(kRoutedAt, 1, pathOf(10));
+    routes.forgetSilent(kRoutedAt + RouteTable::kForgetAfter);
     QVERIFY(routes.leadingTo(1));
-    routes.forgetSilent(kNow + RouteTable::kForgetAfter + std::chrono::seconds(1));
+    routes.forgetSilent(kRoutedAt + RouteTable::kForgetAfter + std::chrono::seconds(1));
     QVERIFY(!routes.leadingTo(1));
     QVERIFY(routes.all().empty());
 }
@@ -60,8 +60,8 @@ void RouteTableTest::fixedRoutesStay()
     RouteTable routes;
     routes.addFixed(pathOf(10));
     routes.addFixed(pathOf(10));
-    routes.heardClear(kNow, 1, pathOf(10));
-    routes.forgetSilent(kNow + std::chrono::hours(1));
+    routes.heardClear(kRoutedAt, 1, pathOf(10));
+    routes.forgetSilent(kRoutedAt + std::chrono::hours(1));
     QCOMPARE(routes.all().size(), std::size_t(1));
     QVERIFY(routes.leadingTo(1));
 }
@@ -70,14 +70,14 @@ void RouteTableTest::boundedAgainstForgedHeartbeats()
 {
     RouteTable routes;
     for (int port = 1; port < 5000; ++port)
-        routes.heardClear(kNow, static_cast<std::uint8_t>(port), pathOf(static_cast<std::uint16_t>(port)));
+        routes.heardClear(kRoutedAt, static_cast<std::uint8_t>(port), pathOf(static_cast<std::uint16_t>(port)));
     QVERIFY(routes.all().size() <= RouteTable::kMost);
 }
 
 void RouteTableTest::routesEndWithTheirLink()
 {
     RouteTable routes;
-    routes.heardClear(kNow, 1, pathOf(10));
+    routes.heardClear(kRoutedAt, 1, pathOf(10));
     routes.removeLink(LinkId{1});
     QVERIFY(!routes.leadingTo(1));
 }

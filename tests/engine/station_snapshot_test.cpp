@@ -15,7 +15,7 @@ using namespace skyseal::test;
 
 namespace {
 
-constexpr TimePoint kNow{std::chrono::seconds(100)};
+constexpr TimePoint kShownAt{std::chrono::seconds(100)};
 constexpr LinkId kLink{1};
 const Path kOtherPlace{kLink, {{9}, 9}};
 
@@ -27,7 +27,7 @@ struct Parts : private link::LinkListener
         const QByteArray bytes = clearHeartbeat(systemId, 1, false);
         const Bytes frame(bytes.begin(), bytes.end());
         mavlink::FrameScanner scanner(frame, mavlink::Dialect::builtin());
-        fleet.take(kNow, {}, kLink, *scanner.next()->frame, std::nullopt);
+        fleet.take(kShownAt, {}, kLink, *scanner.next()->frame, std::nullopt);
     }
 
     LinkPool links{*this, [](link::Link &) {}};
@@ -57,7 +57,7 @@ private Q_SLOTS:
 void StationSnapshotTest::withoutAnythingItIsEmpty()
 {
     Parts parts;
-    const auto snapshot = buildSnapshot(parts.sources(), kNow, false);
+    const auto snapshot = buildSnapshot(parts.sources(), kShownAt, false);
     QVERIFY(snapshot->links.empty() && snapshot->vehicles.empty() && snapshot->sessions.empty() && snapshot->samples.empty());
     QCOMPARE(snapshot->mavlink.frames, std::uint64_t(0));
     QVERIFY(!snapshot->channel.up && !snapshot->probe);
@@ -69,7 +69,7 @@ void StationSnapshotTest::vehiclesAndTheirFramesAreCounted()
     Parts parts;
     for (const std::uint8_t systemId : {1, 2, 1})
         parts.heartbeat(systemId);
-    const auto snapshot = buildSnapshot(parts.sources(), kNow, false);
+    const auto snapshot = buildSnapshot(parts.sources(), kShownAt, false);
     QCOMPARE(snapshot->vehicles.size(), std::size_t(2));
     QCOMPARE(snapshot->vehicles[1].state.systemId, std::uint8_t(2));
     QCOMPARE(snapshot->mavlink.frames, std::uint64_t(3));
@@ -80,7 +80,7 @@ void StationSnapshotTest::badFramesOfLinksAreThoseOfMavlink()
     Parts parts;
     parts.links.open(kLink, urlOf("udpin:127.0.0.1:0"));
     parts.links.countBadFrame(kLink, 7);
-    const auto snapshot = buildSnapshot(parts.sources(), kNow, false);
+    const auto snapshot = buildSnapshot(parts.sources(), kShownAt, false);
     QCOMPARE(snapshot->links.size(), std::size_t(1));
     QCOMPARE(snapshot->mavlink.badCrc, std::uint64_t(7));
     parts.links.remove(kLink); // its count stays
@@ -93,7 +93,7 @@ void StationSnapshotTest::refusalsAreShown()
     parts.datagrams.garbage = 5;
     parts.gate.refuseClear(kOtherPlace, 1);
     parts.gate.refuseClear(kOtherPlace, 1);
-    const auto snapshot = buildSnapshot(parts.sources(), kNow, false);
+    const auto snapshot = buildSnapshot(parts.sources(), kShownAt, false);
     QCOMPARE(snapshot->plaintextRefused, std::uint64_t(2));
     QCOMPARE(snapshot->channel.rx.plaintextDropped, std::uint64_t(2));
     QCOMPARE(snapshot->channel.rx.malformed, std::uint64_t(5));
@@ -104,7 +104,7 @@ void StationSnapshotTest::probeIsOnRequestOnly()
     Parts parts;
     parts.datagrams.waitingBytes = 300;
     parts.datagrams.waitingCount = 3;
-    const auto snapshot = buildSnapshot(parts.sources(), kNow, true);
+    const auto snapshot = buildSnapshot(parts.sources(), kShownAt, true);
     QVERIFY(snapshot->probe);
     QCOMPARE(snapshot->probe->waitingBytes, std::uint64_t(300));
     QCOMPARE(snapshot->probe->waitingDatagrams, std::uint64_t(3));

@@ -10,13 +10,13 @@ using crypto::SuiteId;
 
 namespace {
 
-constexpr channel::SessionId kSession{4};
+constexpr channel::SessionId kPlanSession{4};
 constexpr TimePoint kStart{std::chrono::seconds(100)};
 
 channel::SwitchDone done(SuiteId to, channel::SwitchFailure failure = channel::SwitchFailure::None)
 {
     channel::SwitchDone out;
-    out.session = kSession;
+    out.session = kPlanSession;
     out.to = to;
     out.failure = failure;
     return out;
@@ -40,7 +40,7 @@ void SwitchPlanTest::cyclesThroughTheList()
 {
     SwitchPlan plan({SuiteId::Aes256Gcm, SuiteId::ChaCha20}, std::chrono::seconds(1));
     QVERIFY(plan.poll(kStart).empty());
-    plan.sessionUp(kStart, kSession);
+    plan.sessionUp(kStart, kPlanSession);
     QVERIFY(plan.poll(kStart + std::chrono::milliseconds(999)).empty());
     std::vector<SuiteId> seen;
     for (int second = 1; second <= 3; ++second) {
@@ -55,7 +55,7 @@ void SwitchPlanTest::cyclesThroughTheList()
 void SwitchPlanTest::oneSwitchAtATime()
 {
     SwitchPlan plan({SuiteId::Aes256Gcm, SuiteId::ChaCha20}, std::chrono::seconds(1));
-    plan.sessionUp(kStart, kSession);
+    plan.sessionUp(kStart, kPlanSession);
     QVERIFY(!plan.isPending());
     QCOMPARE(plan.poll(kStart + std::chrono::seconds(1)).size(), std::size_t(1));
     QVERIFY(plan.isPending());
@@ -70,7 +70,7 @@ void SwitchPlanTest::oneSwitchAtATime()
 void SwitchPlanTest::continuesFromTheSuiteInUse()
 {
     SwitchPlan plan({SuiteId::ChaCha20Poly1305, SuiteId::Aes256Gcm}, std::chrono::seconds(1));
-    plan.sessionUp(kStart, kSession);
+    plan.sessionUp(kStart, kPlanSession);
     QCOMPARE(plan.poll(kStart + std::chrono::seconds(1)).size(), std::size_t(1));
     auto rekey = done(SuiteId::Aes256Ctr); // not the requested suite
     rekey.rekey = true;
@@ -86,8 +86,8 @@ void SwitchPlanTest::continuesFromTheSuiteInUse()
 void SwitchPlanTest::endsWithItsSession()
 {
     SwitchPlan plan({SuiteId::Aes256Gcm}, std::chrono::seconds(1));
-    plan.sessionUp(kStart, kSession);
-    plan.sessionDown(kSession);
+    plan.sessionUp(kStart, kPlanSession);
+    plan.sessionDown(kPlanSession);
     QVERIFY(plan.poll(kStart + std::chrono::seconds(5)).empty());
 }
 

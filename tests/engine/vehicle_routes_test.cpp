@@ -16,8 +16,8 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr TimePoint kNow{};
-constexpr Path kPlace{LinkId{1}, {}}, kOther{LinkId{2}, {}};
+constexpr TimePoint kHeardAt{};
+constexpr Path kPlace{LinkId{1}, {}}, kElsewhere{LinkId{2}, {}};
 
 bool leadsTo(const VehicleRoutes &routes, std::uint8_t systemId, const Path &path)
 {
@@ -53,13 +53,13 @@ void VehicleRoutesTest::onlyHeartbeatsOfAutopilotsCount()
 void VehicleRoutesTest::silentVehiclesAreForgotten()
 {
     VehicleRoutes routes;
-    routes.heard(kNow, kPlace, 7);
+    routes.heard(kHeardAt, kPlace, 7);
     QVERIFY(routes.isVehicle(7));
     QVERIFY(!routes.isVehicle(8));
-    routes.forgetSilent(kNow + VehicleRoutes::kForgetAfter);
+    routes.forgetSilent(kHeardAt + VehicleRoutes::kForgetAfter);
     QVERIFY(routes.isVehicle(7));
     QVERIFY(leadsTo(routes, 7, kPlace));
-    routes.forgetSilent(kNow + VehicleRoutes::kForgetAfter + 1ms);
+    routes.forgetSilent(kHeardAt + VehicleRoutes::kForgetAfter + 1ms);
     QVERIFY(!routes.isVehicle(7)); // a ground station may use the id
     QVERIFY(!leadsTo(routes, 7, kPlace));
 }
@@ -67,15 +67,15 @@ void VehicleRoutesTest::silentVehiclesAreForgotten()
 void VehicleRoutesTest::vehicleOutlivesItsStream()
 {
     VehicleRoutes routes;
-    routes.heard(kNow, kPlace, 7);
-    routes.heard(kNow, kOther, 8);
+    routes.heard(kHeardAt, kPlace, 7);
+    routes.heard(kHeardAt, kElsewhere, 8);
     routes.streamChanged(kPlace);
     QVERIFY(!leadsTo(routes, 7, kPlace));
-    QVERIFY(leadsTo(routes, 8, kOther));
+    QVERIFY(leadsTo(routes, 8, kElsewhere));
     QVERIFY(routes.isVehicle(7));
     routes.forget(8);
     QVERIFY(!routes.isVehicle(8));
-    QVERIFY(!leadsTo(routes, 8, kOther));
+    QVERIFY(!leadsTo(routes, 8, kElsewhere));
 }
 
 void VehicleRoutesTest::claimsAreReportedOnceAMinute()
@@ -83,9 +83,9 @@ void VehicleRoutesTest::claimsAreReportedOnceAMinute()
     GroundIdClaims claims;
     int reported = 0;
     for (int second = 0; second < 120; ++second)
-        reported += claims.note(kNow + std::chrono::seconds(second), 255);
+        reported += claims.note(kHeardAt + std::chrono::seconds(second), 255);
     QCOMPARE(reported, 2);
-    QVERIFY(claims.note(kNow + 1s, 254)); // each id alone
+    QVERIFY(claims.note(kHeardAt + 1s, 254)); // each id alone
     QCOMPARE(claims.count(), std::uint64_t(121));
 }
 

@@ -15,9 +15,9 @@ using Outcome = SuiteSwitch::Outcome;
 
 namespace {
 
-constexpr channel::SessionId kSession{7}, kNextSession{8};
+constexpr channel::SessionId kFirstSession{7}, kSecondSession{8};
 
-channel::SwitchDone done(SwitchFailure failure, channel::SessionId session = kSession)
+channel::SwitchDone done(SwitchFailure failure, channel::SessionId session = kFirstSession)
 {
     channel::SwitchDone out;
     out.session = session;
@@ -44,16 +44,16 @@ private Q_SLOTS:
     void oneOrderForEachSession()
     {
         SuiteSwitch live = begun();
-        QVERIFY(live.order(kSession, 1));
-        QVERIFY(!live.order(kSession, 2));
-        QVERIFY(live.order(kNextSession, 3));
+        QVERIFY(live.order(kFirstSession, 1));
+        QVERIFY(!live.order(kFirstSession, 2));
+        QVERIFY(live.order(kSecondSession, 3));
     }
 
     void firstOrderTakesTheTimeOfTheSwitch()
     {
         SuiteSwitch live = begun();
         QVERIFY(std::isnan(live.milliseconds()));
-        live.order(kSession, 1);
+        live.order(kFirstSession, 1);
         QCOMPARE(int(live.finish(done(SwitchFailure::None), true, 9)), int(Outcome::Committed));
         QCOMPARE(live.milliseconds(), 120.0);
     }
@@ -61,9 +61,9 @@ private Q_SLOTS:
     void repeatedOrderTakesTheTimeSinceTheFirst()
     {
         SuiteSwitch live = begun();
-        live.order(kSession, 1);
+        live.order(kFirstSession, 1);
         QCOMPARE(int(live.finish(done(SwitchFailure::NotConfirmed), true, 6)), int(Outcome::Retry));
-        QVERIFY(live.order(kSession, 6));
+        QVERIFY(live.order(kFirstSession, 6));
         live.finish(done(SwitchFailure::None), true, 7.5);
         QCOMPARE(live.milliseconds(), 6500.0);
     }
@@ -71,10 +71,10 @@ private Q_SLOTS:
     void orderOfALostSessionCounts()
     {
         SuiteSwitch live = begun();
-        live.order(kSession, 1);
+        live.order(kFirstSession, 1);
         QCOMPARE(int(live.finish(done(SwitchFailure::SessionEnded), false, 3)), int(Outcome::LinkLost));
-        QVERIFY(live.order(kNextSession, 4));
-        live.finish(done(SwitchFailure::None, kNextSession), true, 5);
+        QVERIFY(live.order(kSecondSession, 4));
+        live.finish(done(SwitchFailure::None, kSecondSession), true, 5);
         QCOMPARE(live.milliseconds(), 4000.0);
     }
 
@@ -82,10 +82,10 @@ private Q_SLOTS:
     {
         SuiteSwitch live = begun();
         for (unsigned i = 1; i < SuiteSwitch::kMostOrders; ++i) {
-            QVERIFY(live.order(kSession, i));
+            QVERIFY(live.order(kFirstSession, i));
             QCOMPARE(int(live.finish(done(SwitchFailure::NotConfirmed), true, i)), int(Outcome::Retry));
         }
-        QVERIFY(live.order(kSession, 8));
+        QVERIFY(live.order(kFirstSession, 8));
         QCOMPARE(int(live.finish(done(SwitchFailure::NotConfirmed), true, 8)), int(Outcome::Failed));
         QCOMPARE(live.problem().text(), std::string("the switch was not confirmed in time, 8 times"));
     }
@@ -94,7 +94,7 @@ private Q_SLOTS:
     {
         SuiteSwitch live = begun();
         for (int i = 0; i < 20; ++i) {
-            QVERIFY(live.order(kSession, i));
+            QVERIFY(live.order(kFirstSession, i));
             QCOMPARE(int(live.finish(done(SwitchFailure::NotConfirmed), false, i)), int(Outcome::LinkLost));
         }
     }
@@ -103,7 +103,7 @@ private Q_SLOTS:
     {
         for (const SwitchFailure refusal : {SwitchFailure::NotAllowedHere, SwitchFailure::NotAllowedByPeer}) {
             SuiteSwitch live = begun();
-            live.order(kSession, 1);
+            live.order(kFirstSession, 1);
             QCOMPARE(int(live.finish(done(refusal), true, 2)), int(Outcome::Failed));
             QCOMPARE(live.problem().text(), std::string("the other end did not take this suite"));
         }
@@ -112,7 +112,7 @@ private Q_SLOTS:
     void otherSwitchesAreUnrelated()
     {
         SuiteSwitch live = begun();
-        live.order(kSession, 1);
+        live.order(kFirstSession, 1);
         channel::SwitchDone other = done(SwitchFailure::None);
         other.to = SuiteId::ChaCha20;
         QCOMPARE(int(live.finish(other, true, 2)), int(Outcome::Unrelated));
@@ -125,11 +125,11 @@ private Q_SLOTS:
     void nextRunBeginsAnew()
     {
         SuiteSwitch live = begun();
-        live.order(kSession, 1);
+        live.order(kFirstSession, 1);
         live.finish(done(SwitchFailure::None), true, 2);
         live.begin(SuiteId::Aes256Ctr);
         QVERIFY(std::isnan(live.milliseconds()));
-        QVERIFY(live.order(kSession, 3));
+        QVERIFY(live.order(kFirstSession, 3));
     }
 };
 

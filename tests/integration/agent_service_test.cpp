@@ -1,5 +1,6 @@
 // The agent as a service: its configuration file, reload without losing a session, readiness and watchdog, and --check.
 #include "tests/support/flight.h"
+#include "tests/support/json_values.h"
 #include "tests/support/notify_socket.h"
 #include "tests/support/run_program.h"
 #include "tests/support/test_runner.h"
@@ -70,11 +71,6 @@ QByteArray contentOfFile(const QString &path)
 QStringList withoutPrivileges()
 {
     return {QStringLiteral("setpriv"), QStringLiteral("--inh-caps=-all"), QStringLiteral("--bounding-set=-all")};
-}
-
-bool isUp(const QJsonObject &session)
-{
-    return session[QLatin1String("state")].toString() == QLatin1String("up");
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // The real programs on a disk that becomes full or read-only: sessions go on, new ones come up, and both ends say so until the
 // disk works again. The disks are mounted in a mount namespace of this process, which nobody else sees.
 #include "tests/support/flight.h"
+#include "tests/support/json_values.h"
 #include "tests/support/run_program.h"
 #include "tests/support/test_runner.h"
 
@@ -81,11 +82,6 @@ QStringList withOption(QStringList arguments, const char *option, const QString 
 Program::Predicate works(bool yes)
 {
     return [yes](const QJsonObject &event) { return event[QLatin1String("works")].toBool() == yes; };
-}
-
-bool isUp(const QJsonObject &event)
-{
-    return event[QLatin1String("state")] == QLatin1String("up");
 }
 
 bool hasVehicle(const QJsonObject &stats)

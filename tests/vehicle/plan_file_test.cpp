@@ -29,7 +29,7 @@ private Q_SLOTS:
 
 void PlanFileTest::missionFileComesBack()
 {
-    std::vector<MissionItem> items(3);
+    std::vector<vehicle::MissionItem> items(3);
     items[0].current = true;
     items[1] = {1, 22, 3, false, false, {15, 0, 0.1f, std::nanf("")}, 47.39804191, -8.54559371, 12.5f};
     items[2].sequence = 2;

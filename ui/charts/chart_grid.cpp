@@ -10,7 +10,7 @@ namespace skyseal::ui {
 
 namespace {
 constexpr int kOneRow = 4;                          ///< charts that share one row if the width allows
-constexpr int kLeastWidth = 230, kUsualWidth = 320; ///< pixels of a chart
+constexpr int kLeastChart = 230, kUsualChart = 320; ///< pixels of a chart
 } // namespace
 
 ChartGrid::ChartGrid(QWidget *parent) : QScrollArea(parent)
@@ -40,7 +40,7 @@ void ChartGrid::setCharts(const std::vector<QWidget *> &charts)
 void ChartGrid::arrange()
 {
     const int count = static_cast<int>(m_charts.size());
-    const int least = count <= kOneRow ? kLeastWidth : kUsualWidth;
+    const int least = count <= kOneRow ? kLeastChart : kUsualChart;
     const int columns = std::clamp(viewport()->width() / least, 1, std::max(1, count));
     if (columns == m_columns)
         return;

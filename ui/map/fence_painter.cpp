@@ -13,7 +13,7 @@ namespace skyseal::ui {
 
 namespace {
 
-constexpr double kMark = 8;       ///< pixels: half of a mark's height
+constexpr double kFenceMark = 8;  ///< pixels: half of a mark's height
 constexpr double kLabelRoom = 48; ///< pixels: half of a label's width, about
 
 } // namespace
@@ -73,20 +73,21 @@ void FencePainter::paintReturnPoint(const QPointF &at)
 {
     m_painter.setPen(QPen(stateColors(m_palette).good, 2));
     m_painter.setBrush(m_palette.color(QPalette::Base));
-    m_painter.drawRect(QRectF(at - QPointF(kMark, kMark), QSizeF(2 * kMark, 2 * kMark)));
-    paintLabel(m_painter, at + QPointF(0, 2.4 * kMark), tr("Fence return"), m_palette);
+    m_painter.drawRect(QRectF(at - QPointF(kFenceMark, kFenceMark), QSizeF(2 * kFenceMark, 2 * kFenceMark)));
+    paintLabel(m_painter, at + QPointF(0, 2.4 * kFenceMark), tr("Fence return"), m_palette);
 }
 
 /// A flag on its place.
 void FencePainter::paintRallyPoint(const QPointF &at, std::size_t number)
 {
-    const QPointF top = at - QPointF(0, 2.5 * kMark);
+    const QPointF top = at - QPointF(0, 2.5 * kFenceMark);
     m_painter.setPen(QPen(m_palette.color(QPalette::WindowText), 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     m_painter.setBrush(m_palette.color(QPalette::Base));
     m_painter.drawLine(at, top);
-    m_painter.drawPolygon(QPolygonF{top, top + QPointF(1.8 * kMark, 0.6 * kMark), top + QPointF(0, 1.2 * kMark)});
+    m_painter.drawPolygon(
+        QPolygonF{top, top + QPointF(1.8 * kFenceMark, 0.6 * kFenceMark), top + QPointF(0, 1.2 * kFenceMark)});
     m_painter.drawEllipse(at, 2.5, 2.5);
-    paintLabel(m_painter, at + QPointF(0, 1.6 * kMark), tr("Rally %1").arg(number), m_palette);
+    paintLabel(m_painter, at + QPointF(0, 1.6 * kFenceMark), tr("Rally %1").arg(number), m_palette);
 }
 
 } // namespace skyseal::ui

@@ -11,7 +11,7 @@ namespace skyseal::ui {
 namespace {
 
 /// NaN, of an unknown height, equals itself here.
-bool looksTheSame(const AircraftMark &a, const AircraftMark &b)
+bool sameMark(const AircraftMark &a, const AircraftMark &b)
 {
     const auto same = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
     return a.at == b.at && same(a.heading, b.heading) && a.sight.name == b.sight.name && a.sight.isNear == b.sight.isNear
@@ -30,7 +30,7 @@ bool TrafficContent::show(const ViewState &view)
                 marks.push_back({mercator::project({aircraft.position.latitude, aircraft.position.longitude}), aircraft.heading,
                                  sightOf(aircraft, state.position)});
     }
-    if (std::ranges::equal(marks, m_marks, looksTheSame))
+    if (std::ranges::equal(marks, m_marks, sameMark))
         return false;
     m_marks = std::move(marks);
     return true;

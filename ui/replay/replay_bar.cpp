@@ -23,7 +23,7 @@ namespace skyseal::ui {
 
 namespace {
 
-constexpr int kStep = 10'000; ///< milliseconds
+constexpr int kReplayStep = 10'000; ///< milliseconds
 constexpr double kSpeeds[] = {0.1, 0.25, 0.5, 1, 2, 5, 10, 20, 50};
 
 QString speedText(double speed)
@@ -79,8 +79,9 @@ void ReplayBar::makeActions()
     const auto skip = [this](int milliseconds) {
         return [this, milliseconds] { m_line->seekTo(m_line->value() + milliseconds); };
     };
-    addActions({pressAction(*m_play, Qt::SHIFT | Qt::Key_F3), onLine("replayBack", tr("Back 10 s"), Qt::Key_F2, skip(-kStep)),
-                onLine("replayForward", tr("Forward 10 s"), Qt::Key_F4, skip(kStep)),
+    addActions({pressAction(*m_play, Qt::SHIFT | Qt::Key_F3),
+                onLine("replayBack", tr("Back 10 s"), Qt::Key_F2, skip(-kReplayStep)),
+                onLine("replayForward", tr("Forward 10 s"), Qt::Key_F4, skip(kReplayStep)),
                 onSpeed("replaySlower", tr("Slower"), Qt::Key_F6, -1), onSpeed("replayFaster", tr("Faster"), Qt::Key_F7, 1),
                 onLine("replayPreviousEvent", tr("Previous event"), Qt::Key_F8, [this] { m_line->goToMark(false); }),
                 onLine("replayNextEvent", tr("Next event"), Qt::Key_F9, [this] { m_line->goToMark(true); })});

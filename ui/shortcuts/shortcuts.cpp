@@ -15,11 +15,11 @@ namespace skyseal::ui {
 
 namespace {
 
-const QString kGroup = QStringLiteral("shortcuts");
+const QString kShortcutGroup = QStringLiteral("shortcuts");
 
 QString storeKey(const QAction &action)
 {
-    return kGroup + QLatin1Char('/') + action.objectName();
+    return kShortcutGroup + QLatin1Char('/') + action.objectName();
 }
 
 /// The stored keys of an action; nullopt if nothing is stored, or what is stored cannot be a shortcut.
@@ -86,7 +86,7 @@ void Shortcuts::choose(int item, const QKeySequence &keys)
 
 void Shortcuts::resetAll()
 {
-    m_store.remove(kGroup);
+    m_store.remove(kShortcutGroup);
     for (Item &item : m_items)
         item.chosen.reset();
     apply();

@@ -11,8 +11,6 @@ namespace skyseal::crypto {
 
 namespace {
 
-constexpr std::size_t kBlock = kCbcBlock;
-
 class Aes256CbcBody
 {
 public:
@@ -22,10 +20,10 @@ public:
 
     bool ready() const { return m_encrypt.ready() && m_decrypt.ready() && m_ivs.ready(); }
 
-    static std::size_t bodySize(std::size_t n) { return (n / kBlock + 1) * kBlock; }
+    static std::size_t bodySize(std::size_t n) { return (n / kCbcBlock + 1) * kCbcBlock; }
     static std::optional<std::size_t> capacity(std::size_t room)
     {
-        return room < kBlock ? std::nullopt : std::optional(room / kBlock * kBlock - 1);
+        return room < kCbcBlock ? std::nullopt : std::optional(room / kCbcBlock * kCbcBlock - 1);
     }
 
     bool encrypt(std::uint64_t counter, ByteView plaintext, MutableByteView out)
@@ -40,7 +38,7 @@ public:
 
     std::optional<std::size_t> decrypt(std::uint64_t counter, MutableByteView body)
     {
-        if (body.empty() || body.size() % kBlock != 0)
+        if (body.empty() || body.size() % kCbcBlock != 0)
             return std::nullopt;
         const std::uint8_t *iv = m_ivs.at(counter);
         if (!iv || !m_decrypt.decrypt(iv, body))
@@ -48,8 +46,8 @@ public:
         // The tag was correct, so only a faulty peer sends bad padding. That makes it no padding oracle, but there is no
         // plaintext to return either.
         const std::size_t padding = body.back();
-        std::uint8_t wrong = static_cast<std::uint8_t>((padding == 0) | (padding > kBlock));
-        for (std::size_t i = 0; i < kBlock; ++i) {
+        std::uint8_t wrong = static_cast<std::uint8_t>((padding == 0) | (padding > kCbcBlock));
+        for (std::size_t i = 0; i < kCbcBlock; ++i) {
             const auto inPadding = static_cast<std::uint8_t>(0 - static_cast<unsigned>(i < padding));
             wrong = static_cast<std::uint8_t>(wrong | (inPadding & (body[body.size() - 1 - i] ^ padding)));
         }
@@ -66,7 +64,7 @@ private:
     CbcIvs m_ivs;
 };
 
-using Block = std::array<std::uint8_t, kBlock>;
+using Block = std::array<std::uint8_t, kCbcBlock>;
 
 /// For frames that are sealed in place: the ciphertext is as long as the plaintext.
 class Aes256CbcStealing
@@ -84,9 +82,9 @@ public:
         const std::uint8_t *iv = m_ivs.at(counter);
         if (!iv)
             return false;
-        if (plaintext.size() < kBlock)
+        if (plaintext.size() < kCbcBlock)
             return cryptResidue(iv, body);
-        const std::size_t rest = body.size() % kBlock;
+        const std::size_t rest = body.size() % kCbcBlock;
         const MutableByteView whole = body.first(body.size() - rest);
         if (!m_encrypt.encrypt(iv, whole))
             return false;
@@ -94,9 +92,9 @@ public:
             return true;
         Block last{};
         std::copy(body.end() - static_cast<std::ptrdiff_t>(rest), body.end(), last.begin());
-        if (!m_encrypt.encrypt(whole.data() + whole.size() - kBlock, last))
+        if (!m_encrypt.encrypt(whole.data() + whole.size() - kCbcBlock, last))
             return false;
-        std::copy(last.begin(), last.end(), body.end() - kBlock);
+        std::copy(last.begin(), last.end(), body.end() - kCbcBlock);
         return true;
     }
 
@@ -105,19 +103,19 @@ public:
         const std::uint8_t *iv = m_ivs.at(counter);
         if (!iv)
             return std::nullopt;
-        if (body.size() < kBlock)
+        if (body.size() < kCbcBlock)
             return cryptResidue(iv, body) ? std::optional(body.size()) : std::nullopt;
-        const std::size_t rest = body.size() % kBlock;
+        const std::size_t rest = body.size() % kCbcBlock;
         const MutableByteView whole = body.first(body.size() - rest);
         // The last block, decrypted without chaining: the end of the plaintext xor the front of the block before, then the
         // rest of that block, which did not travel.
         Block last{};
         if (rest != 0) {
             static constexpr Block kZeros{};
-            std::copy(body.end() - kBlock, body.end(), last.begin());
+            std::copy(body.end() - kCbcBlock, body.end(), last.begin());
             if (!m_decrypt.decrypt(kZeros.data(), last))
                 return std::nullopt;
-            std::uint8_t *const before = whole.data() + whole.size() - kBlock;
+            std::uint8_t *const before = whole.data() + whole.size() - kCbcBlock;
             for (std::size_t i = 0; i < rest; ++i)
                 last[i] ^= before[i];
             std::copy(last.begin() + static_cast<std::ptrdiff_t>(rest), last.end(), before + rest);
@@ -155,7 +153,7 @@ SuiteInfo aes256CbcSuite()
         .name = "aes-256-cbc",
         .displayName = "AES-256-CBC",
         .strength = SuiteStrength::PaddedWithHmac,
-        .blockSize = kBlock,
+        .blockSize = kCbcBlock,
         .color = 0xCC79A7,
         .makeRecord = EncryptThenMac<Aes256CbcBody>::make<SuiteId::Aes256Cbc>,
         .makeInline = InlineThenMac<Aes256CbcStealing>::make<SuiteId::Aes256Cbc>,
