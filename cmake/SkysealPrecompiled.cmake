@@ -49,5 +49,6 @@ endif()
 function(skyseal_precompile target kind)
   if(SKYSEAL_PCH)
     target_precompile_headers(${target} REUSE_FROM skyseal_precompiled_${kind})
+    target_compile_options(${target} PRIVATE -fPIC) # as the header, where CMake would say -fPIE for a program
   endif()
 endfunction()
