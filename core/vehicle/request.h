@@ -2,6 +2,7 @@
 // of its micro-protocol looks inside. The way back is Event (event.h).
 #pragma once
 
+#include "core/base/compiled_once.h"
 #include "core/vehicle/mission.h"
 #include "core/vehicle/onboard_log.h"
 #include "core/vehicle/parameter.h"
@@ -13,8 +14,11 @@
 
 namespace skyseal::vehicle {
 
-using Request =
+using RequestVariant =
     std::variant<VehicleCommand, ReadParameters, ReadParameter, WriteParameter, ReadMission, WriteMission, ClearMission,
                  ListFolder, ReadFile, WriteFile, RemoveFile, ListLogs, ReadLog, EraseLogs, CancelTransfer>;
+using Request = CompiledOnce<RequestVariant>;
 
 } // namespace skyseal::vehicle
+
+extern template struct skyseal::CompiledOnce<skyseal::vehicle::RequestVariant>;

@@ -1,6 +1,7 @@
 // Commands to a vehicle, as a person or a script gives them, and their result. CommandPlan turns them into MAV_CMD numbers.
 #pragma once
 
+#include "core/base/compiled_once.h"
 #include "core/base/reason.h"
 #include "core/vehicle/request_id.h"
 
@@ -78,9 +79,10 @@ struct RawCommand
     float parameters[7]{};
 };
 
-using VehicleCommand =
+using VehicleCommandVariant =
     std::variant<Arm, Disarm, TakeOff, Land, ReturnToLaunch, SetMode, GoTo, ChangeAltitude, Loiter, PointAt, StopPointing,
                  SetHome, ChangeSpeed, SetCurrentMissionItem, StartMission, Reboot, RawCommand>;
+using VehicleCommand = CompiledOnce<VehicleCommandVariant>;
 
 /// Whether an autopilot may change its mode for it.
 inline bool changesMode(const VehicleCommand &command)
@@ -105,3 +107,5 @@ struct CommandResult
 };
 
 } // namespace skyseal::vehicle
+
+extern template struct skyseal::CompiledOnce<skyseal::vehicle::VehicleCommandVariant>;

@@ -16,6 +16,8 @@ using namespace skyseal::engine;
 
 namespace {
 
+template<typename... T> std::integral_constant<std::size_t, sizeof...(T)> countOf(const std::variant<T...> &);
+
 /// One default value of each alternative.
 template<typename Variant> std::vector<Variant> samples()
 {
@@ -24,7 +26,7 @@ template<typename Variant> std::vector<Variant> samples()
     {
         (out.push_back(Variant(std::in_place_index<I>)), ...);
     }
-    (std::make_index_sequence<std::variant_size_v<Variant>>());
+    (std::make_index_sequence<decltype(countOf(std::declval<Variant>()))::value>());
     return out;
 }
 

@@ -312,7 +312,7 @@ void PlainStationTest::requestToAnUnknownVehicleFails()
                                                  vehicle::ReadMission{},
                                                  vehicle::WriteMission{},
                                                  vehicle::ClearMission{}};
-    QCOMPARE(requests.size(), std::variant_size_v<vehicle::Request>);
+    QCOMPARE(requests.size(), std::variant_size_v<vehicle::RequestVariant>);
     std::vector<vehicle::RequestId> ids;
     for (const vehicle::Request &request : requests)
         ids.push_back(ground.station->perform(7, request));

@@ -1,6 +1,7 @@
 // Events of the agent for people and scripts, as values in the order in which they occurred.
 #pragma once
 
+#include "core/base/compiled_once.h"
 #include "core/channel/events.h"
 #include "core/channel/pairing.h"
 #include "core/engine/common/event_publisher.h"
@@ -60,8 +61,9 @@ struct VehicleSignatures
     std::string problem;
 };
 
-using AgentEvent = std::variant<AgentLinkChanged, channel::Event, channel::PairingEvent, FramesRefused, GroundIdClaimed,
-                                VehicleSignatures, CounterStorage>;
+using AgentEventVariant = std::variant<AgentLinkChanged, channel::Event, channel::PairingEvent, FramesRefused, GroundIdClaimed,
+                                       VehicleSignatures, CounterStorage>;
+using AgentEvent = CompiledOnce<AgentEventVariant>;
 
 /// The events that a stranger can cause, see EventPublisher.
 struct AgentCauses : ChannelCauses
@@ -73,3 +75,5 @@ struct AgentCauses : ChannelCauses
 };
 
 } // namespace skyseal::engine
+
+extern template struct skyseal::CompiledOnce<skyseal::engine::AgentEventVariant>;

@@ -25,3 +25,5 @@ void StationCauses::merge(PlaintextRefused &waiting, const PlaintextRefused &new
 }
 
 } // namespace skyseal::engine
+
+template struct skyseal::CompiledOnce<skyseal::engine::EventVariant>;

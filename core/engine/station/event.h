@@ -2,6 +2,7 @@
 // into text.
 #pragma once
 
+#include "core/base/compiled_once.h"
 #include "core/channel/events.h"
 #include "core/engine/common/event_publisher.h"
 #include "core/engine/common/link_snapshot.h"
@@ -82,8 +83,11 @@ struct Joined<std::variant<T...>, std::variant<U...>, Rest...> : Joined<std::var
 
 using StationEvent = std::variant<LinkChanged, VehicleFound, VehicleLost, VehicleBack, PlaintextRefused, SystemRefused,
                                   AgentUnanswering, RecordingProblem, EventsDropped, CounterStorage>;
+using EventVariant = Joined<StationEvent, GatewayEvent, vehicle::Event, channel::Event>::Type;
+
 /// An event of the station itself, of its gateway, of a vehicle or of the channel.
-using Event = Joined<StationEvent, GatewayEvent, vehicle::Event, channel::Event>::Type;
+using Event = CompiledOnce<EventVariant>;
+
 /// Whether `T` is an alternative of channel::Event.
 template<typename T> inline constexpr bool kIsChannelEvent = std::is_constructible_v<channel::Event, std::in_place_type_t<T>>;
 
@@ -101,3 +105,5 @@ struct StationCauses : ChannelCauses
 using Notify = std::function<void(Event)>;
 
 } // namespace skyseal::engine
+
+extern template struct skyseal::CompiledOnce<skyseal::engine::EventVariant>;

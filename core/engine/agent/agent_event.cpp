@@ -1,0 +1,3 @@
+#include "core/engine/agent/agent_event.h"
+
+template struct skyseal::CompiledOnce<skyseal::engine::AgentEventVariant>;

@@ -1,0 +1,3 @@
+#include "core/vehicle/request.h"
+
+template struct skyseal::CompiledOnce<skyseal::vehicle::RequestVariant>;
