@@ -129,7 +129,7 @@ void addPing(ChangedTree &tree)
     tree.insert(q("core/vehicle/vehicle_parts.h"), "#include \"core/vehicle/parameter_client.h\"\n",
                 "#include \"core/vehicle/ping_client.h\"\n");
     tree.insert(q("core/vehicle/vehicle_parts.h"), "    MissionClient mission{context};\n", "    PingClient ping{context};\n");
-    tree.insert(q("core/vehicle/CMakeLists.txt"), " parameter_store.cpp request_failure.cpp", " ping_client.cpp");
+    tree.insert(q("core/vehicle/CMakeLists.txt"), " parameter_store.cpp request.cpp", " ping_client.cpp");
     tree.insert(q("core/engine/headless/event_json.cpp"), "[](const vehicle::ParameterResult &) { return std::string(); },",
                 " [](const vehicle::PingResult &) { return std::string(); },");
 }
