@@ -243,12 +243,8 @@ function(skyseal_test_entry name program)
   endif()
   math(EXPR milliseconds "${arg_TIMEOUT} * 1000") # QtTest alone would end each function after five minutes, all of its rows together
   add_test(NAME ${name} COMMAND ${program} ${arg_ARGUMENTS})
-  # ctest starts those with the greatest cost first, so that none that takes long is left alone at the end.
-  set(cost ${arg_TIMEOUT})
-  if("integration" IN_LIST arg_LABELS)
-    math(EXPR cost "${cost} + 100")
-  endif()
-  set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT} COST ${cost}
+  # ctest starts the longest ones first, so that none of them is left alone at the end.
+  set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT} COST ${arg_TIMEOUT}
     ENVIRONMENT "QT_QPA_PLATFORM=offscreen;QTEST_FUNCTION_TIMEOUT=${milliseconds};TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/cmake/tsan.supp die_after_fork=0;UBSAN_OPTIONS=print_stacktrace=1;${arg_ENVIRONMENT}")
 endfunction()
 
