@@ -41,6 +41,10 @@ endif()
 
 include(SkysealPrecompiled)
 
+if(SKYSEAL_UNITY AND NOT SKYSEAL_UNITY MATCHES "^(GROUPS|WHOLE)$")
+  message(FATAL_ERROR "SKYSEAL_UNITY is ${SKYSEAL_UNITY}: expected GROUPS, WHOLE or nothing")
+endif()
+
 # Headers that change often and that many files need. A change of one compiles the groups of its users (below) and no others.
 set(skyseal_wide_headers core/base/secret_bytes.h core/channel/endpoint.h core/engine/station/snapshot.h)
 # Headers that the weakened twins (tests/weakened) compile in another way.

@@ -1,7 +1,5 @@
 #include "core/channel/permissions.h"
 
-#include <algorithm>
-
 namespace skyseal::channel {
 
 std::vector<crypto::SuiteId> Permissions::suites() const
