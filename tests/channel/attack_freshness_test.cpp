@@ -11,8 +11,6 @@
 using namespace skyseal;
 using namespace skyseal::test;
 
-Q_DECLARE_METATYPE(skyseal::test::Way)
-
 namespace {
 
 void everyWay()

@@ -147,6 +147,14 @@ std::optional<Transmit> Pair::End::pollTransmit()
     return endpoint->pollTransmit();
 }
 
+std::size_t Pair::End::switches() const
+{
+    std::size_t count = 0;
+    for (const SwitchDone &done : all<SwitchDone>())
+        count += done.failure == SwitchFailure::None;
+    return count;
+}
+
 Pair::Pair(PairOptions options)
     : now(TimePoint(std::chrono::hours(1))), link(options.link, options.seed ^ 0x5eed), m_options(options),
       m_random(options.seed)

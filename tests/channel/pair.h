@@ -149,6 +149,7 @@ public:
             }
             return out;
         }
+        std::size_t switches() const; ///< that were carried out
     };
 
     End &ground() { return ends[Ground]; }
