@@ -89,11 +89,11 @@ void PairingPrompt::show(const std::string &title, std::initializer_list<std::st
 
 void PairingPrompt::take(PairingStatus status)
 {
-    using State = PairingStatus::State;
+    using enum PairingStatus::State;
     if (m_settings.json)
         printLine(status.toJson());
     switch (status.state) {
-    case State::Open:
+    case Open:
         write("The pairing window is open for " + std::to_string(status.seconds) + " s.");
         if (m_settings.showsFingerprints)
             show("The fingerprint of this device:", {keys::fingerprint(status.key)});
@@ -101,17 +101,17 @@ void PairingPrompt::take(PairingStatus status)
             write("Open the pairing window at the agent while the vehicle is disarmed: skyseal-air --pair --identity FILE");
         write("Waiting for the other end…");
         return;
-    case State::Seen:
+    case Seen:
         m_asked = std::move(status);
         ask();
         return;
-    case State::Confirmed: write("The other end has confirmed."); return;
-    case State::Other: write("WARNING: " + withFullStop(engine::otherDeviceTriedText())); return;
-    case State::Differs:
+    case Confirmed: write("The other end has confirmed."); return;
+    case Other: write("WARNING: " + withFullStop(engine::otherDeviceTriedText())); return;
+    case Differs:
         if (!std::exchange(m_differs, true)) // the event repeats each second
             write(withFullStop(engine::passphraseDiffersText()));
         return;
-    case State::Paired:
+    case Paired:
         m_paired = true;
         write(withFullStop(engine::pairedText(QString::fromStdString(status.name))));
         if (!status.reason.empty())
@@ -119,12 +119,12 @@ void PairingPrompt::take(PairingStatus status)
         if (!m_settings.decidesRole)
             write("The role of this station, pilot (may command) or observer (may only observe), was chosen at the agent.");
         return;
-    case State::Refused:
+    case Refused:
         m_failed = true;
         write(notPaired(status.reason));
         Q_EMIT finished(kNotReached);
         return;
-    case State::Over:
+    case Over:
         if (!m_paired && !m_failed)
             write(notPaired(status.reason));
         Q_EMIT finished(m_paired ? kDone : kNotReached);

@@ -162,15 +162,15 @@ private Q_SLOTS:
     void waysAreBounded()
     {
         FlownWays ways;
-        constexpr int kVehicles = 20, kPlaces = 12'000;
+        constexpr int kVehicleCount = 20, kPlaces = 12'000;
         for (int i = 0; i < kPlaces; ++i) {
-            for (std::uint8_t id = 1; id <= kVehicles; ++id) {
+            for (std::uint8_t id = 1; id <= kVehicleCount; ++id) {
                 ways.note(id, {.at = std::chrono::seconds(i), .latitude = 47 + i * 2e-5, .longitude = 8});
                 ways.note(id, {.at = std::chrono::seconds(i), .latitude = 47 + i * 2e-5, .longitude = 8}); // hovers
             }
         }
         std::size_t places = 0;
-        for (std::uint8_t id = 1; id <= kVehicles; ++id) {
+        for (std::uint8_t id = 1; id <= kVehicleCount; ++id) {
             places += ways.of(id).size();
             QVERIFY(ways.of(id).size() <= FlownWays::kMostOfOne);
             QCOMPARE(ways.of(id).back().at, Duration(std::chrono::seconds(kPlaces - 1)));

@@ -93,12 +93,12 @@ void LinksPanel::removeChosen()
 void LinksPanel::showViewState(const ViewState &view)
 {
     const SnapshotPtr &station = view.station();
-    constexpr double kRefreshSeconds = 0.5;
+    constexpr double kLinksRefreshSeconds = 0.5;
     if (!station)
         return;
     m_shown = station;
     const bool sameCount = static_cast<std::size_t>(m_model.rowCount()) == station->links.size();
-    if (sameCount && std::abs(station->time - m_shownAt) < kRefreshSeconds)
+    if (sameCount && std::abs(station->time - m_shownAt) < kLinksRefreshSeconds)
         return;
     m_shownAt = station->time;
     m_model.setLinks(station->links);

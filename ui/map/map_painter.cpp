@@ -286,12 +286,12 @@ void MapPainter::paintMark(const QPointF &metres, const QString &label)
 
 void MapPainter::paintCentre()
 {
-    constexpr double kArm = 12, kGap = 4; // pixels
+    constexpr double kArm = 12, kCentreGap = 4; // pixels
     const QPointF at(m_viewport.size().width() / 2, m_viewport.size().height() / 2);
     for (const bool halo : {true, false}) {
         m_painter.setPen(halo ? QPen(m_palette.color(QPalette::Base), 5) : QPen(m_palette.color(QPalette::WindowText), 2));
         for (const QPointF &arm : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
-            m_painter.drawLine(at + arm * kGap, at + arm * kArm);
+            m_painter.drawLine(at + arm * kCentreGap, at + arm * kArm);
     }
 }
 

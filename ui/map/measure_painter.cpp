@@ -58,10 +58,10 @@ void MeasurePainter::paintLine(const QPolygonF &line, Qt::PenStyle style)
 
 void MeasurePainter::paintPoint(const QPointF &at)
 {
-    constexpr double kRadius = 4;
+    constexpr double kPointRadius = 4;
     m_painter.setPen(QPen(stateColors(m_palette).accent, 2));
     m_painter.setBrush(m_palette.color(QPalette::Base));
-    m_painter.drawEllipse(at, kRadius, kRadius);
+    m_painter.drawEllipse(at, kPointRadius, kPointRadius);
 }
 
 /// Where a key or a click sets the next point.

@@ -178,8 +178,8 @@ int InstrumentStyle::styleHint(StyleHint hint, const QStyleOption *option, const
 
 int InstrumentStyle::roomOfText(const QStyleOptionComboBox &box, const QWidget *widget) const
 {
-    constexpr int kMargin = 2, kIconGap = 4; // of Fusion
-    const int room = proxy()->subControlRect(CC_ComboBox, &box, SC_ComboBoxEditField, widget).width() - kMargin;
+    constexpr int kTextMargin = 2, kIconGap = 4; // of Fusion
+    const int room = proxy()->subControlRect(CC_ComboBox, &box, SC_ComboBoxEditField, widget).width() - kTextMargin;
     return box.currentIcon.isNull() ? room : room - box.iconSize.width() - kIconGap;
 }
 
