@@ -52,3 +52,12 @@ function(skyseal_precompile target kind)
     target_compile_options(${target} PRIVATE -fPIC) # as the header, where CMake would say -fPIE for a program
   endif()
 endfunction()
+
+# skyseal_precompile_layer(TARGET QT): with those of engine if QT is true, else with those of protocol.
+function(skyseal_precompile_layer target qt)
+  if(qt)
+    skyseal_precompile(${target} engine)
+  else()
+    skyseal_precompile(${target} protocol)
+  endif()
+endfunction()
