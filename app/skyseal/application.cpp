@@ -5,7 +5,6 @@
 #include "core/crypto/passphrase.h"
 #include "core/channel/policy.h"
 #include "core/channel/suite_strength.h"
-#include "core/crypto/x25519.h"
 #include "core/engine/station/snapshot.h"
 #include "core/engine/text/qt_text.h"
 #include "core/keys/secret_file.h"

@@ -1,6 +1,5 @@
 #include "app/skyseal/own_files.h"
 
-#include "core/crypto/x25519.h"
 #include "core/keys/peers_file.h"
 #include "core/keys/secret_file.h"
 

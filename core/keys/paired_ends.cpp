@@ -1,6 +1,5 @@
 #include "core/keys/paired_ends.h"
 
-#include "core/crypto/x25519.h"
 #include "core/keys/peers_file.h"
 #include "core/keys/secret_file.h"
 
@@ -10,12 +9,12 @@ namespace skyseal::keys {
 
 namespace {
 
-Result<void, InputError> writePeer(const std::string &peersFile, const std::string &name, const crypto::X25519KeyPair &peer)
+Result<void, InputError> writePeer(const std::string &peersFile, const std::string &name, const crypto::PublicKey &peer)
 {
     PeersFile peers;
     PeerEntry entry;
     entry.peer.name = name;
-    entry.peer.key = peer.publicKey;
+    entry.peer.key = peer;
     if (auto added = peers.add(std::move(entry)); !added)
         return added;
     return peers.save(peersFile);

@@ -161,12 +161,12 @@ Result<void, InputError> rewriteIdentity(const std::string &path, const X25519Ke
     return write(&replaceSecretFile, path, pair, random, sealing);
 }
 
-Result<X25519KeyPair, InputError> writeNewIdentity(const std::string &path, RandomSource &random, const Sealing &sealing)
+Result<crypto::PublicKey, InputError> writeNewIdentity(const std::string &path, RandomSource &random, const Sealing &sealing)
 {
-    X25519KeyPair pair = X25519KeyPair::generate(random);
+    const X25519KeyPair pair = X25519KeyPair::generate(random);
     if (const auto written = writeIdentity(path, pair, random, sealing); !written)
         return tl::unexpected(written.error());
-    return pair;
+    return pair.publicKey;
 }
 
 Result<Key32, InputError> loadPresharedKey(const std::string &path)

@@ -45,9 +45,10 @@ struct IdentityFacts
 };
 Result<IdentityFacts, InputError> readIdentityFacts(const std::string &path);
 
-/// Generates an identity and writes it to a new file for the owner only (0600). Fails if the file exists.
-Result<crypto::X25519KeyPair, InputError> writeNewIdentity(const std::string &path, RandomSource &random,
-                                                           const Sealing &sealing = {});
+/// Generates an identity, writes it to a new file for the owner only (0600) and returns its public key: the secret is in the
+/// file alone. Fails if the file exists.
+Result<crypto::PublicKey, InputError> writeNewIdentity(const std::string &path, RandomSource &random,
+                                                       const Sealing &sealing = {});
 /// Writes an existing identity to a new file.
 Result<void, InputError> writeIdentity(const std::string &path, const crypto::X25519KeyPair &pair, RandomSource &random,
                                        const Sealing &sealing);

@@ -1,7 +1,6 @@
 #include "tests/engine/flight_rig.h"
 
 #include "core/crypto/init_crypto.h"
-#include "core/crypto/x25519.h"
 #include "core/engine/agent/vehicle_signing.h"
 #include "core/engine/station/snapshot.h"
 #include "core/keys/peers_file.h"
@@ -80,9 +79,9 @@ FlightRig::FlightRig(channel::PeerRole stationRole, std::vector<std::uint8_t> pi
     const auto air = keys::writeNewIdentity(file("air.key"), random);
     if (!ground || !air)
         qFatal("cannot write keys");
-    add({}, entryOf("air-1", air->publicKey, channel::PeerRole::Pilot, std::move(pinned)), file("ground.peers"));
-    m_airKey = air->publicKey;
-    m_groundKey = ground->publicKey;
+    add({}, entryOf("air-1", *air, channel::PeerRole::Pilot, std::move(pinned)), file("ground.peers"));
+    m_airKey = *air;
+    m_groundKey = *ground;
     introduceStation(true);
 }
 
@@ -114,7 +113,7 @@ engine::StationConfig FlightRig::addStation(const std::string &name, channel::Pe
     auto known = keys::PeersFile::load(file("air.peers"));
     if (!identity || !known)
         qFatal("cannot add a station");
-    add(std::move(*known), entryOf(name, identity->publicKey, role, {}), file("air.peers"));
+    add(std::move(*known), entryOf(name, *identity, role, {}), file("air.peers"));
     add({}, entryOf("air-1", m_airKey, channel::PeerRole::Pilot, {}), file(name + ".peers"));
     return configOf(name, engine::SecureMode::Required);
 }

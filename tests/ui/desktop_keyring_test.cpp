@@ -2,7 +2,6 @@
 // Skipped, and saying so, where these programs or the library are missing.
 #include "core/crypto/passphrase.h"
 #include "core/crypto/system_random.h"
-#include "core/crypto/x25519.h"
 #include "app/skyseal/passphrase_memory.h"
 #include "app/skyseal/passphrase_question.h"
 #include "tests/support/eventually.h"

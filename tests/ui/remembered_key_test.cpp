@@ -3,7 +3,6 @@
 #include "app/skyseal/application.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/system_random.h"
-#include "core/crypto/x25519.h"
 #include "core/engine/station/snapshot.h"
 #include "core/keys/peers_file.h"
 #include "tests/support/eventually.h"

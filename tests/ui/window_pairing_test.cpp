@@ -3,7 +3,6 @@
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/passphrase.h"
 #include "core/crypto/system_random.h"
-#include "core/crypto/x25519.h"
 #include "core/keys/secret_file.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"

@@ -88,10 +88,10 @@ int newKey(const QStringList &arguments)
     if (const auto asked = passphrase.ask(file); !asked)
         return command.cannotOpen(asked.error());
     crypto::SystemRandom random;
-    const auto pair = keys::writeNewIdentity(file, random, passphrase.sealing());
-    if (!pair)
-        return command.cannotOpen(pair.error());
-    printKey(pair->publicKey, command.options.has("json"));
+    const auto publicKey = keys::writeNewIdentity(file, random, passphrase.sealing());
+    if (!publicKey)
+        return command.cannotOpen(publicKey.error());
+    printKey(*publicKey, command.options.has("json"));
     return kDone;
 }
 
