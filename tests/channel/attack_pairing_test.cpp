@@ -5,6 +5,7 @@
 #include "core/crypto/cpace.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/kdf.h"
+#include "core/crypto/x25519.h"
 #include "core/noise/cipher_state.h"
 #include "pairing_pair.h"
 #include "tests/noise/fixed_random.h"
@@ -43,7 +44,7 @@ struct InBetween
     explicit InBetween(PairingPair &victims, std::shared_ptr<const crypto::Passphrase> passphrase = {}) : pair(victims)
     {
         for (const Side as : {Ground, Air}) {
-            auto config = PairingPair::configOf(as, newKey(random));
+            auto config = PairingPair::configOf(as, newIdentity(random));
             config.passphrase = passphrase;
             faces[as].emplace(config, random, pair.now);
             keys[as] = config.identity->publicKey;
@@ -158,7 +159,7 @@ void AttackPairingTest::anotherWhileComparing()
     Path elsewhere = PairingPair::pathOf(Ground);
     elsewhere.remote.ip[15] = 99;
     SeededRandom random(5);
-    const auto other = newKey(random);
+    const auto other = newIdentity(random);
     for (std::uint32_t id = 1; id <= 30; ++id) {
         auto handshake = handshakeAs(Ground, other, PairingId{id}, *stranger.token, random);
         pair.air().pairing->handleDatagram(pair.now, elsewhere, handshake.first());
@@ -188,7 +189,7 @@ public:
     FalseAgent(const PairingDatagram &first, RandomSource &random) : m_first(first), m_hello(*readFirst(first))
     {
         random.fill(m_scalar);
-        m_opening.key = newKey(random)->publicKey;
+        m_opening.key = newIdentity(random)->publicKey;
         random.fill(m_opening.nonce);
         m_hello.share = exchange().share();
         m_hello.commitment = commitmentTo(m_opening.write());
@@ -304,7 +305,7 @@ void AttackPairingTest::nonceChosenAfterTheOthers()
     between.send(Ground, pairingCall(*token));
     FalseAgent toStation(asFirst(between.await(Ground, [](const Bytes &bytes) { return readFirst(bytes).has_value(); })),
                          random);
-    auto toAgent = handshakeAs(Ground, newKey(random), PairingId{1}, *token, random);
+    auto toAgent = handshakeAs(Ground, newIdentity(random), PairingId{1}, *token, random);
     between.send(Air, toAgent.first());
     QVERIFY(toAgent.takeAnswer(between.await(Air, [](const Bytes &bytes) { return readAnswer(bytes).has_value(); })));
     between.send(Ground, toStation.answer());
@@ -351,7 +352,7 @@ void AttackPairingTest::oneOpeningOfTheAgent()
     const auto token = calledToken(between.await(Air, [](const Bytes &bytes) { return calledToken(bytes).has_value(); }));
     QVERIFY(token);
     for (std::uint32_t id = 1; id <= 9; ++id) {
-        auto handshake = handshakeAs(Ground, newKey(random), PairingId{id}, *token, random);
+        auto handshake = handshakeAs(Ground, newIdentity(random), PairingId{id}, *token, random);
         between.send(Air, handshake.first());
         for (const Bytes &sent : std::vector<Bytes>(between.caught[Air])) {
             if (handshake.takeAnswer(sent))
@@ -376,7 +377,7 @@ void AttackPairingTest::passphraseGuessedAtTheAgent()
     PairingId id{};
     for (const char *guess : {"0000", "1111", "1234", "2222", "4711"}) {
         id = PairingId{static_cast<std::uint32_t>(id) + 1};
-        auto handshake = handshakeAs(Ground, newKey(random), id, *token, random, passphraseOf(guess));
+        auto handshake = handshakeAs(Ground, newIdentity(random), id, *token, random, passphraseOf(guess));
         between.send(Air, handshake.first());
         for (const Bytes &sent : std::vector<Bytes>(between.caught[Air])) {
             if (!handshake.takeAnswer(sent))
@@ -438,9 +439,9 @@ void AttackPairingTest::passphraseGuessedAfterTheOpening()
     pair.openBoth();
     QVERIFY(pair.run(2s, [&] { return pair.shown(); }));
     for (int i = 0; i < 20; ++i) {
-        const auto wrong = guesser.guess("0000", newKey(guesser.random));
+        const auto wrong = guesser.guess("0000", newIdentity(guesser.random));
         pair.run(1s);
-        const auto right = guesser.guess("4711", newKey(guesser.random));
+        const auto right = guesser.guess("4711", newIdentity(guesser.random));
         pair.run(1s);
         HOLDS(right == wrong, "a right guess looks like a wrong one");
         QVERIFY(!right.answered && !right.opened);

@@ -1,7 +1,6 @@
 // The cost of messages from unknown senders, counted in keyed hashes: none for malformed messages, few for well-formed ones,
 // regardless of the number of listed peers.
 #include "attack.h"
-#include "core/crypto/x25519.h"
 #include "core/channel/cookie.h"
 #include "core/channel/handshake.h"
 #include "core/channel/mac1.h"

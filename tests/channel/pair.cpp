@@ -10,16 +10,6 @@
 
 namespace skyseal::test {
 
-std::shared_ptr<const crypto::X25519KeyPair> newIdentity(RandomSource &random)
-{
-    return std::make_shared<const crypto::X25519KeyPair>(crypto::X25519KeyPair::generate(random));
-}
-
-const PublicKey &publicKeyOf(const crypto::X25519KeyPair &identity)
-{
-    return identity.publicKey;
-}
-
 MemoryCounterStore::MemoryCounterStore() = default;
 MemoryCounterStore::MemoryCounterStore(const MemoryCounterStore &) = default;
 MemoryCounterStore::~MemoryCounterStore() = default;

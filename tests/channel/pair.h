@@ -8,6 +8,7 @@
 #include "core/channel/events.h"
 #include "core/channel/sealed.h"
 #include "core/channel/session_info.h"
+#include "identity.h"
 #include "simulated_link.h"
 #include "tests/crypto/seeded_random.h"
 
@@ -26,9 +27,6 @@ class Endpoint;
 namespace skyseal::test {
 
 using namespace skyseal::channel;
-
-std::shared_ptr<const crypto::X25519KeyPair> newIdentity(RandomSource &random);
-const PublicKey &publicKeyOf(const crypto::X25519KeyPair &identity);
 
 /// Survives a restart of its endpoint, as a file would.
 class MemoryCounterStore final : public CounterStore

@@ -4,7 +4,6 @@
 #include "core/channel/pairing.h"
 #include "core/channel/pairing_handshake.h"
 #include "core/crypto/passphrase.h"
-#include "core/crypto/x25519.h"
 #include "pair.h"
 
 namespace skyseal::test {
@@ -40,7 +39,7 @@ public:
     explicit PairingPair(std::uint64_t seed = 1, LinkModel model = {}) : link(model, seed ^ 0x5eed), m_random(seed)
     {
         for (const Side side : {Ground, Air}) {
-            ends[side].identity = std::make_shared<crypto::X25519KeyPair>(crypto::X25519KeyPair::generate(m_random));
+            ends[side].identity = newIdentity(m_random);
             ends[side].config = configOf(side, ends[side].identity);
         }
     }
@@ -84,11 +83,11 @@ public:
         open(Ground);
         open(Air);
     }
-    bool shown() { return ground().sees(air().identity->publicKey) && air().sees(ground().identity->publicKey); }
+    bool shown() { return ground().sees(publicKeyOf(*air().identity)) && air().sees(publicKeyOf(*ground().identity)); }
     bool paired() { return !ground().all<Paired>().empty() && !air().all<Paired>().empty(); }
     void confirm(Side side)
     {
-        ends[side].pairing->confirm(now, ends[side == Ground ? Air : Ground].identity->publicKey);
+        ends[side].pairing->confirm(now, publicKeyOf(*ends[side == Ground ? Air : Ground].identity));
         pump();
     }
 
@@ -162,11 +161,6 @@ struct Stranger
     std::optional<PairingToken> token;
     Bytes received;
 };
-
-inline std::shared_ptr<const crypto::X25519KeyPair> newKey(RandomSource &random)
-{
-    return std::make_shared<crypto::X25519KeyPair>(crypto::X25519KeyPair::generate(random));
-}
 
 inline std::shared_ptr<const crypto::Passphrase> passphraseOf(std::string_view text)
 {

@@ -64,8 +64,8 @@ void PairingTest::bothSayYes()
     pair.confirm(Ground);
     QVERIFY(pair.run(1s, [&] { return pair.paired(); }));
     const Peer air = pair.ground().all<Paired>()[0].peer, ground = pair.air().all<Paired>()[0].peer;
-    QCOMPARE(air.key, pair.air().identity->publicKey);
-    QCOMPARE(ground.key, pair.ground().identity->publicKey);
+    QCOMPARE(air.key, publicKeyOf(*pair.air().identity));
+    QCOMPARE(ground.key, publicKeyOf(*pair.ground().identity));
     QVERIFY(air.presharedKey && ground.presharedKey && air.presharedKey->equals(*ground.presharedKey));
     QVERIFY(!air.presharedKey->isZero());
     const auto words = pair.ground().bytesOut + pair.air().bytesOut;
@@ -169,7 +169,7 @@ void PairingTest::wrongKeyIsNotConfirmed()
     pair.openBoth();
     pair.confirm(Ground); // Nobody is shown yet.
     QVERIFY(pair.run(2s, [&] { return pair.shown(); }));
-    channel::PublicKey near = pair.air().identity->publicKey;
+    channel::PublicKey near = publicKeyOf(*pair.air().identity);
     near[31] ^= 1;
     pair.ground().pairing->confirm(pair.now, near);
     pair.confirm(Air);

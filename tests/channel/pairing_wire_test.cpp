@@ -1,5 +1,6 @@
 // Datagrams of attackers during a pairing: recordings, reflections, changed bits and floods.
 #include "core/crypto/passphrase.h"
+#include "core/crypto/x25519.h"
 #include "core/channel/pairing_handshake.h"
 #include "core/crypto/init_crypto.h"
 #include "pairing_pair.h"
@@ -87,7 +88,7 @@ void PairingWireTest::reflection()
 void PairingWireTest::everyBitFlipped()
 {
     SeededRandom random(9);
-    const auto station = newKey(random), agent = newKey(random);
+    const auto station = newIdentity(random), agent = newIdentity(random);
     const PairingToken token{1, 2, 3};
     const auto sameStation = [&] {
         SeededRandom same(10);
@@ -175,7 +176,7 @@ void PairingWireTest::lateAnswerOfAnother()
     // window, and cannot continue with the agent.
     PairingPair pair;
     SeededRandom random(15);
-    const auto other = newKey(random);
+    const auto other = newIdentity(random);
     pair.link.attacker = [&](TimePoint, SentDatagram &flight) {
         const auto head = readFirst(flight.bytes);
         if (!head)
@@ -202,7 +203,7 @@ void PairingWireTest::shownOnlyWithThePrivateKey()
     // A station shows the public key of another device, without its private key.
     PairingPair pair;
     SeededRandom random(16);
-    const auto victim = newKey(random);
+    const auto victim = newIdentity(random);
     auto claimed = crypto::X25519KeyPair::generate(random);
     claimed.publicKey = victim->publicKey;
     Stranger stranger(pair);
@@ -287,7 +288,7 @@ void PairingWireTest::floodWithTheToken()
     };
     pair.open(Air);
     const TimePoint start = pair.now;
-    const PairingDatagram sample = handshakeAs(Ground, newKey(random), PairingId{1}, token, random).first();
+    const PairingDatagram sample = handshakeAs(Ground, newIdentity(random), PairingId{1}, token, random).first();
     std::uint32_t count = 0;
     const auto flood = [&] {
         for (int i = 0; i < 20; ++i) {
@@ -331,7 +332,7 @@ void PairingWireTest::floodOfFalseOpenings()
     Stranger stranger(pair);
     pair.open(Air);
     QVERIFY(pair.run(1s, [&] { return stranger.token.has_value(); }));
-    auto handshake = handshakeAs(Ground, newKey(random), PairingId{1}, *stranger.token, random);
+    auto handshake = handshakeAs(Ground, newIdentity(random), PairingId{1}, *stranger.token, random);
     pair.air().pairing->handleDatagram(pair.now, from, handshake.first());
     pair.pump();
     QVERIFY(handshake.takeAnswer(stranger.received));
@@ -505,7 +506,7 @@ void PairingWireTest::onlyTheLastAnswersAreKept()
     for (unsigned i = 0; i < 9; ++i) {
         Path from = PairingPair::pathOf(Ground);
         from.remote.ip[0] = static_cast<std::uint8_t>(50 + i); // another host each: one has a share of five
-        auto handshake = handshakeAs(Ground, newKey(random), PairingId{i + 1}, *stranger.token, random);
+        auto handshake = handshakeAs(Ground, newIdentity(random), PairingId{i + 1}, *stranger.token, random);
         pair.air().pairing->handleDatagram(pair.now, from, handshake.first());
         pair.pump();
         QVERIFY(handshake.takeAnswer(stranger.received));

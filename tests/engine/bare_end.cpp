@@ -1,7 +1,6 @@
 #include "tests/engine/bare_end.h"
 
 #include "core/channel/endpoint.h"
-#include "core/crypto/x25519.h"
 #include "core/link/steady_now.h"
 #include "core/mavlink/dialect.h"
 #include "core/mavlink/frame_scanner.h"
@@ -23,8 +22,8 @@ Path loopback(std::uint16_t port)
 Introduced::Introduced()
 {
     crypto::SystemRandom random;
-    ground = std::make_shared<crypto::X25519KeyPair>(crypto::X25519KeyPair::generate(random));
-    air = std::make_shared<crypto::X25519KeyPair>(crypto::X25519KeyPair::generate(random));
+    ground = newIdentity(random);
+    air = newIdentity(random);
 }
 
 std::unique_ptr<engine::SecretFiles> Introduced::secrets(channel::Role role) const
@@ -32,7 +31,7 @@ std::unique_ptr<engine::SecretFiles> Introduced::secrets(channel::Role role) con
     const bool station = role == channel::Role::Station;
     auto out = std::make_unique<engine::SecretFiles>();
     out->identity = station ? ground : air;
-    const channel::PublicKey &other = (station ? air : ground)->publicKey;
+    const channel::PublicKey &other = publicKeyOf(station ? *air : *ground);
     out->peers.push_back({other, station ? "air" : "ground", channel::PeerRole::Pilot, {}, {}});
     out->counters = std::make_unique<VolatileCounters>();
     return out;

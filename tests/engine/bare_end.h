@@ -10,6 +10,7 @@
 #include "core/channel/session_info.h"
 #include "core/crypto/system_random.h"
 #include "core/engine/common/secret_files.h"
+#include "tests/channel/identity.h"
 #include "tests/support/bare_socket.h"
 
 #include <functional>

@@ -1,7 +1,6 @@
 // An agent whose configuration names a station's host, under a flood from many hosts that answer its cookies: the station at
 // that host gets its session before any of them. Covers the whole path from the configuration on, over real sockets;
 // channel_attack_cookie_test tests the limit itself with addresses.
-#include "core/crypto/x25519.h"
 #include "core/channel/cookie.h"
 #include "core/channel/handshake_messages.h"
 #include "core/crypto/init_crypto.h"
@@ -102,7 +101,7 @@ void ExpectedHostTest::stationAtTheNamedHostComesFirst()
     // Each host has a share of two a second; sixty hosts exceed the total of fifty.
     std::vector<std::unique_ptr<FloodingHost>> hosts;
     for (unsigned i = 1; i <= 60; ++i)
-        hosts.push_back(std::make_unique<FloodingHost>(i, port, keys.air->publicKey));
+        hosts.push_back(std::make_unique<FloodingHost>(i, port, publicKeyOf(*keys.air)));
     QTimer flood;
     std::size_t next = 0;
     connect(&flood, &QTimer::timeout, this, [&] {

@@ -2,9 +2,7 @@
 // agent, and its effect on a legitimate session. Telemetry passes the agent all the time, seconds with and without the flood
 // alternate, and the two are compared within one run. Nothing else should run beside it. SKYSEAL_FLOOD_SECONDS makes the flood
 // last that long without a pause, between two quiet periods.
-#include "core/crypto/x25519.h"
 #include "core/crypto/init_crypto.h"
-#include "core/keys/secret_file.h"
 #include "core/link/steady_now.h"
 #include "tests/engine/bare_end.h"
 #include "tests/engine/traffic.h"
@@ -147,12 +145,14 @@ void FloodLatencyTest::legitimateSessionDoesNotFeelIt()
     Flight flight;
     QVERIFY(flight.ready());
     Introduced keys;
-    const auto load = [&](const char *name) {
-        return std::make_shared<const crypto::X25519KeyPair>(
-            *keys::loadIdentity(flight.path(QLatin1String(name)).toStdString()));
+    const auto load = [&](const QString &name) {
+        const auto secrets = engine::readSecretFiles({flight.path(name + QStringLiteral(".key")).toStdString(),
+                                                      flight.path(name + QStringLiteral(".peers")).toStdString()});
+        return secrets ? (*secrets)->identity : nullptr;
     };
-    keys.ground = load("ground.key");
-    keys.air = load("air.key");
+    keys.ground = load(QStringLiteral("ground"));
+    keys.air = load(QStringLiteral("air"));
+    QVERIFY(keys.ground && keys.air);
     BareEnd ground(keys, channel::Role::Station, {channel::defaultSuites(), false, false});
     flight.groundPort = ground.port();
     Program air(QStringLiteral("skyseal-air"), flight.airArguments());
@@ -172,7 +172,7 @@ void FloodLatencyTest::legitimateSessionDoesNotFeelIt()
         ground.waitReadable(20);
     }
     QVERIFY(through > 0);
-    const StrangersKnowledge knows{keys.air->publicKey, keys.ground->publicKey, ground.seal(telemetry.frames()[0])};
+    const StrangersKnowledge knows{publicKeyOf(*keys.air), publicKeyOf(*keys.ground), ground.seal(telemetry.frames()[0])};
     QVERIFY(!knows.record.empty());
     std::vector<Bytes> datagrams = aSecondOf(kStrangerMessages[message], knows);
     const auto perSecond = static_cast<double>(datagrams.size());

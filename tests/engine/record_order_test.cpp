@@ -3,7 +3,6 @@
 // that was sealed in place once two reports have overtaken it. The clock is simulated; the sockets are real.
 #include "core/channel/endpoint.h"
 #include "core/crypto/init_crypto.h"
-#include "core/crypto/x25519.h"
 #include "core/engine/common/channel_driver.h"
 #include "core/engine/common/dialect_traits.h"
 #include "core/engine/common/totals.h"
@@ -36,12 +35,12 @@ public:
     explicit Hub(std::span<const SuiteId> suites) : m_links(m_nobody, [](link::Link &) {})
     {
         m_link = &m_links.open(LinkId{1}, urlOf("udpin:127.0.0.1:0"));
-        channel::Config agent = configOf(channel::Role::Agent, keyPair(), {channel::defaultSuites(), false, false, true});
+        channel::Config agent = configOf(channel::Role::Agent, {channel::defaultSuites(), false, false, true});
         for (const SuiteId suite : suites) {
             auto &station = *m_stations.emplace_back(std::make_unique<Station>());
-            channel::Config config = configOf(channel::Role::Station, keyPair(), {{suite}, false, false, true, true});
-            config.peers.push_back({agent.identity->publicKey, "agent", {}, {}, {}});
-            agent.peers.push_back({config.identity->publicKey, "station", {}, {}, {}});
+            channel::Config config = configOf(channel::Role::Station, {{suite}, false, false, true, true});
+            config.peers.push_back({publicKeyOf(*agent.identity), "agent", {}, {}, {}});
+            agent.peers.push_back({publicKeyOf(*config.identity), "station", {}, {}, {}});
             agent.announceTo.push_back(pathTo(station));
             station.endpoint.emplace(std::move(config), m_random, station.counters, now);
         }
@@ -112,15 +111,11 @@ private:
         std::optional<channel::Endpoint> endpoint;
     };
 
-    std::shared_ptr<crypto::X25519KeyPair> keyPair()
-    {
-        return std::make_shared<crypto::X25519KeyPair>(crypto::X25519KeyPair::generate(m_random));
-    }
-    static channel::Config configOf(channel::Role role, std::shared_ptr<crypto::X25519KeyPair> identity, channel::Policy policy)
+    channel::Config configOf(channel::Role role, channel::Policy policy)
     {
         channel::Config out;
         out.role = role;
-        out.identity = std::move(identity);
+        out.identity = newIdentity(m_random);
         out.policy = std::move(policy);
         out.messageTraits = std::make_shared<engine::DialectTraits>(mavlink::Dialect::builtin());
         return out;

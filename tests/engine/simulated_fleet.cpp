@@ -1,6 +1,5 @@
 #include "tests/engine/simulated_fleet.h"
 
-#include "core/crypto/x25519.h"
 #include "core/mavlink/enums.h"
 #include "core/mavlink/frame_intake.h"
 #include "core/mavlink/messages.h"
@@ -29,12 +28,6 @@ public:
 private:
     channel::CounterStore &m_kept;
 };
-
-std::shared_ptr<const crypto::X25519KeyPair> newIdentity(std::uint64_t seed)
-{
-    SeededRandom random(seed);
-    return std::make_shared<const crypto::X25519KeyPair>(crypto::X25519KeyPair::generate(random));
-}
 
 channel::Policy policy()
 {
@@ -114,7 +107,7 @@ std::vector<channel::Peer> SimulatedFleet::peersOfAgents() const
     std::vector<channel::Peer> out;
     for (std::size_t i = 0; i < kStations; ++i) {
         const auto role = i == kObserver ? channel::PeerRole::Observer : channel::PeerRole::Pilot;
-        out.push_back({stations[i].identity->publicKey, "station " + ending(i), role, {}});
+        out.push_back({publicKeyOf(*stations[i].identity), "station " + ending(i), role, {}});
     }
     return out;
 }
@@ -152,7 +145,7 @@ void SimulatedFleet::startStation(std::size_t number)
     secrets->counters = std::make_unique<KeptCounters>(station.counters);
     for (std::size_t i = 0; i < kAgents; ++i)
         secrets->peers.push_back(
-            {agents[i].identity->publicKey, "air " + ending(i), channel::PeerRole::Pilot, {vehicles[i].systemId}});
+            {publicKeyOf(*agents[i].identity), "air " + ending(i), channel::PeerRole::Pilot, {vehicles[i].systemId}});
     engine::StationConfig config;
     config.systemId = static_cast<std::uint8_t>(255 - number);
     config.secure = engine::SecureMode::Required;

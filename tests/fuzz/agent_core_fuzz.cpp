@@ -13,7 +13,6 @@
 #include "tests/fuzz/simulated_host.h"
 
 #include "core/crypto/init_crypto.h"
-#include "core/crypto/x25519.h"
 #include "core/engine/agent/agent_core.h"
 #include "core/mavlink/dialect.h"
 #include "core/mavlink/enums.h"
@@ -67,23 +66,23 @@ public:
     AgentFlight(std::vector<engine::GroundLink> grounds, std::uint8_t settings)
         : m_grounds(std::move(grounds)), m_limits(limitsOf(settings))
     {
-        static const auto agent = keyPair(100);
+        static const auto agent = newIdentity(100);
         auto secrets = std::make_unique<engine::SecretFiles>();
         secrets->identity = agent;
         auto counters = std::make_unique<MemoryCounterStore>();
         m_counters = counters.get();
         secrets->counters = std::move(counters);
         for (std::size_t i = 0; i < kStations; ++i) {
-            static const std::shared_ptr<const crypto::X25519KeyPair> keys[] = {keyPair(1), keyPair(2), keyPair(3)};
+            static const std::shared_ptr<const crypto::X25519KeyPair> keys[] = {newIdentity(1), newIdentity(2), newIdentity(3)};
             Station &station = m_stations[i];
-            station.listed.key = keys[i]->publicKey;
+            station.listed.key = publicKeyOf(*keys[i]);
             station.listed.name = "station";
             station.listed.role = i == 1 ? PeerRole::Observer : PeerRole::Pilot;
             secrets->peers.push_back(station.listed);
             Config config;
             config.identity = keys[i];
             config.policy = policyOf(settings & 1);
-            config.peers = {{agent->publicKey, "air", PeerRole::Pilot, {}}};
+            config.peers = {{publicKeyOf(*agent), "air", PeerRole::Pilot, {}}};
             station.end = std::make_unique<RemoteEnd>(std::move(config), waysToAgent(),
                                                       Node{static_cast<std::uint8_t>(250 + i), 190}, 10 + i, now());
         }

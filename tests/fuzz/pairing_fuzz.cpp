@@ -1,7 +1,6 @@
 // Pairing messages in every state of both roles: a window without callers, one that waits for an answer or an opening, and one
 // with a peer on the screen. The input is a list of datagrams, each a length and its bytes; heads are made valid.
 #include "core/crypto/passphrase.h"
-#include "core/crypto/x25519.h"
 #include "core/crypto/init_crypto.h"
 #include "pairing_pair.h"
 
@@ -71,9 +70,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         std::abort();
     if (pair.air().pairing->confirmedThere())
         std::abort();
-    if (pair.ground().pairing->peer() && !pair.ground().sees(pair.air().identity->publicKey))
+    if (pair.ground().pairing->peer() && !pair.ground().sees(publicKeyOf(*pair.air().identity)))
         std::abort();
-    if (pair.air().pairing->peer() && !pair.air().sees(pair.ground().identity->publicKey))
+    if (pair.air().pairing->peer() && !pair.air().sees(publicKeyOf(*pair.ground().identity)))
         std::abort();
     PairingOpening::Bytes opening{};
     std::copy_n(data, std::min(size, opening.size()), opening.begin());

@@ -3,7 +3,6 @@
 #include "core/channel/endpoint.h"
 #include "core/crypto/inline_cipher.h"
 #include "core/crypto/passphrase.h"
-#include "core/crypto/x25519.h"
 #include "core/engine/common/dialect_traits.h"
 #include "core/engine/common/sealed_in_place.h"
 #include "core/mavlink/frame_intake.h"
@@ -25,12 +24,6 @@ Address addressOf(std::size_t number)
     out.ip = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xff, 0xff, 10, 0, 0, static_cast<std::uint8_t>(number + 1)};
     out.port = static_cast<std::uint16_t>(14550 + number);
     return out;
-}
-
-std::shared_ptr<const crypto::X25519KeyPair> keyPair(std::uint64_t seed)
-{
-    SeededRandom random(seed);
-    return std::make_shared<const crypto::X25519KeyPair>(crypto::X25519KeyPair::generate(random));
 }
 
 std::shared_ptr<const crypto::Passphrase> passphraseOf(std::uint8_t choice)

@@ -21,7 +21,6 @@ namespace skyseal::test {
 
 /// 10.0.0.1 and so on.
 Address addressOf(std::size_t number);
-std::shared_ptr<const crypto::X25519KeyPair> keyPair(std::uint64_t seed);
 /// One of three passphrases, or none, as the two low bits of `choice` say.
 std::shared_ptr<const crypto::Passphrase> passphraseOf(std::uint8_t choice);
 

@@ -11,7 +11,6 @@
 #include "tests/fuzz/simulated_host.h"
 
 #include "core/crypto/init_crypto.h"
-#include "core/crypto/x25519.h"
 #include "core/engine/common/sealed_in_place.h"
 #include "core/engine/station/snapshot.h"
 #include "core/engine/station/station_core.h"
@@ -81,16 +80,16 @@ public:
     /// and whether both listen at the last of these links instead.
     StationFlight(std::uint8_t paths, std::uint8_t settings) : m_callLinks(callLinksOf(paths >> 4))
     {
-        static const auto station = keyPair(100);
+        static const auto station = newIdentity(100);
         auto secrets = std::make_unique<engine::SecretFiles>();
         secrets->identity = station;
         auto counters = std::make_unique<MemoryCounterStore>();
         m_counters = counters.get();
         secrets->counters = std::move(counters);
         for (std::size_t i = 0; i < kAgents; ++i) {
-            static const std::shared_ptr<const crypto::X25519KeyPair> keys[] = {keyPair(1), keyPair(2)};
+            static const std::shared_ptr<const crypto::X25519KeyPair> keys[] = {newIdentity(1), newIdentity(2)};
             Agent &agent = m_agents[i];
-            agent.listed.key = keys[i]->publicKey;
+            agent.listed.key = publicKeyOf(*keys[i]);
             agent.listed.name = "air";
             agent.listed.systemIds = {systemOf(i)};
             secrets->peers.push_back(agent.listed);
@@ -98,7 +97,7 @@ public:
             config.role = Role::Agent;
             config.identity = keys[i];
             config.policy = policyOf(settings & 1);
-            config.peers = {{station->publicKey, "ground", PeerRole::Pilot, {}}};
+            config.peers = {{publicKeyOf(*station), "ground", PeerRole::Pilot, {}}};
             RemoteEnd::Way way{pathOf(paths, i), true};
             if (paths & 0x80 && m_callLinks > i)
                 way = {{callLink(m_callLinks - 1 - i), addressOf(99)}, false};
@@ -147,7 +146,7 @@ private:
     {
         std::vector<Peer> out;
         for (std::size_t i = 0; i < kAbsentAgents; ++i)
-            out.push_back({keyPair(1000 + i)->publicKey, "absent", PeerRole::Pilot, {}, {}});
+            out.push_back({publicKeyOf(*newIdentity(1000 + i)), "absent", PeerRole::Pilot, {}, {}});
         return out;
     }
     /// Where an agent is, or a stranger at a link.
