@@ -250,11 +250,14 @@ function(skyseal_test_entry name program)
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 240) # so that a test can report its own deadline (tests/support/eventually.h) before it is killed
   endif()
+  if(SKYSEAL_SANITIZE)
+    math(EXPR arg_TIMEOUT "${arg_TIMEOUT} * 3")
+  endif()
   math(EXPR milliseconds "${arg_TIMEOUT} * 1000") # QtTest alone would end each function after five minutes, all of its rows together
   add_test(NAME ${name} COMMAND ${program} ${arg_ARGUMENTS})
   # ctest starts the longest ones first, so that none of them is left alone at the end.
   set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT} COST ${arg_TIMEOUT}
-    ENVIRONMENT "QT_QPA_PLATFORM=offscreen;QTEST_FUNCTION_TIMEOUT=${milliseconds};TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/cmake/tsan.supp die_after_fork=0;UBSAN_OPTIONS=print_stacktrace=1;${arg_ENVIRONMENT}")
+    ENVIRONMENT "QT_QPA_PLATFORM=offscreen;QTEST_FUNCTION_TIMEOUT=${milliseconds};TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/cmake/tsan.supp die_after_fork=0;UBSAN_OPTIONS=print_stacktrace=1;LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/cmake/lsan.supp print_suppressions=0;${arg_ENVIRONMENT}")
 endfunction()
 
 # skyseal_fuzzer(NAME [QT] SOURCES … LINK … CORPUS DIR): a libFuzzer target under the fuzz preset, where `--target fuzzers` builds
