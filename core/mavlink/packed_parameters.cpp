@@ -10,12 +10,10 @@ namespace skyseal::mavlink {
 
 namespace {
 
-constexpr std::uint16_t kMagic = 0x671b, kMagicWithDefaults = 0x671c;
 constexpr std::uint8_t kHasDefault = 1; // of the flags
 constexpr std::size_t kLongestName = 16;
 constexpr std::size_t kLeastEntry = 4; // type, lengths, one character, one byte
 
-/// Types are those of ArduPilot's AP_Param (ap_var_type), not of MAVLink.
 struct Value
 {
     std::uint8_t type;
@@ -25,10 +23,10 @@ struct Value
 std::optional<Value> readValue(ByteReader &in, std::uint8_t type)
 {
     switch (type) {
-    case 1: return Value{MAV_PARAM_TYPE_INT8, static_cast<double>(in.littleEndian<std::int8_t>())};
-    case 2: return Value{MAV_PARAM_TYPE_INT16, static_cast<double>(in.littleEndian<std::int16_t>())};
-    case 3: return Value{MAV_PARAM_TYPE_INT32, static_cast<double>(in.littleEndian<std::int32_t>())};
-    case 4: return Value{MAV_PARAM_TYPE_REAL32, static_cast<double>(std::bit_cast<float>(in.u32()))};
+    case kPackedInt8: return Value{MAV_PARAM_TYPE_INT8, static_cast<double>(in.littleEndian<std::int8_t>())};
+    case kPackedInt16: return Value{MAV_PARAM_TYPE_INT16, static_cast<double>(in.littleEndian<std::int16_t>())};
+    case kPackedInt32: return Value{MAV_PARAM_TYPE_INT32, static_cast<double>(in.littleEndian<std::int32_t>())};
+    case kPackedFloat: return Value{MAV_PARAM_TYPE_REAL32, static_cast<double>(std::bit_cast<float>(in.u32()))};
     default: return std::nullopt;
     }
 }
@@ -41,8 +39,8 @@ std::optional<PackedParameters> parsePackedParameters(ByteView file)
     PackedParameters out;
     const std::uint16_t magic = in.u16(), count = in.u16();
     out.total = in.u16();
-    out.hasDefaults = magic == kMagicWithDefaults;
-    if (!in.ok() || (magic != kMagic && !out.hasDefaults))
+    out.hasDefaults = magic == kPackedMagicWithDefaults;
+    if (!in.ok() || (magic != kPackedMagic && !out.hasDefaults))
         return std::nullopt;
     out.parameters.reserve(std::min<std::size_t>(count, in.remaining() / kLeastEntry));
     std::string name;

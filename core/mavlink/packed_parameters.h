@@ -13,6 +13,11 @@
 
 namespace skyseal::mavlink {
 
+/// The first number of a file, without and with default values.
+inline constexpr std::uint16_t kPackedMagic = 0x671b, kPackedMagicWithDefaults = 0x671c;
+/// Types in a file: those of ArduPilot's AP_Param (ap_var_type), not of MAVLink.
+enum PackedType : std::uint8_t { kPackedInt8 = 1, kPackedInt16 = 2, kPackedInt32 = 3, kPackedFloat = 4 };
+
 struct PackedParameter
 {
     std::string name;      ///< 1 to 16 characters, as they are in the file

@@ -10,18 +10,15 @@ namespace skyseal::sim {
 
 namespace {
 
-constexpr std::uint16_t kMagic = 0x671b, kMagicWithDefaults = 0x671c;
-
-/// Of ArduPilot's AP_Param, not of MAVLink.
-enum PackedType : std::uint8_t { kInt8 = 1, kInt16 = 2, kInt32 = 3, kFloat = 4 };
+using mavlink::PackedType;
 
 PackedType packedType(ParameterType type)
 {
     switch (type) {
-    case ParameterType::Int8: return kInt8;
-    case ParameterType::Int16: return kInt16;
-    case ParameterType::Int32: return kInt32;
-    default: return kFloat;
+    case ParameterType::Int8: return mavlink::kPackedInt8;
+    case ParameterType::Int16: return mavlink::kPackedInt16;
+    case ParameterType::Int32: return mavlink::kPackedInt32;
+    default: return mavlink::kPackedFloat;
     }
 }
 
@@ -33,7 +30,7 @@ void append(Bytes &out, std::uint32_t value, std::size_t size)
 
 void appendValue(Bytes &out, PackedType type, float value)
 {
-    if (type == kFloat)
+    if (type == mavlink::kPackedFloat)
         append(out, std::bit_cast<std::uint32_t>(value), 4);
     else
         append(out, static_cast<std::uint32_t>(static_cast<std::int32_t>(value)), std::size_t(1) << (type - 1));
@@ -73,7 +70,7 @@ Bytes packParameters(const Parameters &parameters, const PackedSelection &select
     const std::size_t count = selection.count == 0 ? total - start : std::min<std::size_t>(selection.count, total - start);
     Bytes out;
     out.reserve(6 + count * 16);
-    append(out, selection.defaults ? kMagicWithDefaults : kMagic, 2);
+    append(out, selection.defaults ? mavlink::kPackedMagicWithDefaults : mavlink::kPackedMagic, 2);
     append(out, static_cast<std::uint32_t>(count), 2);
     append(out, static_cast<std::uint32_t>(total), 2);
     std::string_view last;
