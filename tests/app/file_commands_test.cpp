@@ -1,7 +1,7 @@
 // skyseal-cli ftp and logs beside the simulator behind an agent, over the sealed link.
 #include "app/cli/transfer/part_file.h"
 #include "tests/support/test_runner.h"
-#include "vehicle_commands.h"
+#include "vehicle_command_rig.h"
 
 #include <QtCore/QDir>
 #include <QtTest/QTest>
@@ -33,7 +33,7 @@ private:
     RunResult run(const QString &command, const QStringList &more = {}) { return m_vehicle.run(command, more); }
     QString path(const char *name) const { return m_vehicle.path(QLatin1String(name)); }
 
-    VehicleCommands m_vehicle;
+    VehicleCommandRig m_vehicle;
 };
 
 namespace {

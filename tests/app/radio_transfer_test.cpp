@@ -1,7 +1,7 @@
 // skyseal-cli param, mission, fence, rally, logs and ftp over a sealed link through a relay that delays and loses: what comes
 // back is what was sent, the progress is shown, and loss costs time but no error.
 #include "tests/support/test_runner.h"
-#include "vehicle_commands.h"
+#include "vehicle_command_rig.h"
 
 #include <QtCore/QFile>
 #include <QtCore/QRegularExpression>
@@ -88,7 +88,7 @@ private Q_SLOTS:
     void lossCostsNoError();
 
 private:
-    VehicleCommands m_far; ///< 200 ms there and back
+    VehicleCommandRig m_far; ///< 200 ms there and back
 };
 
 void RadioTransferTest::initTestCase()
@@ -223,7 +223,7 @@ void RadioTransferTest::lossCostsNoError_data()
 void RadioTransferTest::lossCostsNoError()
 {
     QFETCH(QString, loss);
-    VehicleCommands radio, clean;
+    VehicleCommandRig radio, clean;
     QVERIFY(radio.start({QStringLiteral("--loss"), loss, QStringLiteral("--delay"), QStringLiteral("25")}));
     QVERIFY(clean.start());
 

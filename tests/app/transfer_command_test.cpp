@@ -1,6 +1,6 @@
 // skyseal-cli param, mission, fence and rally beside the simulator, over a plain and a sealed link.
 #include "tests/support/test_runner.h"
-#include "vehicle_commands.h"
+#include "vehicle_command_rig.h"
 
 #include <QtCore/QFile>
 #include <QtTest/QTest>
@@ -26,7 +26,7 @@ private:
     RunResult run(const QString &command, const QStringList &more = {}) { return m_vehicle.run(command, more); }
     QString write(const char *name, const QByteArray &content) { return m_vehicle.write(name, content); }
 
-    VehicleCommands m_vehicle;
+    VehicleCommandRig m_vehicle;
 };
 
 void TransferCommandTest::initTestCase()

@@ -1,4 +1,4 @@
-// A name means one thing: no two types of the program have the same name, since a reader who searches for it finds both.
+// A name means one thing: no two types in headers, those of tests included, have the same name, since a search finds both.
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QDirIterator>
@@ -18,7 +18,7 @@ QMap<QString, QSet<QString>> headersByType()
         QStringLiteral("^(?:template<[^>]*> )?(?:(?:class|struct|enum class|enum) (\\w+)(?!\\w|::)|using (\\w+) = )"));
     static const QRegularExpression kForward(QStringLiteral("^(?:template<[^>]*> )?(?:class|struct|enum)[^{]*;"));
     QMap<QString, QSet<QString>> out;
-    for (const char *folder : {"core", "ui", "app"}) {
+    for (const char *folder : {"core", "ui", "app", "tests"}) {
         QDirIterator walk(QStringLiteral(SKYSEAL_SOURCE_DIR "/") + QLatin1String(folder), {QStringLiteral("*.h")}, QDir::Files,
                           QDirIterator::Subdirectories);
         while (walk.hasNext()) {

@@ -54,7 +54,7 @@ private:
     static constexpr std::size_t kMeanFrame = 40;
 
     BareSocket m_from, m_to;
-    Traffic m_telemetry{kFrames};
+    SampleTraffic m_telemetry{kFrames};
     Bytes m_record = Bytes(kMeanFrame + 22);
     std::vector<ByteView> m_datagrams = std::vector<ByteView>(kFrames, ByteView(m_record));
     experiment::BareCall m_open;
@@ -127,7 +127,7 @@ private:
 
     Introduced m_keys;
     BareEnd m_ground, m_air;
-    Traffic m_telemetry{kFrames};
+    SampleTraffic m_telemetry{kFrames};
     std::vector<Bytes> m_records;
     std::vector<Bytes> m_signed;
 };
@@ -190,7 +190,7 @@ int main(int argc, char **argv)
     Receiver gcmReceiver(SuiteId::Aes256Gcm);
     StationRig station(SuiteId::ChaCha20Poly1305);
     OpenAndVerify memory;
-    std::printf("telemetry of %.1f bytes a frame\n", Traffic(kFrames).meanLength());
+    std::printf("telemetry of %.1f bytes a frame\n", SampleTraffic(kFrames).meanLength());
 
     for (const std::size_t burst : {std::size_t(1), std::size_t(8), kFrames}) {
         const std::string suffix = "/" + std::to_string(burst);

@@ -11,7 +11,7 @@ PairOptions attackOptions()
     return options;
 }
 
-std::unique_ptr<Pair> pairUnder(SuiteId suite, LinkModel link)
+std::unique_ptr<Pair> pairUnder(SuiteId suite, WireModel link)
 {
     PairOptions options = attackOptions();
     options.link = link;

@@ -18,7 +18,7 @@ inline constexpr std::uint64_t kAttackSeed = 20240607;
 
 PairOptions attackOptions();
 
-std::unique_ptr<Pair> pairUnder(SuiteId suite, LinkModel link = {});
+std::unique_ptr<Pair> pairUnder(SuiteId suite, WireModel link = {});
 
 struct Caught
 {

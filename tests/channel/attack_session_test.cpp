@@ -387,7 +387,7 @@ void AttackSessionTest::echoesOfAnHourAgoEndNoTrial()
 
 void AttackSessionTest::jitterReorderingAndDuplicates()
 {
-    LinkModel link;
+    WireModel link;
     link.delay = 50ms;
     link.jitter = 250ms;
     link.reorder = 0.5;

@@ -62,13 +62,13 @@ private:
         pair.sentAt = {};
     }
     /// Ends the traffic, lets the last records arrive, and compares what was sent with what arrived or was lost.
-    void settle(Pair &pair, const LinkModel &bad);
+    void settle(Pair &pair, const WireModel &bad);
 };
 
-void DayTest::settle(Pair &pair, const LinkModel &bad)
+void DayTest::settle(Pair &pair, const WireModel &bad)
 {
     pair.stopTraffic();
-    pair.link.model = LinkModel{};
+    pair.link.model = WireModel{};
     pair.run(5s); // reports and records that keep the session alive show the last gaps
     const std::size_t replaced = pair.ground().all<SessionDown>().size();
     std::size_t missing = 0, unexpected = 0;

@@ -78,7 +78,7 @@ private:
 struct PairOptions
 {
     std::uint64_t seed = 1;
-    LinkModel link;
+    WireModel link;
     Timing timing;
     FreshnessLimits freshness; ///< of both ends
     Carrier carrier = Carrier::Datagram;

@@ -36,7 +36,7 @@ struct PairingSide
 class PairingPair
 {
 public:
-    explicit PairingPair(std::uint64_t seed = 1, LinkModel model = {}) : link(model, seed ^ 0x5eed), m_random(seed)
+    explicit PairingPair(std::uint64_t seed = 1, WireModel model = {}) : link(model, seed ^ 0x5eed), m_random(seed)
     {
         for (const Side side : {Ground, Air}) {
             ends[side].identity = newIdentity(m_random);

@@ -95,7 +95,7 @@ void PairingTest::agentThatListens()
 
     // Over a link that loses a third.
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-        LinkModel model;
+        WireModel model;
         model.loss = 0.33;
         PairingPair lossy(seed, model);
         lossy.letAirListen();
@@ -218,7 +218,7 @@ void PairingTest::windowCloses()
 void PairingTest::badLinks()
 {
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-        LinkModel model;
+        WireModel model;
         model.loss = 0.3;
         model.duplicate = 0.2;
         model.corrupt = 0.05;

@@ -35,9 +35,9 @@ private Q_SLOTS:
 
 namespace {
 
-LinkModel badLink()
+WireModel badLink()
 {
-    LinkModel link;
+    WireModel link;
     link.loss = 0.2;
     link.duplicate = 0.1;
     link.reorder = 0.1;

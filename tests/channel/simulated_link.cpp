@@ -4,7 +4,7 @@
 
 namespace skyseal::test {
 
-SimulatedLink::SimulatedLink(LinkModel linkModel, std::uint64_t seed) : model(linkModel), m_random(seed) {}
+SimulatedLink::SimulatedLink(WireModel linkModel, std::uint64_t seed) : model(linkModel), m_random(seed) {}
 
 SimulatedLink::~SimulatedLink() = default;
 

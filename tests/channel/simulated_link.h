@@ -12,7 +12,7 @@
 
 namespace skyseal::test {
 
-struct LinkModel
+struct WireModel
 {
     double loss = 0;
     double duplicate = 0;
@@ -41,12 +41,12 @@ struct SentDatagram
 class SimulatedLink
 {
 public:
-    SimulatedLink(LinkModel linkModel, std::uint64_t seed);
+    SimulatedLink(WireModel linkModel, std::uint64_t seed);
     ~SimulatedLink();
 
     /// Called for each datagram before random loss; may change it; returns false to drop it.
     std::function<bool(TimePoint, SentDatagram &)> attacker;
-    LinkModel model;
+    WireModel model;
 
     /// Sends; returns whether at least one intact copy will arrive.
     bool send(TimePoint now, SentDatagram flight);

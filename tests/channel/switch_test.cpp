@@ -38,9 +38,9 @@ private Q_SLOTS:
 
 namespace {
 
-LinkModel stormyLink()
+WireModel stormyLink()
 {
-    LinkModel link;
+    WireModel link;
     link.loss = 0.2;
     link.duplicate = 0.1;
     link.reorder = 0.1;

@@ -34,8 +34,8 @@ private:
     Introduced m_keys;
     BareEnd m_ground;
     BareSocket m_vehicle;
-    Traffic m_telemetry{kFrames};
-    Traffic m_commands{kFrames, 255};
+    SampleTraffic m_telemetry{kFrames};
+    SampleTraffic m_commands{kFrames, 255};
     std::unique_ptr<mavlink::FrameSigner> m_signer; ///< of the vehicle; null for a plain one
     std::vector<std::array<std::uint8_t, mavlink::kMaxFrameLength>> m_signed;
     std::vector<ByteView> m_fromVehicle;

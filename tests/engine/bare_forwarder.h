@@ -12,7 +12,7 @@ public:
 
 private:
     BareSocket m_from, m_middle, m_to;
-    Traffic m_telemetry{kFrames};
+    SampleTraffic m_telemetry{kFrames};
 };
 
 } // namespace skyseal::test

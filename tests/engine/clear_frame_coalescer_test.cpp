@@ -2,7 +2,7 @@
 // suites. Real sockets on both sides of the agent.
 #include "core/engine/agent/agent_core.h"
 #include "tests/engine/bare_end.h"
-#include "tests/engine/traffic.h"
+#include "tests/engine/sample_traffic.h"
 #include "tests/support/addresses.h"
 #include "tests/support/eventually.h"
 #include "tests/support/joined.h"
@@ -75,7 +75,7 @@ private Q_SLOTS:
 void ClearFrameCoalescerTest::oneFrameGoesAtOnce()
 {
     ClearAgent agent;
-    const Traffic traffic(16);
+    const SampleTraffic traffic(16);
     for (const ByteView &frame : traffic.frames()) {
         const auto datagrams = agent.carry({&frame, 1});
         QCOMPARE(datagrams.size(), std::size_t(1));
@@ -86,7 +86,7 @@ void ClearFrameCoalescerTest::oneFrameGoesAtOnce()
 void ClearFrameCoalescerTest::framesOfOneWakeUpShareADatagram()
 {
     ClearAgent agent;
-    const Traffic traffic(16);
+    const SampleTraffic traffic(16);
     for (const std::size_t count : {2u, 5u, 16u}) {
         const auto frames = std::span(traffic.frames()).first(count);
         bool inOne = false;
@@ -102,7 +102,7 @@ void ClearFrameCoalescerTest::framesOfOneWakeUpShareADatagram()
 void ClearFrameCoalescerTest::datagramsAreNotLargerThanSealedOnes()
 {
     ClearAgent agent;
-    const Traffic traffic(256);
+    const SampleTraffic traffic(256);
     const auto datagrams = agent.carry(traffic.frames());
     QVERIFY(datagrams.size() < traffic.frames().size());
     QVERIFY(joined(datagrams) == joined(traffic.frames()));

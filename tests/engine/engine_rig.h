@@ -4,7 +4,7 @@
 
 #include "core/metrics/process_usage.h"
 #include "tests/engine/bare_end.h"
-#include "tests/engine/traffic.h"
+#include "tests/engine/sample_traffic.h"
 
 #include <QtCore/QDeadlineTimer>
 

@@ -5,7 +5,7 @@
 #include "core/crypto/init_crypto.h"
 #include "core/link/steady_now.h"
 #include "tests/engine/bare_end.h"
-#include "tests/engine/traffic.h"
+#include "tests/engine/sample_traffic.h"
 #include "tests/support/flight.h"
 #include "tests/support/stranger_messages.h"
 #include "tests/support/test_runner.h"
@@ -163,7 +163,7 @@ void FloodLatencyTest::legitimateSessionDoesNotFeelIt()
     const std::uint16_t agentPort = ground.sessionInfo().path.remote.port;
 
     BareSocket vehicle;
-    const Traffic telemetry(256);
+    const SampleTraffic telemetry(256);
     // The agent considers a session up only after its first record; frames of the vehicle before that are dropped.
     std::size_t through = 0;
     for (const TimePoint stop = steadyNow() + 10s; through == 0 && steadyNow() < stop; through = ground.pump()) {

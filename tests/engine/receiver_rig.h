@@ -31,7 +31,7 @@ private:
     std::unique_ptr<engine::ChannelDriver> m_channel;
     mavlink::FrameIntake m_intake;
     std::unique_ptr<BareEnd> m_air;
-    Traffic m_telemetry{kFrames};
+    SampleTraffic m_telemetry{kFrames};
     std::size_t m_received = 0;
 };
 

@@ -99,7 +99,7 @@ void SignedFlightTest::framesPassUnchanged()
         std::make_unique<engine::VehicleSigning>(engine::VehicleKey{theKey(), nullptr}, false));
     agent.start();
     bringUp(station, crypto::SuiteId::ChaCha20Poly1305);
-    const Traffic telemetry(256);
+    const SampleTraffic telemetry(256);
     mavlink::FrameSigner signer(theKey(), 4);
     std::vector<Bytes> sent, arrived;
     station.frameReceived = [&arrived](ByteView frame) { arrived.emplace_back(frame.begin(), frame.end()); };

@@ -33,7 +33,7 @@ private:
     std::unique_ptr<engine::StationCore> m_station;
     std::shared_ptr<const engine::Snapshot> m_snapshot;
     std::unique_ptr<BareEnd> m_air;
-    Traffic m_telemetry{kFrames};
+    SampleTraffic m_telemetry{kFrames};
 };
 
 } // namespace skyseal::test

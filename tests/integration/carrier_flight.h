@@ -49,7 +49,7 @@ inline qint64 number(const QJsonObject &object, const char *key)
 }
 
 /// The links of a flight.
-struct Way
+struct CarrierWay
 {
     QString ground;       ///< the agent's --ground
     QString station;      ///< the monitor's --link
@@ -59,7 +59,7 @@ struct Way
 };
 
 /// Switches through all suites and ends with a command. Verifies that nothing is lost.
-inline void fly(Flight &flight, const Way &way, const char *carrier)
+inline void fly(Flight &flight, const CarrierWay &way, const char *carrier)
 {
     QVERIFY(flight.ready());
     QStringList air = with(flight.airArguments(), "--ground", way.ground);

@@ -2,7 +2,7 @@
 // included), on the same frames in turn, and the least programs that seal frames. SKYSEAL_MAVLINK_ROUTERD names the router,
 // SKYSEAL_SUITE a suite other than ChaCha20-Poly1305.
 #include "tests/engine/bare_end.h"
-#include "tests/engine/traffic.h"
+#include "tests/engine/sample_traffic.h"
 #include "tests/support/flight.h"
 #include "tests/support/test_runner.h"
 
@@ -73,10 +73,10 @@ private:
     std::function<void(Duration)> m_wait;
     std::function<std::size_t()> m_take;
     BareSocket m_vehicle;
-    Traffic m_traffic{kMeasured};
+    SampleTraffic m_traffic{kMeasured};
 };
 
-/// What no forwarder that seals can do without, in a process of its own: receiving, the library's call, sending.
+/// The least work of a forwarder that seals, in a process of its own: receiving, the library's call, sending.
 class LeastSealer
 {
 public:
@@ -246,7 +246,7 @@ void RouterCostTest::initTestCase()
         m_routing->pid(), port, [this](Duration most) { m_behindRouter.waitReadable(most); },
         [this] { return datagramsOf(m_behindRouter); });
     BareSocket probe;
-    const Traffic one(1);
+    const SampleTraffic one(1);
     QVERIFY(eventually([&] { // until it listens
         probe.send(port, one.frames());
         return m_behindRouter.receive() > 0;

@@ -1,6 +1,6 @@
 // The relay with real sockets on both sides: its log and counters match the arrivals exactly.
 #include "core/link/impairer.h"
-#include "tests/link/recorder.h"
+#include "tests/link/block_recorder.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 
@@ -38,8 +38,8 @@ private:
             agent = openLink("udpout:" + relay.listenLink().localAddress(), agentHeard);
         }
 
-        Recorder stationHeard;
-        Recorder agentHeard;
+        BlockRecorder stationHeard;
+        BlockRecorder agentHeard;
         std::unique_ptr<Link> station;
         Impairer relay;
         std::unique_ptr<Link> agent;
@@ -102,7 +102,7 @@ void ImpairerTest::arrivalsMatchTheLog()
 
     std::map<std::uint32_t, int> copies;
     int damaged = 0;
-    for (const Recorder::Block &block : setup.stationHeard.blocks) {
+    for (const BlockRecorder::Block &block : setup.stationHeard.blocks) {
         const bool intact = numberOf(block.bytes) < kCount && block.bytes == numbered(numberOf(block.bytes));
         if (intact)
             ++copies[numberOf(block.bytes)];
@@ -137,7 +137,7 @@ void ImpairerTest::sameSeedDropsTheSame()
                              std::size_t(setup.relay.totals(Impairer::Direction::Forward).counters.delivered));
         }();
         std::vector<std::uint32_t> out;
-        for (const Recorder::Block &block : setup.stationHeard.blocks)
+        for (const BlockRecorder::Block &block : setup.stationHeard.blocks)
             out.push_back(numberOf(block.bytes));
         return out;
     };
@@ -148,8 +148,8 @@ void ImpairerTest::sameSeedDropsTheSame()
 
 void ImpairerTest::relaysTcp()
 {
-    Recorder vehicle;
-    Recorder station;
+    BlockRecorder vehicle;
+    BlockRecorder station;
     const auto server = openLink("tcpin:127.0.0.1:0", vehicle);
     Impairer relay(*LinkUrl::parse("tcpin:127.0.0.1:0"), *LinkUrl::parse("tcp:" + server->localAddress()), {});
     relay.open();

@@ -1,7 +1,7 @@
 // The table of link types: texts that derive from it agree with it, and a further type needs its class and one row.
 #include "core/link/link_type.h"
 #include "core/link/make_link.h"
-#include "tests/link/recorder.h"
+#include "tests/link/block_recorder.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QFile>
@@ -114,7 +114,7 @@ void LinkTypeTest::furtherTypeNeedsOneRow()
     QCOMPARE(LinkUrl::parse("pigeon:1", LinkUrl::kAnyHost, types).error().message,
              std::string("a link URL starts with udpin: or echo:"));
 
-    test::Recorder recorder;
+    test::BlockRecorder recorder;
     const auto link = makeLink(*url, LinkId{1}, recorder);
     link->open();
     QCOMPARE(link->state(), LinkState::Connected);

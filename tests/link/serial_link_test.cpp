@@ -1,6 +1,6 @@
 // The serial link on a pseudo-terminal whose other end the test holds: both directions, a missing device, and a device that is
 // unplugged and plugged in again.
-#include "tests/link/recorder.h"
+#include "tests/link/block_recorder.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 
@@ -72,7 +72,7 @@ private:
 
 void SerialLinkTest::initTestCase()
 {
-    Recorder recorder;
+    BlockRecorder recorder;
     const auto link = openLink("serial:/dev/no-such-device:57600", recorder, quick());
     if (link->error().code == LinkErrorCode::NotSupported) {
         QVERIFY(link->error().sentence().find("built without serial links") != std::string::npos);
@@ -83,7 +83,7 @@ void SerialLinkTest::initTestCase()
 void SerialLinkTest::carriesBothWays()
 {
     PseudoTerminal radio;
-    Recorder recorder;
+    BlockRecorder recorder;
     const auto link = openLink("serial:" + radio.device() + ":57600", recorder, quick(), LinkId{5});
     QCOMPARE(link->state(), LinkState::Connected);
     QVERIFY(link->isStream());
@@ -101,7 +101,7 @@ void SerialLinkTest::carriesBothWays()
 void SerialLinkTest::bytesPassUnchanged()
 {
     PseudoTerminal radio;
-    Recorder recorder;
+    BlockRecorder recorder;
     const auto link = openLink("serial:" + radio.device() + ":57600", recorder, quick());
     std::string all;
     for (int i = 0; i < 256; ++i)
@@ -117,7 +117,7 @@ void SerialLinkTest::missingDeviceIsReportedAndRetried()
 {
     QTemporaryDir folder;
     const QString name = folder.filePath(QStringLiteral("radio"));
-    Recorder recorder;
+    BlockRecorder recorder;
     const auto link = openLink("serial:" + name.toStdString(), recorder, quick());
     QCOMPARE(link->state(), LinkState::Waiting);
     QCOMPARE(link->error().code, LinkErrorCode::DeviceMissing);
@@ -132,7 +132,7 @@ void SerialLinkTest::missingDeviceIsReportedAndRetried()
 void SerialLinkTest::unpluggedDeviceIsReported()
 {
     auto radio = std::make_unique<PseudoTerminal>();
-    Recorder recorder;
+    BlockRecorder recorder;
     const auto link = openLink("serial:" + radio->device() + ":57600", recorder, quick());
     QCOMPARE(link->state(), LinkState::Connected);
     radio.reset();

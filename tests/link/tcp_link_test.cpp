@@ -2,7 +2,7 @@
 #include "core/link/address_text.h"
 #include "core/link/tcp_link.h"
 #include "core/link/tcp_server_link.h"
-#include "tests/link/recorder.h"
+#include "tests/link/block_recorder.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 
@@ -49,8 +49,8 @@ static LinkOptions quick()
 
 void TcpLinkTest::carriesBothWays()
 {
-    Recorder server;
-    Recorder client;
+    BlockRecorder server;
+    BlockRecorder client;
     const auto in = openLink("tcpin:127.0.0.1:0", server, quick(), LinkId{3});
     QCOMPARE(in->state(), LinkState::Listening);
     QVERIFY(in->isStream());
@@ -76,8 +76,8 @@ void TcpLinkTest::carriesBothWays()
 
 void TcpLinkTest::bulkArrivesCompleteAndInOrder()
 {
-    Recorder server;
-    Recorder client;
+    BlockRecorder server;
+    BlockRecorder client;
     const auto in = openLink("tcpin:127.0.0.1:0", server, quick());
     const auto out = openLink("tcp:" + in->localAddress(), client, quick());
     EVENTUALLY_EQUAL(out->state(), LinkState::Connected);
@@ -97,8 +97,8 @@ void TcpLinkTest::bulkArrivesCompleteAndInOrder()
 
 void TcpLinkTest::retriesUntilTheServerListens()
 {
-    Recorder server;
-    Recorder client;
+    BlockRecorder server;
+    BlockRecorder client;
     auto in = openLink("tcpin:127.0.0.1:0", server, quick());
     const std::string address = in->localAddress();
     in->close();
@@ -114,8 +114,8 @@ void TcpLinkTest::retriesUntilTheServerListens()
 
 void TcpLinkTest::closedPeerIsReportedAndReconnects()
 {
-    Recorder server;
-    Recorder client;
+    BlockRecorder server;
+    BlockRecorder client;
     auto in = openLink("tcpin:127.0.0.1:0", server, quick());
     const std::string address = in->localAddress();
     const auto out = openLink("tcp:" + address, client, quick());
@@ -145,7 +145,7 @@ void TcpLinkTest::closedPeerIsReportedAndReconnects()
 
 void TcpLinkTest::bytesBeforeTheEndAreDelivered()
 {
-    Recorder server;
+    BlockRecorder server;
     const auto in = openLink("tcpin:127.0.0.1:0", server, quick());
     QTcpSocket socket;
     socket.connectToHost(QHostAddress(QHostAddress::LocalHost), in->localEndpoint()->port);
@@ -160,11 +160,11 @@ void TcpLinkTest::bytesBeforeTheEndAreDelivered()
 
 void TcpLinkTest::serverKeepsClientsApart()
 {
-    Recorder server;
+    BlockRecorder server;
     const auto in = openLink("tcpin:127.0.0.1:0", server, quick());
-    std::array<Recorder, 3> clients;
+    std::array<BlockRecorder, 3> clients;
     std::vector<std::unique_ptr<Link>> links;
-    for (Recorder &client : clients) {
+    for (BlockRecorder &client : clients) {
         links.push_back(openLink("tcp:" + in->localAddress(), client, quick()));
         EVENTUALLY_EQUAL(links.back()->state(), LinkState::Connected);
         EVENTUALLY_EQUAL(server.joined.size(), links.size());
@@ -174,7 +174,7 @@ void TcpLinkTest::serverKeepsClientsApart()
         links[i]->flush();
     }
     EVENTUALLY_EQUAL(server.blocks.size(), std::size_t(3));
-    for (const Recorder::Block &block : server.blocks) {
+    for (const BlockRecorder::Block &block : server.blocks) {
         const auto index = static_cast<std::size_t>(std::stoi(std::string(asText(block.bytes))));
         QCOMPARE(block.path.remote, *links[index]->localEndpoint());
         in->send(block.path.remote, asBytes("to " + std::to_string(index)));
@@ -195,7 +195,7 @@ void TcpLinkTest::serverKeepsClientsApart()
 
 void TcpLinkTest::serverRefusesTooManyClients()
 {
-    Recorder server;
+    BlockRecorder server;
     const auto in = openLink("tcpin:127.0.0.1:0", server, quick());
     std::vector<std::unique_ptr<QTcpSocket>> sockets;
     for (std::size_t i = 0; i < TcpServerLink::kMostClients + 1; ++i) {
@@ -230,7 +230,7 @@ void TcpLinkTest::uselessClientsAreReplaced()
 {
     LinkOptions options = quick();
     options.uselessAfter = Duration::zero();
-    Recorder server;
+    BlockRecorder server;
     const auto in = openLink("tcpin:127.0.0.1:0", server, options);
     std::vector<std::unique_ptr<QTcpSocket>> sockets;
     const auto add = [&] {
@@ -267,7 +267,7 @@ void TcpLinkTest::uselessClientsAreReplaced()
 
 void TcpLinkTest::oneHostCannotTakeAllPlaces()
 {
-    Recorder server;
+    BlockRecorder server;
     const auto in = openLink("tcpin:127.0.0.1:0", server, quick());
     std::vector<std::unique_ptr<QTcpSocket>> sockets;
     for (std::size_t i = 0; i < TcpServerLink::kMostClients; ++i) {
@@ -298,7 +298,7 @@ void TcpLinkTest::oneHostCannotTakeAllPlaces()
 
 void TcpLinkTest::portInUseFails()
 {
-    Recorder server;
+    BlockRecorder server;
     const auto first = openLink("tcpin:127.0.0.1:0", server, quick());
     const auto second = openLink("tcpin:" + first->localAddress(), server, quick());
     QCOMPARE(second->state(), LinkState::Failed);
@@ -312,7 +312,7 @@ void TcpLinkTest::portInUseFails()
 
 void TcpLinkTest::unknownHostIsReported()
 {
-    Recorder client;
+    BlockRecorder client;
     const auto out = openLink("tcp:no-such-host.invalid:5760", client, quick());
     EVENTUALLY_EQUAL(out->state(), LinkState::Waiting);
     QCOMPARE(out->error().code, LinkErrorCode::HostUnknown);
@@ -321,8 +321,8 @@ void TcpLinkTest::unknownHostIsReported()
 
 void TcpLinkTest::fullQueueDropsWholeBlocks()
 {
-    Recorder server;
-    Recorder client;
+    BlockRecorder server;
+    BlockRecorder client;
     LinkOptions small = quick();
     small.streamQueueBytes = 1000;
     const auto in = openLink("tcpin:127.0.0.1:0", server, quick());
@@ -342,8 +342,8 @@ void TcpLinkTest::fullQueueDropsWholeBlocks()
 
 void TcpLinkTest::listenerMayCloseEitherEnd()
 {
-    Recorder server;
-    Recorder client;
+    BlockRecorder server;
+    BlockRecorder client;
     const auto in = openLink("tcpin:127.0.0.1:0", server, quick());
     const auto out = openLink("tcp:" + in->localAddress(), client, quick());
     EVENTUALLY_EQUAL(server.joined.size(), std::size_t(1));
@@ -369,8 +369,8 @@ void TcpLinkTest::listenerMayCloseEitherEnd()
 
 void TcpLinkTest::closeSendsWhatWasQueued()
 {
-    Recorder server;
-    Recorder client;
+    BlockRecorder server;
+    BlockRecorder client;
     const auto in = openLink("tcpin:127.0.0.1:0", server, quick());
     const auto out = openLink("tcp:" + in->localAddress(), client, quick());
     EVENTUALLY_EQUAL(out->state(), LinkState::Connected);
@@ -386,8 +386,8 @@ void TcpLinkTest::desktopProxyIsIgnored()
     QVERIFY(proxy.listen(QHostAddress::LocalHost));
     QNetworkProxy::setApplicationProxy({QNetworkProxy::Socks5Proxy, QStringLiteral("127.0.0.1"), proxy.serverPort()});
     const auto back = qScopeGuard([] { QNetworkProxy::setApplicationProxy(QNetworkProxy::NoProxy); });
-    Recorder server;
-    Recorder client;
+    BlockRecorder server;
+    BlockRecorder client;
     const auto in = openLink("tcpin:127.0.0.1:0", server, quick());
     QCOMPARE(in->state(), LinkState::Listening);
     const auto out = openLink("tcp:" + in->localAddress(), client, quick());

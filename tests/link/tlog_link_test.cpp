@@ -1,6 +1,6 @@
 // Replay of recordings that the test writes: every frame in order, at the recorded pace, and errors for unreadable files.
 #include "core/log/tlog_writer.h"
-#include "tests/link/recorder.h"
+#include "tests/link/block_recorder.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 
@@ -69,7 +69,7 @@ void TlogLinkTest::playsEveryFrameInOrder()
 {
     LinkOptions fast;
     fast.replayFactor = 0;
-    Recorder recorder;
+    BlockRecorder recorder;
     const auto link = openLink("tlog:" + record(1000, std::chrono::seconds(1)), recorder, fast, LinkId{9});
     QCOMPARE(link->state(), LinkState::Connected);
     QVERIFY(recorder.blocks.empty());
@@ -89,7 +89,7 @@ void TlogLinkTest::keepsTheRecordedPace()
 {
     LinkOptions fourfold;
     fourfold.replayFactor = 4;
-    Recorder recorder;
+    BlockRecorder recorder;
     QElapsedTimer clock;
     clock.start();
     // 21 frames over 2 s, four times as fast.
@@ -110,7 +110,7 @@ void TlogLinkTest::playsAgainAfterTheEnd()
 {
     LinkOptions fast;
     fast.replayFactor = 0;
-    Recorder recorder;
+    BlockRecorder recorder;
     const auto link = openLink("tlog:" + record(5, std::chrono::seconds(1)), recorder, fast);
     EVENTUALLY_EQUAL(link->state(), LinkState::Ended);
     link->open();
@@ -125,7 +125,7 @@ void TlogLinkTest::damageIsSkipped()
 {
     LinkOptions fast;
     fast.replayFactor = 0;
-    Recorder recorder;
+    BlockRecorder recorder;
     const auto link = openLink("tlog:" + record(20, std::chrono::seconds(1), "not a frame at all"), recorder, fast);
     EVENTUALLY_EQUAL(link->state(), LinkState::Ended);
     QCOMPARE(recorder.blocks.size(), std::size_t(20));
@@ -134,7 +134,7 @@ void TlogLinkTest::damageIsSkipped()
 
 void TlogLinkTest::unreadableFilesAreReported()
 {
-    Recorder recorder;
+    BlockRecorder recorder;
     const auto missing = openLink("tlog:/no/such/file.tlog", recorder);
     QCOMPARE(missing->state(), LinkState::Failed);
     QCOMPARE(missing->error().sentence(), std::string("cannot read /no/such/file.tlog: No such file or directory"));

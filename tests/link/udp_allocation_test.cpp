@@ -1,5 +1,5 @@
 // The packet path of a UDP link does not allocate: this program replaces operator new to count.
-#include "tests/link/recorder.h"
+#include "tests/link/block_recorder.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/test_runner.h"
 

@@ -2,7 +2,7 @@
 #include "core/link/address_text.h"
 #include "core/link/steady_now.h"
 #include "core/link/udp_link.h"
-#include "tests/link/recorder.h"
+#include "tests/link/block_recorder.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 
@@ -71,8 +71,8 @@ void UdpLinkTest::initTestCase_data()
 
 void UdpLinkTest::carriesBothWays()
 {
-    Recorder ground;
-    Recorder air;
+    BlockRecorder ground;
+    BlockRecorder air;
     const auto in = openLink("udpin:127.0.0.1:0", ground, options(), LinkId{7});
     QCOMPARE(in->state(), LinkState::Listening);
     QCOMPARE(in->localAddress(), "127.0.0.1:" + portOf(*in));
@@ -102,8 +102,8 @@ void UdpLinkTest::carriesBothWays()
 
 void UdpLinkTest::tenThousandDatagramsArriveCompleteAndInOrder()
 {
-    Recorder ground;
-    Recorder air;
+    BlockRecorder ground;
+    BlockRecorder air;
     const auto in = openLink("udpin:127.0.0.1:0", ground, options());
     const auto out = openLink("udpout:127.0.0.1:" + portOf(*in), air, options());
     constexpr std::uint32_t kCount = 10'000;
@@ -134,7 +134,7 @@ void UdpLinkTest::tenThousandDatagramsArriveCompleteAndInOrder()
 
 void UdpLinkTest::datagramsOfAnySizesKeepTheirBounds()
 {
-    Recorder ground, other, air;
+    BlockRecorder ground, other, air;
     const auto in = openLink("udpin:127.0.0.1:0", ground, options());
     const auto second = openLink("udpin:127.0.0.1:0", other, options());
     const auto out = openLink("udpin:127.0.0.1:0", air, options());
@@ -163,8 +163,8 @@ void UdpLinkTest::datagramsOfAnySizesKeepTheirBounds()
 
 void UdpLinkTest::carriesIpv6()
 {
-    Recorder ground;
-    Recorder air;
+    BlockRecorder ground;
+    BlockRecorder air;
     const auto in = openLink("udpin:[::1]:0", ground, options());
     if (in->state() != LinkState::Listening)
         QSKIP("no IPv6 on this machine");
@@ -180,8 +180,8 @@ void UdpLinkTest::carriesIpv6()
 
 void UdpLinkTest::dualStackReportsIpv4AsIpv4()
 {
-    Recorder ground;
-    Recorder air;
+    BlockRecorder ground;
+    BlockRecorder air;
     const auto in = openLink("udpin:[::]:0", ground, options());
     if (in->state() != LinkState::Listening)
         QSKIP("no IPv6 on this machine");
@@ -197,7 +197,7 @@ void UdpLinkTest::dualStackReportsIpv4AsIpv4()
 
 void UdpLinkTest::portInUseFailsAndOpensWhenFree()
 {
-    Recorder listener;
+    BlockRecorder listener;
     const auto first = openLink("udpin:127.0.0.1:0", listener, options());
     const std::string address = first->localAddress();
     for (const std::string &host : {std::string("127.0.0.1"), std::string("0.0.0.0")}) {
@@ -222,7 +222,7 @@ void UdpLinkTest::portInUseFailsAndOpensWhenFree()
 
 void UdpLinkTest::foreignAddressIsReported()
 {
-    Recorder listener;
+    BlockRecorder listener;
     // TEST-NET-1 (RFC 5737) is not assigned to any host.
     const auto link = openLink("udpin:192.0.2.1:0", listener, options());
     QCOMPARE(link->state(), LinkState::Failed);
@@ -234,7 +234,7 @@ void UdpLinkTest::unknownHostIsReportedAndRetried()
 {
     if (options().portableUdp)
         QSKIP("the lookup does not depend on the kind of socket, and may take the resolver long");
-    Recorder listener;
+    BlockRecorder listener;
     const auto link = openLink("udpout:no-such-host.invalid:14550", listener, options());
     EVENTUALLY_EQUAL(link->state(), LinkState::Waiting);
     QCOMPARE(link->error().code, LinkErrorCode::HostUnknown);
@@ -251,8 +251,8 @@ void UdpLinkTest::hostNameIsLookedUp()
     static const bool hasLocalhost = !QHostInfo::fromName(QStringLiteral("localhost")).addresses().isEmpty();
     if (!hasLocalhost)
         QSKIP("this machine does not know localhost by name: it has no /etc/hosts");
-    Recorder ground;
-    Recorder air;
+    BlockRecorder ground;
+    BlockRecorder air;
     const auto in = openLink("udpin:127.0.0.1:0", ground, options());
     const auto out = openLink("udpout:localhost:" + portOf(*in), air, options());
     QCOMPARE(out->state(), LinkState::Opening);
@@ -264,8 +264,8 @@ void UdpLinkTest::hostNameIsLookedUp()
 
 void UdpLinkTest::absentPeerDoesNotCloseTheLink()
 {
-    Recorder ground;
-    Recorder air;
+    BlockRecorder ground;
+    BlockRecorder air;
     auto in = openLink("udpin:127.0.0.1:0", ground, options());
     const std::string address = in->localAddress();
     const auto out = openLink("udpout:" + in->localAddress(), air, options());
@@ -286,7 +286,7 @@ void UdpLinkTest::absentPeerDoesNotCloseTheLink()
 
 void UdpLinkTest::oversizedDatagramsAreCountedAndDropped()
 {
-    Recorder ground;
+    BlockRecorder ground;
     const auto in = openLink("udpin:127.0.0.1:0", ground, options());
     QUdpSocket sender;
     const auto write = [&](qsizetype size, char fill) {
@@ -309,8 +309,8 @@ void UdpLinkTest::oversizedDatagramsAreCountedAndDropped()
 
 void UdpLinkTest::floodLeavesRoomForTimers()
 {
-    Recorder ground;
-    Recorder air;
+    BlockRecorder ground;
+    BlockRecorder air;
     LinkOptions bounded = options();
     bounded.turn = {};
     const auto in = openLink("udpin:127.0.0.1:0", ground, bounded);
@@ -335,9 +335,9 @@ void UdpLinkTest::floodLeavesRoomForTimers()
 
 void UdpLinkTest::expensiveDatagramsDoNotDelayOtherLinks()
 {
-    Recorder ground;
-    Recorder air;
-    Recorder other;
+    BlockRecorder ground;
+    BlockRecorder air;
+    BlockRecorder other;
     const auto in = openLink("udpin:127.0.0.1:0", ground, options());
     const auto beside = openLink("udpin:127.0.0.1:0", other, options());
     const auto out = openLink("udpout:127.0.0.1:" + portOf(*in), air, options());
@@ -366,8 +366,8 @@ void UdpLinkTest::expensiveDatagramsDoNotDelayOtherLinks()
 
 void UdpLinkTest::listenerMayCloseTheLink()
 {
-    Recorder ground;
-    Recorder air;
+    BlockRecorder ground;
+    BlockRecorder air;
     const auto in = openLink("udpin:127.0.0.1:0", ground, options());
     const std::string address = in->localAddress();
     const auto out = openLink("udpout:" + address, air, options());
@@ -378,7 +378,7 @@ void UdpLinkTest::listenerMayCloseTheLink()
     EVENTUALLY_EQUAL(in->state(), LinkState::Closed);
     QCOMPARE(ground.batches, std::size_t(1));
     // The port is released at once.
-    Recorder other;
+    BlockRecorder other;
     QCOMPARE(openLink("udpin:" + address, other, options())->state(), LinkState::Listening);
 }
 
@@ -396,7 +396,7 @@ void UdpLinkTest::receivedBytesMayBeChangedInPlace()
             link.flush();
         }
     } inverter;
-    Recorder air;
+    BlockRecorder air;
     const auto in = openLink("udpin:127.0.0.1:0", inverter, options());
     const auto out = openLink("udpout:127.0.0.1:" + portOf(*in), air, options());
     Bytes all(256);
@@ -410,7 +410,7 @@ void UdpLinkTest::receivedBytesMayBeChangedInPlace()
 
 void UdpLinkTest::sendWithoutPeerIsCounted()
 {
-    Recorder ground;
+    BlockRecorder ground;
     const auto in = openLink("udpin:127.0.0.1:0", ground, options());
     in->send({}, text("whom?"));
     QCOMPARE(in->counters().txDropped, std::uint64_t(1));
@@ -425,8 +425,8 @@ void UdpLinkTest::desktopProxyIsIgnored()
     QVERIFY(proxy.listen(QHostAddress::LocalHost));
     QNetworkProxy::setApplicationProxy({QNetworkProxy::Socks5Proxy, QStringLiteral("127.0.0.1"), proxy.serverPort()});
     const auto back = qScopeGuard([] { QNetworkProxy::setApplicationProxy(QNetworkProxy::NoProxy); });
-    Recorder station;
-    Recorder vehicle;
+    BlockRecorder station;
+    BlockRecorder vehicle;
     const auto in = openLink("udpin:127.0.0.1:0", station, options());
     QCOMPARE(in->state(), LinkState::Listening);
     const auto out = openLink("udpout:" + in->localAddress(), vehicle, options());

@@ -1,6 +1,6 @@
 // MAVLink FTP with a vehicle: files go up and come down over a link that loses a third of all frames, each error has its NAK,
 // and neither strange requests nor many of them make it grow.
-#include "tests/sim/ftp_client.h"
+#include "tests/sim/ftp_requester.h"
 #include "tests/support/test_runner.h"
 
 #include "core/mavlink/enums.h"
@@ -41,7 +41,7 @@ void SimFtpTest::listsFolders()
 {
     TestStation station;
     station.run(1);
-    FtpClient ftp(station);
+    FtpRequester ftp(station);
     QCOMPARE(ftp.list("/"), (std::vector<std::string>{"DAPM", "D@PARAM"}));
     QCOMPARE(ftp.list("/APM/"), (std::vector<std::string>{"DLOGS"}));
     QVERIFY(ftp.upload("/APM/a.txt", someBytes(700)));
@@ -57,7 +57,7 @@ void SimFtpTest::longListsComeInParts()
 {
     TestStation station({}, 0.2, 3);
     station.run(1);
-    FtpClient ftp(station);
+    FtpRequester ftp(station);
     std::vector<std::string> names;
     for (int i = 0; i < 30; ++i) {
         names.push_back("DA folder with quite a long name " + std::to_string(100 + i));
@@ -85,7 +85,7 @@ void SimFtpTest::uploadAndDownload()
     QFETCH(int, size);
     TestStation station({}, loss, 17);
     station.run(1);
-    FtpClient ftp(station);
+    FtpRequester ftp(station);
     const Bytes bytes = someBytes(static_cast<std::size_t>(size));
     QVERIFY(ftp.upload("/file.bin", bytes));
     const auto back = ftp.download("/file.bin");
@@ -120,7 +120,7 @@ void SimFtpTest::burstRead()
     QFETCH(int, piece);
     TestStation station({}, loss, 23);
     station.run(1);
-    FtpClient ftp(station);
+    FtpRequester ftp(station);
     ftp.session = 9;
     const Bytes bytes = someBytes(7000);
     QVERIFY(ftp.upload("/big", bytes));
@@ -163,7 +163,7 @@ void SimFtpTest::burstIsPacedAndCanBeEnded()
 {
     TestStation station;
     station.run(1);
-    FtpClient ftp(station);
+    FtpRequester ftp(station);
     QVERIFY(ftp.upload("/big", someBytes(50000)));
     QCOMPARE(int(ftp.request(MAV_FTP_OPCODE_OPENFILERO, "/big").opcode), int(MAV_FTP_OPCODE_ACK));
     ftp.sendRaw(ftp.made(MAV_FTP_OPCODE_BURSTREADFILE));
@@ -183,7 +183,7 @@ void SimFtpTest::lostAnswersAreRepeated()
 {
     TestStation station;
     station.run(1);
-    FtpClient ftp(station);
+    FtpRequester ftp(station);
     const auto twice = [&](const FtpMessage &request) {
         station.forget();
         ftp.sendRaw(request);
@@ -214,7 +214,7 @@ void SimFtpTest::foldersAndNames()
 {
     TestStation station;
     station.run(1);
-    FtpClient ftp(station);
+    FtpRequester ftp(station);
     QVERIFY(ftp.accepted(MAV_FTP_OPCODE_CREATEDIRECTORY, "/scripts"));
     QVERIFY(ftp.upload("/scripts/a.lua", someBytes(300)));
     QVERIFY(ftp.accepted(MAV_FTP_OPCODE_TRUNCATEFILE, "/scripts/a.lua", 100));
@@ -285,7 +285,7 @@ void SimFtpTest::errorsHaveTheirNaks()
     QFETCH(int, number);
     TestStation station;
     station.run(1);
-    FtpClient ftp(station);
+    FtpRequester ftp(station);
     QVERIFY(ftp.upload("/file", someBytes(10)));
     QVERIFY(ftp.accepted(MAV_FTP_OPCODE_CREATEDIRECTORY, "/folder"));
     QVERIFY(ftp.upload("/folder/in", someBytes(10)));
@@ -316,7 +316,7 @@ void SimFtpTest::malformedPaths()
     QFETCH(int, size);
     TestStation station;
     station.run(1);
-    FtpClient ftp(station);
+    FtpRequester ftp(station);
     const std::string bytes = data.toStdString();
     for (const int opcode : {3, 4, 6, 8, 9, 10, 11, 12, 13, 14}) {
         const FtpMessage reply = ftp.request(static_cast<std::uint8_t>(opcode), asBytes(bytes), 0, size);
@@ -332,7 +332,7 @@ void SimFtpTest::filesCanBeSwitchedOff()
     TestStation station;
     station.run(1);
     station.vehicle.autopilot().parameters().set("BRD_OPTIONS", 2);
-    FtpClient ftp(station);
+    FtpRequester ftp(station);
     QCOMPARE(int(ftp.request(MAV_FTP_OPCODE_LISTDIRECTORY, "/").opcode), int(MAV_FTP_OPCODE_NONE)); // no answer, as ArduPilot
     QVERIFY(station.count<Statustext>() > 0);
     station.vehicle.autopilot().parameters().set("BRD_OPTIONS", 1);
@@ -343,7 +343,7 @@ void SimFtpTest::sessionsAreBounded()
 {
     TestStation station;
     station.run(1);
-    FtpClient ftp(station);
+    FtpRequester ftp(station);
     for (int i = 0; i < 4; ++i) {
         ftp.session = static_cast<std::uint8_t>(i);
         QVERIFY(ftp.accepted(MAV_FTP_OPCODE_CREATEFILE, "/file" + std::to_string(i)));

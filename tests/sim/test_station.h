@@ -29,8 +29,8 @@ public:
             if (!silent && now >= m_nextHeartbeat) {
                 m_nextHeartbeat = now + std::chrono::seconds(1);
                 mavlink::Heartbeat heartbeat;
-                heartbeat.type = 6;
-                heartbeat.autopilot = 8;
+                heartbeat.type = mavlink::MAV_TYPE_GCS;
+                heartbeat.autopilot = mavlink::MAV_AUTOPILOT_INVALID;
                 send(heartbeat);
             }
             vehicle.advance(now);

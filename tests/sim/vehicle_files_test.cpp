@@ -1,5 +1,5 @@
 // The files of a vehicle: the memory card and its limits, the flight logs, and the packed parameter file in both directions.
-#include "tests/sim/ftp_client.h"
+#include "tests/sim/ftp_requester.h"
 #include "tests/support/test_runner.h"
 
 #include "core/sim/packed_parameters.h"
@@ -91,7 +91,7 @@ void SimVehicleFilesTest::cardSurvivesAReboot()
 {
     TestStation station;
     station.run(1);
-    FtpClient ftp(station);
+    FtpRequester ftp(station);
     QVERIFY(ftp.upload("/file", someBytes(500)));
     QCOMPARE(station.command(MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, {1}), int(MAV_RESULT_ACCEPTED));
     station.run(2);
@@ -102,7 +102,7 @@ void SimVehicleFilesTest::flightLogsAreFiles()
 {
     TestStation station;
     station.run(6);
-    FtpClient ftp(station);
+    FtpRequester ftp(station);
     for (int i = 0; i < 2; ++i) {
         QCOMPARE(station.command(MAV_CMD_COMPONENT_ARM_DISARM, {1}), int(MAV_RESULT_ACCEPTED));
         station.run(1);
@@ -129,7 +129,7 @@ void SimVehicleFilesTest::parameterFile()
 {
     TestStation station({}, 0.1, 2);
     station.run(1);
-    FtpClient ftp(station);
+    FtpRequester ftp(station);
     station.vehicle.autopilot().parameters().set("RTL_ALT", 1234);
     const auto file = ftp.download("@PARAM/param.pck");
     QVERIFY(file);
@@ -148,7 +148,7 @@ void SimVehicleFilesTest::partOfTheParameterFile()
 {
     TestStation station;
     station.run(1);
-    FtpClient ftp(station);
+    FtpRequester ftp(station);
     const Parameters &parameters = station.vehicle.autopilot().parameters();
     const auto file = ftp.download("@PARAM/param.pck?start=10&count=5");
     const auto values = readPacked(*file);
@@ -168,7 +168,7 @@ void SimVehicleFilesTest::parameterUpload()
 {
     TestStation station;
     station.run(1);
-    FtpClient ftp(station);
+    FtpRequester ftp(station);
     Parameters wanted;
     wanted.set("RTL_ALT", 2200);
     wanted.set("WPNAV_SPEED", 800);

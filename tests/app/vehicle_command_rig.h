@@ -13,7 +13,7 @@
 
 namespace skyseal::test {
 
-class VehicleCommands
+class VehicleCommandRig
 {
 public:
     /// Starts the simulator and the agent; false if there are no keys. `impairment`: options of skyseal-cli impair, which then

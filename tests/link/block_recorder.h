@@ -8,7 +8,7 @@
 
 namespace skyseal::test {
 
-class Recorder : public link::LinkListener
+class BlockRecorder : public link::LinkListener
 {
 public:
     struct Block

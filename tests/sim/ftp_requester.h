@@ -10,10 +10,10 @@
 namespace skyseal::sim {
 
 /// The station's side: one request at a time, repeated until it is answered.
-class FtpClient
+class FtpRequester
 {
 public:
-    explicit FtpClient(TestStation &station) : m_station(station) {}
+    explicit FtpRequester(TestStation &station) : m_station(station) {}
 
     /// The answer; opcode 0 if none came in twenty attempts.
     FtpMessage request(std::uint8_t opcode, ByteView data = {}, std::uint32_t offset = 0, int size = -1)

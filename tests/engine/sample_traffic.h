@@ -11,11 +11,11 @@
 
 namespace skyseal::test {
 
-class Traffic
+class SampleTraffic
 {
 public:
     /// A multiple of 256 frames can be sent again and again without a gap in their sequence numbers.
-    explicit Traffic(std::size_t count, std::uint8_t systemId = 1) : m_writer(systemId, 1)
+    explicit SampleTraffic(std::size_t count, std::uint8_t systemId = 1) : m_writer(systemId, 1)
     {
         using namespace mavlink;
         while (m_frames.size() < count) {
