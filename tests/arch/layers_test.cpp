@@ -1,4 +1,4 @@
-// The rules of the house that a compiler does not check: arrows between layers go down only, Qt stays out of the protocol,
+// The rules of this project that a compiler does not check: arrows between layers go down only, Qt stays out of the protocol,
 // secrets are compared in constant time, files stay small, tests do not wait for fixed times.
 #include "core/link/link_type.h"
 #include "tests/support/test_runner.h"
@@ -356,9 +356,16 @@ void LayersTest::linesStayShort()
 
 void LayersTest::testsDoNotSleep()
 {
-    static const QRegularExpression kSleep(QStringLiteral("qWait\\(|qSleep\\(|sleep_for\\(|usleep\\(|QThread::m?sleep\\("));
+    static const QRegularExpression kSleep(
+        QStringLiteral("qWait\\(|qSleep\\(|sleep_for\\(|nanosleep\\(|usleep\\(|QThread::m?sleep\\(|poll\\(nullptr"));
+    static const QStringList kExempt{
+        QStringLiteral("tests/arch/layers_test.cpp"),
+        QStringLiteral("tests/metrics/usage_test.cpp"),        // the subject is the CPU time of a thread that pauses
+        QStringLiteral("tests/engine/flood_latency_test.cpp"), // paces a flood
+        QStringLiteral("tests/support/extra_cpu.cpp"),         // a load on the processor, with a period
+    };
     for (const SourceFile &file : sources({QStringLiteral("tests")})) {
-        if (file.path == QLatin1String("tests/arch/layers_test.cpp"))
+        if (kExempt.contains(file.path))
             continue;
         for (const QString &line : file.lines)
             QVERIFY2(!kSleep.match(line).hasMatch(), qPrintable(file.path + QStringLiteral(": ") + line));

@@ -47,7 +47,8 @@ Bytes heartbeatOfAnAutopilot()
 {
     std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
     mavlink::FrameWriter autopilot(1, 1);
-    return copyOf(autopilot.write(mavlink::Heartbeat{.type = 2, .autopilot = 3}, buffer));
+    return copyOf(autopilot.write(
+        mavlink::Heartbeat{.type = mavlink::MAV_TYPE_QUADROTOR, .autopilot = mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA}, buffer));
 }
 
 /// An agent between an autopilot's socket and an observer.
@@ -238,7 +239,7 @@ void AttackObserverTest::thousandQuestions()
     const engine::AgentCounters counters = flight.agent->snapshot().counters;
     const double most = atOnce + perSecond * static_cast<double>(clock.elapsed()) / 1000;
     HOLDS(static_cast<double>(counters.toVehicle) <= most + 1, "an observer's questions are limited");
-    QVERIFY(counters.observerTooOften > 500);
+    QVERIFY(static_cast<double>(counters.observerTooOften) >= kQuestions - most - 1);
     QVERIFY(static_cast<double>(counters.toVehicle) >= atOnce); // an honest burst passes
 }
 
