@@ -1,4 +1,4 @@
-// Whoever sends from a forged address gains nothing: to each kind of message that a stranger can make, in each carrier, an
+// Sending from a forged address gains nothing: to each kind of message that a stranger can make, in each carrier, an
 // agent that listens and a station answer with no more bytes on the wire than came in. A station may answer an announcement
 // up to 2 s later (PROTOCOL.md, section 3); so what one message did not use counts for those after it, but no more than the
 // longest message.

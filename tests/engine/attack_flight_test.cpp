@@ -376,7 +376,8 @@ void AttackFlightTest::strangersCauseOneEventASecond()
     otherVersion[0] = 0x69;
     announcement[0] = 0x58;
     first[0] = 0x59;
-    const QByteArray heartbeat = frameOf(mavlink::Heartbeat{.type = 2, .autopilot = 3}, 1);
+    const QByteArray heartbeat = frameOf(
+        mavlink::Heartbeat{.type = mavlink::MAV_TYPE_QUADROTOR, .autopilot = mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA}, 1);
 
     StrangersKnowledge knows;
     int pairingAtStation = 0;

@@ -45,7 +45,7 @@ private Q_SLOTS:
 private:
     void disturb(SimulatedFleet &fleet);
     void attack(SimulatedFleet &fleet);
-    /// What holds whatever happens on the radio.
+    /// Holds whatever happens on the radio.
     static void judgeAccount(SimulatedFleet &fleet);
     /// On a radio that loses nothing, everything arrives once, and both ends count the same.
     static void settle(SimulatedFleet &fleet);

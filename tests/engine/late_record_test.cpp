@@ -4,6 +4,7 @@
 #include "core/engine/agent/agent_core.h"
 #include "core/engine/station/snapshot.h"
 #include "core/engine/station/station_core.h"
+#include "core/mavlink/enums.h"
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"
 #include "tests/engine/bare_end.h"
@@ -72,7 +73,9 @@ void LateRecordTest::agentTakesIt()
     agent.start();
     BareSocket vehicle;
     vehicle.send(portOf(agent.snapshot().vehicle.localAddress),
-                 std::array{ByteView(frameFrom(mavlink::Heartbeat{.type = 2, .autopilot = 3}, 1, 1))});
+                 std::array{ByteView(frameFrom(
+                     mavlink::Heartbeat{.type = mavlink::MAV_TYPE_QUADROTOR, .autopilot = mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA},
+                     1, 1))});
     QVERIFY(waitFor(ground, [&] { return ground.up() && agent.snapshot().mavlink.frames > 0; }));
 
     const std::uint64_t before = agent.snapshot().counters.toVehicle;
@@ -108,7 +111,10 @@ void LateRecordTest::stationTakesIt()
     QVERIFY(waitFor(air, [&] { return air.up() && !snapshot->sessions.empty(); }));
     QVERIFY(snapshot->vehicles.empty());
 
-    sayLate(air, frameFrom(mavlink::Heartbeat{.type = 2, .autopilot = 3}, 1, 1));
+    sayLate(
+        air,
+        frameFrom(mavlink::Heartbeat{.type = mavlink::MAV_TYPE_QUADROTOR, .autopilot = mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA}, 1,
+                  1));
     QVERIFY(waitFor(air, [&] { return snapshot->sessions.empty(); }));
     QCOMPARE(snapshot->spoofed, std::uint64_t(0));
     QCOMPARE(snapshot->vehicles.size(), std::size_t(1));

@@ -246,7 +246,8 @@ void ObserverTest::onlyQuestionsReachTheVehiclesSocket()
     const Bytes heartbeat = [] {
         std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
         mavlink::FrameWriter writer(1, 1);
-        const ByteView frame = writer.write(mavlink::Heartbeat{.type = 2, .autopilot = 3}, buffer);
+        const ByteView frame = writer.write(
+            mavlink::Heartbeat{.type = mavlink::MAV_TYPE_QUADROTOR, .autopilot = mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA}, buffer);
         return Bytes(frame.begin(), frame.end());
     }();
     vehicle.send(port, std::array{ByteView(heartbeat)});

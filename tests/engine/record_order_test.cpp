@@ -1,4 +1,4 @@
-// What is sealed leaves in the order of its counters, whatever is sealed in one wake-up: frames in records and in place, and
+// Sealed messages leave in the order of their counters, whatever is sealed in one wake-up: frames in records and in place, and
 // reports between them, for several sessions. Otherwise the other end counts records as late, and an agent refuses a command
 // that was sealed in place once two reports have overtaken it. The clock is simulated; the sockets are real.
 #include "core/channel/endpoint.h"

@@ -119,7 +119,7 @@ private Q_SLOTS:
         }
     }
 
-    /// What a seek passes over is not reported as if it happened.
+    /// Events that a seek passes over are not reported as if they happened.
     void seekIsSilent()
     {
         const auto replay = start(*m_url);

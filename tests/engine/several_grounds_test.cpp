@@ -1,6 +1,7 @@
 // One agent with several links to the ground: a station at each, or one station behind two modems.
 #include "core/channel/mac1.h"
 #include "core/engine/station/snapshot.h"
+#include "core/mavlink/enums.h"
 #include "tests/engine/ground.h"
 #include "tests/support/stranger_messages.h"
 #include "tests/support/test_runner.h"
@@ -173,7 +174,9 @@ void SeveralGroundsTest::routerIsNotCalled()
                 continue;
             std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
             mavlink::FrameWriter writer(2, 1);
-            const ByteView frame = writer.write(mavlink::Heartbeat{.type = 2, .autopilot = 3}, buffer);
+            const ByteView frame = writer.write(
+                mavlink::Heartbeat{.type = mavlink::MAV_TYPE_QUADROTOR, .autopilot = mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA},
+                buffer);
             router.writeDatagram(datagram.makeReply(
                 QByteArray(reinterpret_cast<const char *>(frame.data()), static_cast<qsizetype>(frame.size()))));
         }
@@ -207,7 +210,8 @@ void SeveralGroundsTest::strangersMavlinkStopsNoCalls()
     QVERIFY(stranger.bind(QHostAddress::LocalHost, 0));
     std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
     mavlink::FrameWriter writer(2, 1);
-    const ByteView frame = writer.write(mavlink::Heartbeat{.type = 2, .autopilot = 3}, buffer);
+    const ByteView frame = writer.write(
+        mavlink::Heartbeat{.type = mavlink::MAV_TYPE_QUADROTOR, .autopilot = mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA}, buffer);
     stranger.writeDatagram(reinterpret_cast<const char *>(frame.data()), static_cast<qint64>(frame.size()),
                            QHostAddress::LocalHost, station);
     EVENTUALLY(!caller.ears->all<engine::PlaintextRefused>().empty()); // it has arrived

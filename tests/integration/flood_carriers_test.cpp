@@ -7,6 +7,7 @@
 #include "core/engine/station/station.h"
 #include "core/keys/public_key_text.h"
 #include "core/link/steady_now.h"
+#include "core/mavlink/enums.h"
 #include "core/mavlink/frame_intake.h"
 #include "tests/support/addresses.h"
 #include "tests/support/bare_socket.h"
@@ -168,7 +169,8 @@ struct FloodedFlight
     {
         m_result.reset();
         const TimePoint sent = steadyNow();
-        const auto id = station->perform(1, vehicle::VehicleCommand(vehicle::RawCommand{.command = 511}));
+        const auto id = station->perform(
+            1, vehicle::VehicleCommand(vehicle::RawCommand{.command = mavlink::MAV_CMD_SET_MESSAGE_INTERVAL}));
         while (!m_result || m_result->id != id) {
             QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
             if (steadyNow() - sent > 2s)

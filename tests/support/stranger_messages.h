@@ -1,5 +1,5 @@
 // Every kind of datagram that a sender without a key can make, each at its costliest for the receiver: for benchmarks and
-// floods. Who knows the public keys, and hears the link, can also make the last ones of a group.
+// floods. A sender that knows the public keys, and hears the link, can also make the last ones of a group.
 #pragma once
 
 #include "core/channel/handshake_messages.h"
@@ -7,6 +7,7 @@
 #include "core/channel/mac1.h"
 #include "core/channel/pairing_messages.h"
 #include "core/crypto/cpace_generator.h"
+#include "core/mavlink/enums.h"
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"
 
@@ -93,7 +94,8 @@ inline Bytes clearCommand()
 {
     mavlink::FrameWriter writer(255, 190);
     std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
-    const ByteView frame = writer.write(mavlink::CommandLong{.target_system = 1, .command = 400, .param1 = 1}, buffer);
+    const ByteView frame = writer.write(
+        mavlink::CommandLong{.target_system = 1, .command = mavlink::MAV_CMD_COMPONENT_ARM_DISARM, .param1 = 1}, buffer);
     return {frame.begin(), frame.end()};
 }
 

@@ -1,6 +1,7 @@
 #include "scripted_snapshots.h"
 
 #include "core/log/log_index.h"
+#include "core/mavlink/enums.h"
 
 #include <cmath>
 #include <numbers>
@@ -54,8 +55,8 @@ vehicle::VehicleState flyingState(double time)
     vehicle::VehicleState s;
     const double angle = time * kTurn;
     s.systemId = 1;
-    s.type = 2;
-    s.autopilot = 3;
+    s.type = mavlink::MAV_TYPE_QUADROTOR;
+    s.autopilot = mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA;
     s.mode = "GUIDED";
     s.modes = {"STABILIZE", "ALT_HOLD", "AUTO", "GUIDED", "LOITER", "RTL", "LAND"};
     s.armed = true;
