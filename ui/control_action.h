@@ -1,5 +1,5 @@
-// Actions that stand for the controls of panels and bars: the command palette finds them, and each can have a shortcut. What
-// an action does is left to its control, so that both always do the same. Lives on the GUI thread.
+// Actions that stand for the controls of panels and bars: the command palette finds them, and each can have a shortcut. An
+// action operates its control, so that both always do the same. Lives on the GUI thread.
 #pragma once
 
 #include <QtGui/QAction>

@@ -49,8 +49,8 @@ private:
     double m_countsFrom = 0;
 };
 
-/// What a session has refused since it came up, of each kind of attack that lasts; 0 of the others. A few repeated records
-/// alone are no attack, see engine::isAttacked().
+/// Frames that a session has refused since it came up, of each kind of attack that lasts; 0 of the others. A few repeated
+/// records alone are no attack, see engine::isAttacked().
 struct RefusedFrames
 {
     std::uint64_t forged = 0, replayed = 0;

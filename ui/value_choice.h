@@ -25,9 +25,9 @@ struct ValueChoice
     QString unitText = {}; ///< of a source without a unit
 
     QString shownCaption() const { return caption.isEmpty() ? source.caption() : caption; }
-    /// That of the source, or of the operator if it has none.
+    /// The unit of the source, or the operator's text if it has none.
     ValueUnit shownUnit() const;
-    /// Within for NaN.
+    /// On which side of the limits a number is; LimitSide::Within for NaN.
     LimitSide sideOf(double number) const;
     bool operator==(const ValueChoice &other) const;
 };

@@ -59,7 +59,7 @@ Q_SIGNALS:
     void openingChanged(bool opening);
 
 private:
-    /// What became of a passphrase.
+    /// The result of trying a passphrase.
     struct Outcome
     {
         Result<Identity, InputError> identity;

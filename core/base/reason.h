@@ -1,6 +1,6 @@
 // Why something failed or was refused, as a value: an English sentence that this program has as a constant, and the values in
 // it. The constants of a room stand in one file, such as core/vehicle/reasons.h. Command lines show the English text; the
-// window translates the sentence (core/engine/text/reason_text.h), and `update_translations` collects it by the function
+// window translates the sentence (core/engine/text/qt_text.h), and `update_translations` collects it by the function
 // sentence().
 #pragma once
 

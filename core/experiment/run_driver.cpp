@@ -44,7 +44,7 @@ void RunDriver::enter(Stage stage, Duration patience)
     m_link.setSnapshotsPerSecond(snapshotsPerSecond());
 }
 
-/// That the stage needs. A run that is measured has its two probes only, whatever its arm.
+/// The rate that the stage needs. A run that is measured has its two probes only, whatever its arm.
 int RunDriver::snapshotsPerSecond() const
 {
     switch (m_stage.stage()) {

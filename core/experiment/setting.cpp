@@ -112,7 +112,7 @@ std::string memorySize()
     return pages > 0 && size > 0 ? readable(static_cast<double>(pages) * static_cast<double>(size) / 1e9) + " GB" : "unknown";
 }
 
-/// What the first number of a text is; 0 without one.
+/// The first number in a text; 0 without one.
 double numberIn(const std::string &text)
 {
     double out = 0;

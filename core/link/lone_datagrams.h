@@ -13,12 +13,12 @@ class LoneDatagrams
 public:
     /// Longer than the rest of a burst waits for its next receipt, shorter than the distance of frames at any usual rate.
     static constexpr Duration kApart = std::chrono::microseconds(100);
-    /// So many in a row let the next one be expected alone. The first datagram of a burst is then taken by itself, and the
+    /// After this many in a row, the next one is expected alone. The first datagram of a burst is then taken by itself, and the
     /// others are taken together; a series of bursts therefore costs this once.
     static constexpr unsigned kRun = 16;
 
     bool expected() const { return m_run == kRun; }
-    /// So many were taken at once.
+    /// `count` datagrams were taken at once.
     void note(TimePoint now, std::size_t count)
     {
         const bool alone = count == 1 && now - m_last >= kApart;

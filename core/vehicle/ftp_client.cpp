@@ -268,7 +268,7 @@ void FtpClient::handleOpened(TimePoint now, const FtpMessage &answer)
     burst(now);
 }
 
-/// Bursts go on behind the last chunk that is kept; what is missing before it is requested as if it were lost.
+/// Bursts go on behind the last chunk that is kept; missing bytes before it are requested like lost ones.
 void FtpClient::takeKept(TimePoint now)
 {
     const KeptPart *kept = m_transfer.kept();

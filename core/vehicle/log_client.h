@@ -2,7 +2,7 @@
 // https://mavlink.io/en/messages/common.html#LOG_REQUEST_LIST
 //
 // A log is a row of chunks of 90 bytes; a shorter one ends it. Its data is requested in pieces, which the vehicle sends at its
-// own pace; what was lost of a piece is requested in runs when it has paused, and the next piece follows when it is complete.
+// own pace; lost parts of a piece are requested in runs when it has paused, and the next piece follows when it is complete.
 // The size that the vehicle announces is bounded, and so is what can arrive ahead.
 //
 // As in ArduPilot's AP_Logger_MAVLinkLogTransfer.cpp and PX4's mavlink_log_handler.cpp: ArduPilot drops requests for data
@@ -30,10 +30,10 @@ public:
     static constexpr std::size_t kChunk = LogContent::kChunk;
     static constexpr std::size_t kPiece = LogContent::kPiece;
     static constexpr std::size_t kMostRuns = 48;   ///< lost runs that are requested again at a time
-    static constexpr std::size_t kAskedTwice = 16; ///< so few runs are requested twice at a time: the last ones decide
+    static constexpr std::size_t kAskedTwice = 16; ///< up to this many runs are requested twice at a time: the last ones decide
     static constexpr std::size_t kLong = 64;       ///< a longer run is requested once
     static constexpr int kStreamCopies = 2;        ///< of a request to a vehicle of which each replaces the one before
-    /// So many requests in a row may get no answer before the next ones are made more and more slowly.
+    /// After this many requests in a row without an answer, the next ones are made more and more slowly.
     static constexpr int kPatience = 2;
     static constexpr std::size_t kFirstOnes = 4; ///< chunks of an answer of which one measures the round trip
     static constexpr std::size_t kMostBytes = 512u << 20;

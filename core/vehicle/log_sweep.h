@@ -17,8 +17,8 @@ namespace skyseal::vehicle {
 class LogSweep
 {
 public:
-    /// At least so long between requests. PX4 serves one every 10 ms (MavlinkReceiver::run()), and those that it replaced
-    /// before cost nothing: what it sends was missing all the same.
+    /// Least time between requests. PX4 serves one every 10 ms (MavlinkReceiver::run()), and those that it replaced before cost
+    /// nothing: all that it sends was missing.
     static constexpr Duration kLeastSpacing = std::chrono::milliseconds(5);
     /// Chunks that come in bursts, at most so far apart, are sent by a radio that serves a request for each burst: a second
     /// request in that time would replace the first one.

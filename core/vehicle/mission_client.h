@@ -53,9 +53,9 @@ public:
     /// For the acknowledgement after the last item. If it is lost, the vehicle may send nothing more.
     static constexpr Duration kUploadedTimeout = std::chrono::seconds(3);
     static constexpr int kRounds = 5; ///< how often a transfer begins
-    /// So many requests of the vehicle in a row may be replaced by what its refusals of repeated items say.
+    /// The most requests of the vehicle in a row that its refusals of repeated items may replace.
     static constexpr int kInferred = 4;
-    /// So often PX4 is told during an upload that earlier transfers are over.
+    /// Messages to PX4 during an upload that end its earlier transfers.
     static constexpr int kReleases = 3;
     static constexpr std::size_t kMaxItems = 65535;
 

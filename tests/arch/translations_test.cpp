@@ -77,7 +77,8 @@ QStringList matches(const QString &text, const QString &pattern)
     return out;
 }
 
-/// What of the form of a text its translation has to keep, by name. The mark at the end says what follows: a dialog, a field.
+/// The parts of a text's form that its translation has to keep, by name. The mark at the end says what follows: a dialog, a
+/// field.
 QString lostForm(const QString &source, const QString &translation)
 {
     static const std::pair<QString, QString> kForms[]{

@@ -281,7 +281,7 @@ void ListeningAgentsTest::fourAreCalledAtATime()
     QCOMPARE(all.size(), std::size_t(10));
 }
 
-/// Whoever can make addresses come and go, by forged MAVLink, must not make the station call more agents.
+/// Forged MAVLink makes addresses come and go; it must not make the station call more agents.
 void ListeningAgentsTest::changesBeginNoTurn()
 {
     Listeners listeners(30);

@@ -31,7 +31,7 @@ public:
             m_ends[side].endpoint = std::make_unique<Endpoint>(configOf(side), m_random, m_ends[side].counters, now);
     }
 
-    /// What `from` sends through this modem is lost.
+    /// Loses all that `from` sends through this modem.
     void cut(std::size_t way, Side from, bool isCut) { m_cut[way][from] = isCut; }
     void setDelay(std::size_t way, Duration delay) { m_delay[way] = delay; }
     /// The agent takes no more than so many records of a session, as if it were deaf.

@@ -220,7 +220,7 @@ void ClaimsTest::exactRatiosHaveNoInterval()
     QVERIFY2(says(claim, "rc4 to chacha20 1.09998;") && !says(claim, " to 1."), claim.reason.c_str());
 }
 
-/// Whoever reads the files needs no sentence to know what decided, and what margin would have.
+/// A reader of the files needs no sentence to know what decided, and what margin would have.
 void ClaimsTest::numbersAreInTheFiles()
 {
     Results results = measured(planOf({Load::Saturated}), Metric::Packets,

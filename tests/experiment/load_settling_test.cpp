@@ -71,7 +71,7 @@ private Q_SLOTS:
 
     void windowsAreAsLongAsTheTrips()
     {
-        // What a load does with a trip of a second shows only after such trips.
+        // The effect of a load with a trip of a second shows only after such trips.
         QVERIFY(settlesAfter(
                     LoadSettling(), [](double) { return 1e6; }, 1)
                 >= 6);

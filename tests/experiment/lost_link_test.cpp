@@ -110,7 +110,8 @@ struct Sweep
 
 } // namespace
 
-/// What the agent reports for the measurement would be measured in sealed runs only. It is known from before and after the run.
+/// Reports of the agent for the measurement would be measured in sealed runs only. Their content is known from before and after
+/// the run.
 void LostLinkTest::noReportOfARunHasCosts()
 {
     constexpr double kRun = 3;

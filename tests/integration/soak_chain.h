@@ -32,7 +32,7 @@ public:
     qint64 pid(Part part) const;
     QByteArray errors(Part part);
 
-    /// Whatever the programs report from now on counts for missing().
+    /// Reports of the programs count for missing() from now on.
     void mark();
     /// Which of the parts do not yet work since mark(); empty: all do. Call it again and again: it also reads what arrived.
     QString missing();

@@ -53,7 +53,7 @@ public:
         const auto frames = double(m_history.back().second - m_history.front().second);
         return frames * 1000 / double(m_history.back().first - m_history.front().first);
     }
-    /// What rate() says is of the time from now on.
+    /// rate() is of the time from now on.
     void forgetRate() { m_history.clear(); }
 
     FrameTrail received;

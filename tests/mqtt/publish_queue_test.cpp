@@ -1,4 +1,4 @@
-// What waits for a broker that is slow or away: bounded, and each message that is dropped is counted.
+// The messages that wait for a slow or absent broker: bounded, and each one that is dropped is counted.
 #include "core/mqtt/publish_queue.h"
 #include "core/mqtt/topics.h"
 #include "tests/support/test_runner.h"

@@ -153,7 +153,7 @@ private Q_SLOTS:
         QVERIFY(map()->isFollowing());
     }
 
-    /// What the operator looks at does not turn under the pointer.
+    /// The place that the operator looks at does not turn under the pointer.
     void movedMapKeepsItsRotation()
     {
         open(90, 5);

@@ -94,7 +94,7 @@ private Q_SLOTS:
         QCOMPARE(cell(panel.model(), panel.model().rowCount() - 1, MessageModel::Severity), QStringLiteral("warning"));
     }
 
-    /// What this station did with a vehicle is no word of that vehicle.
+    /// Actions of this station on a vehicle are not shown as words of that vehicle.
     void onlyTextsOfTheVehicleComeFromIt()
     {
         MessagesPanel panel;

@@ -123,7 +123,7 @@ private Q_SLOTS:
         QCOMPARE(skyseal.exitCode(), 0);
     }
 
-    /// What a crash leaves behind is there for the next start; an orderly end leaves nothing.
+    /// The remains of a crash are there for the next start; an orderly end leaves none.
     void crashLeavesItsMarker()
     {
         const QDir runs(m_folder.filePath(QStringLiteral("data/skyseal/skyseal/runs")));

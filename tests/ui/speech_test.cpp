@@ -15,7 +15,7 @@ using namespace skyseal::ui;
 
 namespace {
 
-/// What a voice and its test share; the voice may outlive the test.
+/// State that a voice and its test share; the voice may outlive the test.
 struct Heard
 {
     QSemaphore permits; ///< one for each text that may be spoken

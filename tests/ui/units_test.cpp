@@ -55,7 +55,7 @@ private Q_SLOTS:
         QCOMPARE(distanceFigure(vehicle::kUnknown, system).value, dash());
     }
 
-    /// What is typed as a limit or chosen with decimals has one unit, whatever the distance.
+    /// A value that is typed as a limit or chosen with decimals has one unit, whatever the distance.
     void valuesHaveTheirUnit()
     {
         const ValueUnit speed{.measure = Measure::Speed, .name = QStringLiteral("m/s"), .decimals = 1};

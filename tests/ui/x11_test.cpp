@@ -160,7 +160,7 @@ void X11Test::programOpensItsWindows()
         EVENTUALLY_EQUAL(active(), name); // the keyboard returns by itself
     }
 
-    // What is typed into the palette opens another dialog.
+    // Text that is typed into the palette opens another dialog.
     key("ctrl+k");
     EVENTUALLY_EQUAL(active(), QStringLiteral("Find a command"));
     xdo({QStringLiteral("type"), QStringLiteral("connect")});

@@ -75,7 +75,7 @@ public:
         m_outages.push_back({begin, end, direction});
     }
 
-    /// What was sent and has not arrived yet is lost.
+    /// Loses the frames that were sent and have not arrived yet.
     void loseAllUnderWay() { m_events.clear(); }
 
     int dropped() const { return m_dropped; }

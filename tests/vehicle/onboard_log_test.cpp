@@ -299,7 +299,7 @@ void OnboardLogTest::logGoesOn()
     QVERIFY2(result.ok, result.reason.text().c_str());
     QCOMPARE(*result.content, peer.logs[4]);
     QCOMPARE(bytesIn(*sink->kept()), kSize);
-    // What lies between the lost chunks comes along from a PX4.
+    // A PX4 sends the chunks between the lost ones as well.
     QVERIFY2(sent >= missing && sent <= missing + kSize / 3, std::to_string(sent).c_str());
     QCOMPARE(sent == 0, share == 1.);
 }

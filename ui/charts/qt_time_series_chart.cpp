@@ -46,9 +46,8 @@ QtTimeSeriesChart::QtTimeSeriesChart(const ChartTitle &title, QWidget *parent) :
     m_time = new QValueAxis(m_chart);
     m_value = new QValueAxis(m_chart);
     for (QValueAxis *axis : {m_time, m_value}) {
-        // ChartPainter paints grid and labels. Measured for a refresh of 6 charts with 600 points each (offscreen, CPU time,
-        // one run): series alone 1; with the painter's grid and labels 1.12; with Qt Charts' own 1.30, which lays out a text
-        // document for each label and does not move its grid with a fixed plot area.
+        // ChartPainter paints grid and labels in half the time (BENCHMARKS.md, Window): Qt Charts lays out a text document for
+        // each label, and does not move its grid with a fixed plot area.
         axis->setLabelsVisible(false);
         axis->setGridLineVisible(false);
         axis->setLineVisible(false);

@@ -21,7 +21,7 @@ namespace skyseal::ui {
 
 namespace {
 
-/// Only its texts come from the vehicle. What the station says of a vehicle names that one.
+/// The source is the vehicle for its own texts alone; an event of the station names the vehicle in its sentence.
 Message messageOf(const engine::Event &event, const engine::EventText &text, const QString &words)
 {
     const auto *received = std::get_if<vehicle::TextReceived>(&event);

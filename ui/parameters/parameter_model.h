@@ -23,7 +23,7 @@ public:
     using QAbstractTableModel::QAbstractTableModel;
 
     void setParameters(const Parameters &parameters);
-    /// Another vehicle is shown: what was written to the former one is forgotten, and a value that is being typed is dropped.
+    /// Another vehicle is shown: results of the former one are forgotten, and a value that is being typed is dropped.
     void forgetResults();
     /// Names the vehicle above its values; 0: it is the only one.
     void setName(int vehicle);

@@ -119,8 +119,8 @@ void SuiteActions::showViewState(const ViewState &view)
     refresh();
 }
 
-/// A session begins with the suite that both ends prefer. What the operator chose last for its peer takes its place, unless
-/// that would weaken the session.
+/// A session begins with the suite that both ends prefer. The choice that the operator made last for its peer takes its
+/// place, unless that would weaken the session.
 void SuiteActions::takeUpChoices(const ViewState &view)
 {
     if (m_fresh.empty() || !view.station())

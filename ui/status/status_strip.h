@@ -17,7 +17,7 @@ public:
     explicit StatusStrip(QWidget *parent = nullptr);
 
     void showViewState(const ViewState &view);
-    /// That other stations may write through this one, in a few words and a sentence; both empty if they may not.
+    /// Shows, in a few words and a sentence, that other stations may write through this one; both empty if they may not.
     void showSharing(const QString &word, const QString &sentence);
 
     /// At which what tells more about the lock is shown.

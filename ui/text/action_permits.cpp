@@ -17,8 +17,8 @@ struct ActionPermitsText
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::ActionPermits)
 };
 
-/// The reasons of the window. Commands without a row have none: what makes a flight safer, as Land, RTL and the emergency stop,
-/// must not depend on a state that anybody on a plain link may claim, or a confused autopilot.
+/// The reasons of the window. Commands without a row have none: those that make a flight safer, as Land, RTL and the emergency
+/// stop, must not depend on a state that anybody on a plain link may claim, or a confused autopilot.
 class Reasons
 {
 public:

@@ -45,7 +45,7 @@ private:
     TileConfig m_config;
     QThread m_thread;
     TileWorker *m_worker = nullptr; ///< deletes itself at the end of the thread
-    int m_source = 0;               ///< number of the source; what still comes from earlier ones is dropped
+    int m_source = 0;               ///< number of the source; results of earlier ones are dropped
 };
 
 } // namespace skyseal::ui

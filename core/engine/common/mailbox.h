@@ -1,6 +1,7 @@
 // Passes values from one thread to another, in order. The receiver is woken once, by a queued signal without arguments, and
-// takes all values: a burst costs one wake-up. The transfer is protected by a lock of this class that ThreadSanitizer sees,
-// unlike the event queue of an uninstrumented Qt.
+// takes all values: a burst costs one wake-up. Not bounded: for commands and the results of
+// requests, which are few; snapshots and events go through OutputQueue. The transfer is protected by a lock of this class that
+// ThreadSanitizer sees, unlike the event queue of an uninstrumented Qt.
 #pragma once
 
 #include <mutex>

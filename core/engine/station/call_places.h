@@ -84,7 +84,7 @@ private:
         bool isMavlink(TimePoint now) const { return mavlink && now - *mavlink <= kForgetAfter; }
     };
 
-    /// Or an autopilot; not an agent.
+    /// Whether a router, or an autopilot, is there and not an agent.
     bool isRouter(LinkId link, const Place &place, TimePoint now) const;
 
     std::map<LinkId, Place> m_places;

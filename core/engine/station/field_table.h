@@ -13,7 +13,7 @@ namespace skyseal::engine {
 class FieldTable
 {
 public:
-    /// Replaces the choice. What was read of fields that stay chosen is kept. Only the first kMostChoices count.
+    /// Replaces the choice. Readings of fields that stay chosen are kept. Only the first kMostChoices count.
     void choose(std::vector<FieldChoice> choices);
     void note(TimePoint now, const mavlink::Frame &frame);
     /// In the order in which they were heard first.

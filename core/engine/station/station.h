@@ -66,8 +66,8 @@ public:
     /// Accepts a vehicle in clear that awaits approval because it may be an impostor, until this station is destroyed. Only
     /// an explicit act of the operator may call it.
     void allowPlaintext(std::uint8_t systemId);
-    /// Shows a vehicle that is lost no longer, until it is heard again; a vehicle that is not lost stays. What is known of its
-    /// protection stays as well: if it was sealed, it is not accepted in clear.
+    /// Shows a vehicle that is lost no longer, until it is heard again; a vehicle that is not lost stays. Its protection
+    /// stays known: if it was sealed, it is not accepted in clear.
     void forgetVehicle(std::uint8_t systemId);
     /// Waits for an agent that is open for pairing; progress is reported by pairing(). Requires an identity. `name` is this
     /// station's own. With `passphrase` only an agent with the same one is shown; null without one. Nothing is stored.

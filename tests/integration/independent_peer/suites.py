@@ -1,4 +1,4 @@
-"""The six suites: how one record is sealed and opened under the keys of one direction of one epoch (PROTOCOL.md 5)."""
+"""The suites: how one record is sealed and opened under the keys of one direction of one epoch (PROTOCOL.md 5)."""
 
 import hashlib
 import hmac
