@@ -46,8 +46,8 @@ QtTimeSeriesChart::QtTimeSeriesChart(const ChartTitle &title, QWidget *parent) :
     m_time = new QValueAxis(m_chart);
     m_value = new QValueAxis(m_chart);
     for (QValueAxis *axis : {m_time, m_value}) {
-        // ChartPainter paints grid and labels in half the time (BENCHMARKS.md, Window): Qt Charts lays out a text document for
-        // each label, and does not move its grid with a fixed plot area.
+        // ChartPainter paints grid and labels, at less than half the cost (BENCHMARKS.md, Window): Qt Charts lays out a text
+        // document for each label, and does not move its grid with a fixed plot area.
         axis->setLabelsVisible(false);
         axis->setGridLineVisible(false);
         axis->setLineVisible(false);
