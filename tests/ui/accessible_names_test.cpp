@@ -157,7 +157,7 @@ private Q_SLOTS:
 
     void questionHasNames()
     {
-        m_station->show(sealedSnapshot(1));
+        m_station->showSealed(1);
         find<QAction>("actionLand")->trigger();
         const QStringList faults = faultsIn(*find<QDialog>("confirmCommand"));
         QVERIFY2(faults.isEmpty(), qPrintable(faults.join(QLatin1Char('\n'))));
@@ -165,7 +165,7 @@ private Q_SLOTS:
 
     void entriesOfMenusHaveNames()
     {
-        m_station->show(sealedSnapshot(1));
+        m_station->showSealed(1);
         auto *map = m_window->findChild<MapView *>();
         QContextMenuEvent click(QContextMenuEvent::Mouse, map->rect().center(), map->mapToGlobal(map->rect().center()));
         QCoreApplication::sendEvent(map, &click);

@@ -2,7 +2,6 @@
 // keys.
 #include "fake_sweep.h"
 #include "gallery_dialogs.h"
-#include "scripted_snapshots.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/mission/mission_panel.h"
@@ -69,9 +68,7 @@ private Q_SLOTS:
     {
         show(true);
         m_window->findChild<MissionPanel *>()->sendFile(missionFile(), 1);
-        engine::Snapshot other = sealedSnapshot(2);
-        other.vehicles.front().state.systemId = 2; // selected between the question and its answer
-        m_station->show(other);
+        m_station->showSealed(2, [](auto &state) { state.systemId = 2; }); // selected between the question and its answer
         m_station->requests.clear();
         QTest::mouseClick(question("confirmSendMission")->button(QMessageBox::Yes), Qt::LeftButton);
         QVERIFY(m_station->requests.empty());
@@ -190,9 +187,7 @@ private Q_SLOTS:
         show(true);
         typeParameter(QStringLiteral("5200"));
         EVENTUALLY(isAsked("confirmParameter"));
-        engine::Snapshot other = sealedSnapshot(2);
-        other.vehicles.front().state.systemId = 2;
-        m_station->show(other);
+        m_station->showSealed(2, [](auto &state) { state.systemId = 2; });
         EVENTUALLY(!isAsked("confirmParameter"));
         QVERIFY(m_station->written.empty());
     }
@@ -243,9 +238,7 @@ private:
 
     void show(bool armed)
     {
-        engine::Snapshot snapshot = sealedSnapshot(1);
-        snapshot.vehicles.front().state.armed = armed;
-        m_station->show(snapshot);
+        m_station->showSealed(1, [armed](auto &state) { state.armed = armed; });
         m_station->requests.clear(); // of panels that read as soon as a vehicle is there
     }
 

@@ -1,7 +1,6 @@
 // The checklist before a flight: ticked by mouse, keys or the values of the vehicle, remembered for each vehicle, asked about
 // before Arm, and open again after the flight.
 #include "confirm_question.h"
-#include "scripted_snapshots.h"
 #include "tests/support/test_runner.h"
 #include "ui/flight/hold_button.h"
 #include "ui/flight/pre_arm_dialog.h"
@@ -19,23 +18,22 @@
 using namespace skyseal;
 using namespace skyseal::ui;
 
-namespace {
-
-engine::Snapshot landed(double time, double batteryPercent = 95)
-{
-    engine::Snapshot snapshot = sealedSnapshot(time);
-    snapshot.vehicles.front().state.armed = false;
-    snapshot.vehicles.front().state.batteryPercent = batteryPercent;
-    return snapshot;
-}
-
-} // namespace
-
 class ChecklistBoxTest : public QObject, private WindowRig
 {
     Q_OBJECT
 
 private:
+    /// On the ground, with a full battery.
+    void showLanded(double time, const ChangeState &change = {})
+    {
+        m_station->showSealed(time, [&change](auto &state) {
+            state.armed = false;
+            state.batteryPercent = 95;
+            if (change)
+                change(state);
+        });
+    }
+
     QString write(const char *text) const
     {
         const QString path = m_folder->filePath(QStringLiteral("quad.txt"));
@@ -88,7 +86,7 @@ private Q_SLOTS:
 
     void itemsAreTickedByHandAndByValues()
     {
-        m_station->show(landed(1, 80));
+        showLanded(1, [](auto &state) { state.batteryPercent = 80; });
         openList();
         QVERIFY(!list().isVisible());
         QVERIFY2(title().contains(QStringLiteral("vehicle 1")), qPrintable(title()));
@@ -106,12 +104,10 @@ private Q_SLOTS:
         QVERIFY2(list().item(2)->text().contains(QStringLiteral("not yet: battery_percent>=90")),
                  qPrintable(list().item(2)->text()));
         QCOMPARE(title(), QStringLiteral("Checklist quad.txt: 2 of 3 done"));
-        m_station->show(landed(2, 95));
+        showLanded(2);
         QVERIFY(isChecked(2));
         QVERIFY(list().item(2)->text().contains(QStringLiteral("automatic")));
-        engine::Snapshot old = landed(3, 95);
-        old.vehicles.front().state.messageAge = 12;
-        m_station->show(old);
+        showLanded(3, [](auto &state) { state.messageAge = 12; });
         QVERIFY(!isChecked(2)); // nobody knows
         clickBox(0);
         QVERIFY(!isChecked(0));
@@ -119,7 +115,7 @@ private Q_SLOTS:
 
     void armAsksWhileSomethingIsOpen()
     {
-        m_station->show(landed(1));
+        showLanded(1);
         openList();
         choose(write("Propellers tight\nBattery full [battery_percent>=90]\n"));
         holdArm();
@@ -147,7 +143,7 @@ private Q_SLOTS:
     /// Holding Arm must not do nothing because another question is open, perhaps behind the window.
     void questionToArmTakesThePlaceOfAnother()
     {
-        m_station->show(landed(1));
+        showLanded(1);
         openList();
         choose(write("Propellers tight\nArea clear\n"));
         find<QAction>("actionLand")->trigger();
@@ -167,51 +163,49 @@ private Q_SLOTS:
 
     void ticksEndWithTheFlight()
     {
-        m_station->show(landed(1));
+        showLanded(1);
         openList();
         choose(write("Propellers tight\n"));
         clickBox(0);
-        m_station->show(sealedSnapshot(2)); // armed
+        m_station->showSealed(2); // armed
         QVERIFY(isChecked(0));
-        m_station->show(landed(3));
+        showLanded(3);
         QVERIFY(!isChecked(0));
     }
 
     void eachVehicleHasItsOwnAndItIsRemembered()
     {
-        m_station->show(landed(1));
+        showLanded(1);
         openList();
         const QString file = write("Propellers tight\nBattery [volts>3]\n");
         choose(file);
         const QString problem = find<QLabel>("checklistProblems")->text();
         QVERIFY2(problem.startsWith(QStringLiteral("quad.txt:2:10: expected a field's name")), qPrintable(problem));
-        engine::Snapshot other = landed(2);
-        other.vehicles.front().state.systemId = 2;
-        m_station->show(other);
+        showLanded(2, [](auto &state) { state.systemId = 2; });
         QVERIFY(!list().isVisible());
         QVERIFY(title().contains(QStringLiteral("vehicle 2")));
 
         open(); // the program starts again
-        m_station->show(landed(3));
+        showLanded(3);
         openList();
         QCOMPARE(title(), QStringLiteral("Checklist quad.txt: 0 of 2 done"));
         QTest::mouseClick(find<QPushButton>("checklistRemove"), Qt::LeftButton);
         QVERIFY(!list().isVisible());
         open();
-        m_station->show(landed(4));
+        showLanded(4);
         openList();
         QVERIFY(!list().isVisible());
     }
 
     void lostFileIsSaidAndAskedAbout()
     {
-        m_station->show(landed(1));
+        showLanded(1);
         openList();
         const QString file = write("Propellers tight\n");
         choose(file);
         QVERIFY(QFile::remove(file));
         open();
-        m_station->show(landed(2));
+        showLanded(2);
         holdArm();
         QVERIFY(find<QMessageBox>("confirmCommand")->informativeText().contains(QStringLiteral("cannot be read")));
         openList();

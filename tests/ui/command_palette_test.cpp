@@ -1,5 +1,4 @@
 // The palette finds every entry of the menus by parts of its name, says why one is not possible, and chooses one by keys alone.
-#include "scripted_snapshots.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "window_rig.h"
@@ -79,9 +78,7 @@ private Q_SLOTS:
 
     void commandsThatMakeNoSenseNowSayWhy()
     {
-        engine::Snapshot snapshot = sealedSnapshot(1);
-        snapshot.vehicles.front().state.armed = false;
-        m_station->show(snapshot);
+        m_station->showSealed(1, [](auto &state) { state.armed = false; });
         openPalette();
         const auto *model = qobject_cast<QStandardItemModel *>(list()->model());
         const auto reason = [&](const char *name) { return model->item(rowOf(QString::fromUtf8(name)), 1)->text(); };
@@ -93,7 +90,7 @@ private Q_SLOTS:
 
     void clickOnAnImpossibleEntryDoesNothing()
     {
-        m_station->show(sealedSnapshot(1)); // armed
+        m_station->showSealed(1); // armed
         openPalette();
         type(QStringLiteral("vehicle arm"));
         const int arm = rowOf(QStringLiteral("Vehicle › Arm…"));
@@ -107,7 +104,7 @@ private Q_SLOTS:
 
     void submenusAreFilled()
     {
-        m_station->show(sealedSnapshot(1));
+        m_station->showSealed(1);
         openPalette();
         type(QStringLiteral("mode"));
         QVERIFY2(shown().contains(QStringLiteral("Vehicle › Mode › GUIDED…")), qPrintable(shown().join(QLatin1Char('\n'))));

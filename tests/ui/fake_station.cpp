@@ -9,9 +9,25 @@ void FakeStation::show(const engine::Snapshot &snapshot)
     Q_EMIT snapshotReady(std::make_shared<const engine::Snapshot>(snapshot));
 }
 
-void FakeStation::showSealed(double time)
+void FakeStation::showSealed(double time, const ChangeState &change)
 {
-    show(sealedSnapshot(time));
+    engine::Snapshot snapshot = sealedSnapshot(time);
+    if (change)
+        change(snapshot.vehicles.front().state);
+    show(snapshot);
+}
+
+void FakeStation::showTwoSealed(double time, const ChangeState &change, const ChangeState &changeSecond)
+{
+    engine::Snapshot snapshot = sealedSnapshot(time);
+    snapshot.vehicles.push_back(snapshot.vehicles.front());
+    vehicle::VehicleState &second = snapshot.vehicles.back().state;
+    second.systemId = 2;
+    if (change)
+        change(snapshot.vehicles.front().state);
+    if (changeSecond)
+        changeSecond(second);
+    show(snapshot);
 }
 
 void FakeStation::showPlain(double time)
@@ -22,6 +38,11 @@ void FakeStation::showPlain(double time)
 void FakeStation::showWaiting()
 {
     show(waitingSnapshot());
+}
+
+void FakeStation::showPendingApproval()
+{
+    show(pendingApprovalSnapshot());
 }
 
 void FakeStation::showReplay(const engine::Snapshot &snapshot)

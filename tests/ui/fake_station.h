@@ -1,6 +1,7 @@
 // A station without sockets: records the requests of the window; a test (or the gallery) emits snapshots and events.
 #pragma once
 
+#include "scripted_views.h"
 #include "ui/station_interface.h"
 
 #include <utility>
@@ -61,10 +62,13 @@ public:
     void stopListing() override { ++listingsStopped; }
 
     void show(const engine::Snapshot &snapshot);
-    /// Those of scripted_snapshots.h, for tests that need not change them.
-    void showSealed(double time);
+    /// Those of scripted_snapshots.h, for tests that change nothing of them but the state of a vehicle.
+    void showSealed(double time, const ChangeState &change = {});
+    /// Vehicles 1 and 2 in one session: `change` is of the first one's state, `changeSecond` of the other's.
+    void showTwoSealed(double time, const ChangeState &change = {}, const ChangeState &changeSecond = {});
     void showPlain(double time);
     void showWaiting();
+    void showPendingApproval();
     void notify(const engine::Event &event) { Q_EMIT eventOccurred(event); }
     void showReplay(const engine::Snapshot &snapshot);
     void notifyReplay(const engine::Event &event) { Q_EMIT replayEventOccurred(event); }

@@ -1,6 +1,5 @@
 // Where the keyboard is: Esc leads from the menus back to the control before, in one step, and Tab stops nowhere out of sight.
 // By real key events.
-#include "scripted_snapshots.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/window/tab_stops.h"
@@ -40,7 +39,7 @@ private Q_SLOTS:
     void init()
     {
         setUp();
-        m_station->show(sealedSnapshot(1));
+        m_station->showSealed(1);
         m_window->activateWindow();
         EVENTUALLY(QApplication::activeWindow() == m_window.get());
     }

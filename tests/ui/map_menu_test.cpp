@@ -338,7 +338,7 @@ private:
     void showIn(State state)
     {
         if (state == State::NoVehicle)
-            return m_station->show(waitingSnapshot());
+            return m_station->showWaiting();
         show([state](vehicle::VehicleState &vehicle) {
             if (state == State::Disarmed)
                 vehicle.armed = false;

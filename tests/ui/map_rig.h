@@ -2,7 +2,6 @@
 #pragma once
 
 #include "confirm_question.h"
-#include "scripted_snapshots.h"
 #include "ui/map/map_view.h"
 #include "window_rig.h"
 
@@ -29,28 +28,12 @@ protected:
         showCopter();
     }
 
-    template<typename Change> void show(Change change)
-    {
-        engine::Snapshot snapshot = sealedSnapshot(++m_time);
-        vehicle::VehicleState &state = snapshot.vehicles.front().state;
-        state.autopilot = mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA;
-        state.type = mavlink::MAV_TYPE_QUADROTOR;
-        state.mode = "GUIDED";
-        state.armed = true;
-        state.altitudeRelative = m_altitude;
-        change(state);
-        snapshot.vehicles.front().mission = m_mission;
-        m_station->show(snapshot);
-    }
+    void show(const ChangeState &change = {});
 
     /// Vehicle 2, some 50 m north of vehicle 1.
     void addOther()
     {
-        engine::Snapshot snapshot = sealedSnapshot(++m_time);
-        snapshot.vehicles.push_back(snapshot.vehicles.front());
-        snapshot.vehicles.back().state.systemId = 2;
-        snapshot.vehicles.back().state.position.latitude += 0.0005;
-        m_station->show(snapshot);
+        m_station->showTwoSealed(++m_time, {}, [](auto &second) { second.position.latitude += 0.0005; });
     }
 
     LatLong placeAt(const QPoint &pixel) const { return mercator::unproject(m_map->viewport().toMetres(pixel)); }
@@ -96,7 +79,7 @@ protected:
 private:
     void showCopter()
     {
-        show([](vehicle::VehicleState &) {});
+        show();
         m_map = find<MapView>("map");
     }
 };

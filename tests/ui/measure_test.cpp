@@ -1,5 +1,4 @@
 // Measuring on the map by clicks and keys; nothing of the vehicle is touched meanwhile.
-#include "scripted_snapshots.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/map/map_view.h"
@@ -23,11 +22,7 @@ private Q_SLOTS:
     void init()
     {
         setUp();
-        engine::Snapshot snapshot = sealedSnapshot(1);
-        snapshot.vehicles.push_back(snapshot.vehicles.front());
-        snapshot.vehicles.back().state.systemId = 2; // some 55 m north of vehicle 1
-        snapshot.vehicles.back().state.position.latitude += 0.0005;
-        m_station->show(snapshot);
+        m_station->showTwoSealed(1, {}, [](auto &second) { second.position.latitude += 0.0005; }); // some 55 m further north
         m_map = find<MapView>("map");
         m_tool = &m_map->measure();
     }

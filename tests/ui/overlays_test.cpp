@@ -1,6 +1,5 @@
 // Overlays: added, coloured, hidden, removed and told about through the dialog by real input, drawn by the map, and kept in the
 // settings; and their projection across the 180th meridian and around a pole.
-#include "scripted_snapshots.h"
 #include "tests/support/test_runner.h"
 #include "ui/map/clip.h"
 #include "ui/map/map_view.h"
@@ -63,7 +62,7 @@ private Q_SLOTS:
     void init()
     {
         setUp();
-        m_station->show(sealedSnapshot(1));
+        m_station->showSealed(1);
     }
     void cleanup() { tearDown(); }
 
@@ -76,7 +75,7 @@ private Q_SLOTS:
         QVERIFY(cell(0, OverlayModel::State).isEmpty());
         QVERIFY(isDrawn(OverlayColor::Blue));
         open(); // the choice stays
-        m_station->show(sealedSnapshot(2));
+        m_station->showSealed(2);
         EVENTUALLY(isDrawn(OverlayColor::Blue));
         QCOMPARE(loadOverlays(*m_store).size(), qsizetype(1));
     }
@@ -136,7 +135,7 @@ private Q_SLOTS:
         fileOf("field.kml", fieldKml() + "\n");
         QVERIFY(QFile::remove(gone));
         open();
-        m_station->show(sealedSnapshot(2));
+        m_station->showSealed(2);
         openDialog();
         EVENTUALLY_EQUAL(cell(0, OverlayModel::State), QStringLiteral("Changed since it was added"));
         EVENTUALLY(cell(1, OverlayModel::State).startsWith(QStringLiteral("Not shown: gone.json: ")));
@@ -207,10 +206,10 @@ private Q_SLOTS:
         for (const double longitude : {-179.5, 179.5, 180.5}) {
             MapView map;
             map.resize(400, 300);
-            engine::Snapshot snapshot = sealedSnapshot(1);
-            snapshot.vehicles.front().state.position.latitude = 0.5;
-            snapshot.vehicles.front().state.position.longitude = longitude;
-            map.showViewState(viewOf(std::make_shared<const engine::Snapshot>(snapshot), 1));
+            map.showViewState(sealedView(1, [longitude](auto &state) {
+                state.position.latitude = 0.5;
+                state.position.longitude = longitude;
+            }));
             map.overlays().setFiles(overlays().files());
             const auto drawn = [&map] {
                 return isTinted(map.grab().toImage(), {40, 220}, overlayColor(OverlayColor::Blue, map.palette()),

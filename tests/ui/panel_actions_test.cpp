@@ -202,10 +202,7 @@ private Q_SLOTS:
 
     void namesTheVehicleAmongSeveral()
     {
-        engine::Snapshot snapshot = sealedSnapshot(5);
-        snapshot.vehicles.push_back(snapshot.vehicles.front());
-        snapshot.vehicles.back().state.systemId = 2;
-        m_station->show(snapshot);
+        m_station->showTwoSealed(5);
         const QString said = find<QPushButton>("parameterFetch")->accessibleName();
         QVERIFY(said != QLatin1String("Fetch the parameters"));
         QVERIFY(paletteEntries().contains(QStringLiteral("Parameters › ") + said));

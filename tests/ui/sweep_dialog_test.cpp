@@ -1,7 +1,6 @@
 // The question before a sweep, by clicks and without any program: what is chosen is what is ordered, above all over which
 // links.
 #include "fake_station.h"
-#include "scripted_snapshots.h"
 #include "tests/support/test_runner.h"
 #include "ui/security/suite_actions.h"
 #include "ui/sweep/link_conditions.h"
@@ -129,7 +128,7 @@ private Q_SLOTS:
 
     void connectedLinkIsMeasuredAsItIs()
     {
-        const ViewState view = viewOf(std::make_shared<const engine::Snapshot>(sealedSnapshot(1)), 0);
+        const ViewState view = sealedView(1);
         SweepDialog &dialog = open(view);
         QVERIFY(dialog.order().target == SweepTarget::Connected);
         auto &links = *dialog.findChild<LinkConditions *>();

@@ -1,7 +1,6 @@
 // Touch-sized controls on small screens: no workspace and no dialog needs more room than the screen has.
 #include "fake_sweep.h"
 #include "gallery_dialogs.h"
-#include "scripted_snapshots.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/form_scroll.h"
@@ -77,7 +76,7 @@ private Q_SLOTS:
             if (state[0] == 'w')
                 m_station->showWaiting();
             else
-                m_station->show(severalVehicles());
+                m_station->showTwoSealed(2, [](auto &first) { first.systemId = 255; }); // each button names its vehicle
             QCoreApplication::sendPostedEvents();
             QCoreApplication::processEvents();
             const QSize least = m_window->minimumSizeHint();
@@ -184,14 +183,6 @@ private:
             QTest::keyClick(touch, Qt::Key_Space);
         QTest::mouseClick(dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
         EVENTUALLY(!m_window->findChild<QDialog *>(QStringLiteral("settingsDialog")));
-    }
-
-    static engine::Snapshot severalVehicles()
-    {
-        engine::Snapshot snapshot = sealedSnapshot(2);
-        snapshot.vehicles.push_back(snapshot.vehicles.front());
-        snapshot.vehicles.front().state.systemId = 255; // each button names its vehicle
-        return snapshot;
     }
 
     FakeSweep m_sweeps;

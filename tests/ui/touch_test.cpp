@@ -1,5 +1,4 @@
 // The window by fingers: touch-sized controls, held buttons, the map's gestures and lists that scroll under a finger.
-#include "scripted_snapshots.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/dialogs/settings_dialog.h"
@@ -41,7 +40,7 @@ private Q_SLOTS:
     {
         setUp();
         m_window->resize(1366, 768);
-        m_station->show(sealedSnapshot(1));
+        m_station->showSealed(1);
     }
     void cleanup()
     {
@@ -167,12 +166,7 @@ private Q_SLOTS:
 
     void tapSelectsAVehicle()
     {
-        engine::Snapshot two = sealedSnapshot(2);
-        two.vehicles.push_back(two.vehicles.front());
-        two.vehicles[1].state.systemId = 2;
-        two.vehicles[1].state.position.latitude += 0.0004;
-        m_station->show(two);
-        m_station->show(two);
+        m_station->showTwoSealed(2, {}, [](auto &second) { second.position.latitude += 0.0004; });
         const QPoint other = map()->viewport().toPixels(map()->content().others().front().metres).toPoint();
         QVERIFY(map()->rect().contains(other));
         QTest::touchEvent(map(), m_finger).press(0, other, map());

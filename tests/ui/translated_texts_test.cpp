@@ -1,6 +1,5 @@
 // The window in German: no text is looked up in vain, and no menu has two entries with one letter.
 #include "gallery_dialogs.h"
-#include "scripted_snapshots.h"
 #include "tests/support/test_runner.h"
 #include "ui/language.h"
 #include "window_rig.h"
@@ -69,9 +68,11 @@ private Q_SLOTS:
 
     void noTextOfTheWindowIsMissed()
     {
-        for (const engine::Snapshot &snapshot :
-             {waitingSnapshot(), pendingApprovalSnapshot(), plainSnapshot(1), sealedSnapshot(2), sealedSnapshot(3)})
-            m_station->show(snapshot);
+        m_station->showWaiting();
+        m_station->showPendingApproval();
+        m_station->showPlain(1);
+        m_station->showSealed(2);
+        m_station->showSealed(3);
         for (const QString &workspace :
              {QStringLiteral("fly"), QStringLiteral("plan"), QStringLiteral("vehicle"), QStringLiteral("lab")})
             find<QAction>(qPrintable(QStringLiteral("workspace_") + workspace))->trigger();
@@ -99,7 +100,7 @@ private Q_SLOTS:
 
     void lettersOfAMenuDiffer()
     {
-        m_station->show(sealedSnapshot(1));
+        m_station->showSealed(1);
         QStringList twice = sharedLetters(m_window->menuBar()->actions());
         for (const QAction *menu : m_window->menuBar()->actions())
             twice += sharedLetters(menu->menu()->actions());

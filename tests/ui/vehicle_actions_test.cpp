@@ -1,5 +1,4 @@
 // The buttons and the menu that command the vehicle: what they offer follows the vehicle, and results are said once.
-#include "scripted_snapshots.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/flight/hold_button.h"
@@ -200,10 +199,7 @@ private Q_SLOTS:
 
     void resultsDoNotStayForAnotherVehicle()
     {
-        engine::Snapshot two = sealedSnapshot(++m_time);
-        two.vehicles.push_back(two.vehicles.front());
-        two.vehicles.back().state.systemId = 2;
-        m_station->show(two);
+        m_station->showTwoSealed(++m_time);
         auto *button = find<HoldButton>("landButton");
         QTest::mouseClick(button, Qt::LeftButton);
         EVENTUALLY(!find<QLabel>("commandResult")->text().isEmpty());
@@ -216,10 +212,10 @@ private Q_SLOTS:
 private:
     void show(const char *mode, bool armed = true)
     {
-        engine::Snapshot snapshot = sealedSnapshot(++m_time);
-        snapshot.vehicles.front().state.mode = mode;
-        snapshot.vehicles.front().state.armed = armed;
-        m_station->show(snapshot);
+        m_station->showSealed(++m_time, [&](auto &state) {
+            state.mode = mode;
+            state.armed = armed;
+        });
     }
     void openVehicleMenu()
     {

@@ -3,7 +3,6 @@
 // are kept in the folder that SKYSEAL_PICTURES names.
 #include "ui/flight/hold_button.h"
 #include "ui/held_keys.h"
-#include "scripted_snapshots.h"
 #include "window_rig.h"
 
 #include <QtCore/QDir>
@@ -227,11 +226,8 @@ void X11Test::heldSpaceCommandsNothingElsewhere()
 void X11Test::alertsAreReachedAfterAMenu()
 {
     setUp();
-    engine::Snapshot lost = sealedSnapshot(1);
-    m_station->show(lost);
-    lost.time = 2;
-    lost.vehicles.front().state.messageAge = 4.2;
-    m_station->show(lost);
+    m_station->showSealed(1);
+    m_station->showSealed(2, [](auto &state) { state.messageAge = 4.2; });
     EVENTUALLY(m_window->isActiveWindow());
     const auto *dismiss = find<QToolButton>("alertDismiss0");
     QVERIFY(dismiss->isVisible());

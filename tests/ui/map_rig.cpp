@@ -1,0 +1,23 @@
+#include "map_rig.h"
+
+#include "core/mavlink/enums.h"
+#include "scripted_snapshots.h"
+
+namespace skyseal::ui {
+
+void MapRig::show(const ChangeState &change)
+{
+    engine::Snapshot snapshot = sealedSnapshot(++m_time);
+    vehicle::VehicleState &state = snapshot.vehicles.front().state;
+    state.autopilot = mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA;
+    state.type = mavlink::MAV_TYPE_QUADROTOR;
+    state.mode = "GUIDED";
+    state.armed = true;
+    state.altitudeRelative = m_altitude;
+    if (change)
+        change(state);
+    snapshot.vehicles.front().mission = m_mission;
+    m_station->show(snapshot);
+}
+
+} // namespace skyseal::ui
