@@ -15,6 +15,7 @@
 #include "app/common/process.h"
 #include "app/common/service_manager.h"
 #include "core/crypto/init_crypto.h"
+#include "core/engine/agent/vehicle_key.h"
 #include "core/engine/agent/vehicle_signing.h"
 #include "core/keys/file_io.h"
 #include "core/keys/peers_file.h"

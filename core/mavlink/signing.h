@@ -1,21 +1,14 @@
 // MAVLink 2 message signing in the standard format: https://mavlink.io/en/guide/message_signing.html
-// A signed frame ends in a link id, 48 bits of time and the first 48 bits of SHA-256 over the key and everything
-// before it.
 #pragma once
 
 #include "core/base/clock.h"
 #include "core/base/secret_bytes.h"
-#include "core/mavlink/frame.h"
+#include "core/mavlink/signature.h"
 
 #include <algorithm>
 #include <array>
 
 namespace skyseal::mavlink {
-
-/// Units of 10 µs since 2015-01-01 UTC, 48 bits.
-using SigningTime = std::uint64_t;
-inline constexpr SigningTime kMaxSigningTime = (SigningTime(1) << 48) - 1;
-inline constexpr SigningTime kSigningMinute = 6'000'000;
 
 /// 0 for moments before 2015.
 SigningTime signingTime(WallTime time);
@@ -54,28 +47,6 @@ inline bool signatureMatches(const Frame &frame, const Key32 &key)
 {
     return signatureMatches(frame.bytes(), key);
 }
-
-/// Of a signed frame.
-std::uint8_t signatureLinkId(ByteView frame);
-SigningTime signatureTime(ByteView frame);
-inline std::uint8_t signatureLinkId(const Frame &frame)
-{
-    return signatureLinkId(frame.bytes());
-}
-inline SigningTime signatureTime(const Frame &frame)
-{
-    return signatureTime(frame.bytes());
-}
-
-enum class SignatureVerdict : std::uint8_t {
-    Good,
-    Unsigned,
-    Wrong,         ///< made with another key, or changed in transit
-    Replayed,      ///< not newer than the last one of its stream
-    TooOld,        ///< a new stream that begins more than a minute behind
-    TooManyStreams ///< a new stream beyond the greatest number of streams
-};
-inline constexpr std::size_t kSignatureVerdicts = 6;
 
 /// Verifies frames with one key and keeps the last time of every stream (link id, system, component). Only frames with a
 /// valid signature update these times.

@@ -1,6 +1,7 @@
 #include "tests/engine/agent_rig.h"
 
 #include "core/engine/agent/agent_core.h"
+#include "core/engine/agent/vehicle_key.h"
 #include "core/engine/agent/vehicle_signing.h"
 #include "core/mavlink/signing.h"
 #include "tests/support/addresses.h"

@@ -1,9 +1,11 @@
 // A flight with MAVLink signing between agent and vehicle, over real sockets: what the vehicle signed reaches the ground byte
 // for byte, what a station commands is signed, and a device without the key is nobody on the vehicle's side.
 #include "core/engine/agent/agent_core.h"
+#include "core/engine/agent/vehicle_key.h"
 #include "core/engine/agent/vehicle_signing.h"
 #include "core/engine/station/snapshot.h"
 #include "core/mavlink/messages.h"
+#include "core/mavlink/signing.h"
 #include "tests/engine/engine_rig.h"
 #include "tests/engine/ground.h"
 #include "tests/support/clear_frames.h"

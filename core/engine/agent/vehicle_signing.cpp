@@ -1,8 +1,11 @@
 #include "core/engine/agent/vehicle_signing.h"
 
+#include "core/base/locked_memory.h"
+#include "core/engine/agent/vehicle_key.h"
 #include "core/mavlink/frame_header.h"
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"
+#include "core/mavlink/signing.h"
 
 #include <algorithm>
 
@@ -25,20 +28,29 @@ std::uint64_t refusedOf(const SigningCounters &counters)
 
 } // namespace
 
+struct VehicleSigning::Keyed : InLockedMemory
+{
+    Keyed(Key32 key, Time start) : signer(key.clone(), kLinkId, start), verifier(std::move(key), start) {}
+
+    mavlink::FrameSigner signer;
+    mavlink::SignatureVerifier verifier;
+};
+
 VehicleSigning::VehicleSigning(VehicleKey key, bool acceptUnsigned)
-    : m_signer(key.key.clone(), kLinkId, key.times ? key.times->storedAtStart() : 0),
-      m_verifier(std::move(key.key), m_signer.lastTime()), m_times(std::move(key.times)), m_acceptUnsigned(acceptUnsigned),
-      m_stored(m_signer.lastTime())
+    : m_keyed(std::make_unique<Keyed>(std::move(key.key), key.times ? key.times->storedAtStart() : 0)),
+      m_times(std::move(key.times)), m_acceptUnsigned(acceptUnsigned), m_stored(m_keyed->signer.lastTime())
 {}
+
+VehicleSigning::~VehicleSigning() = default;
 
 bool VehicleSigning::accept(ByteView frame)
 {
-    const SignatureVerdict verdict = m_verifier.check(frame);
+    const SignatureVerdict verdict = m_keyed->verifier.check(frame);
     m_refusedFor = verdict;
     switch (verdict) {
     case SignatureVerdict::Good:
         ++m_counters.verified;
-        m_signer.advanceTo(m_verifier.newestTime());
+        m_keyed->signer.advanceTo(m_keyed->verifier.newestTime());
         storeTime();
         return true;
     case SignatureVerdict::Unsigned:
@@ -87,7 +99,7 @@ ByteView VehicleSigning::sign(ByteView frame, bool mayCommand)
 
 ByteView VehicleSigning::signedCopy(ByteView frame)
 {
-    const ByteView out = m_signer.signCopy(frame, m_buffer);
+    const ByteView out = m_keyed->signer.signCopy(frame, m_buffer);
     storeTime();
     return out;
 }
@@ -122,7 +134,7 @@ bool VehicleSigning::hasPlace(ByteView frame, bool mayCommand)
 
 void VehicleSigning::storeTime()
 {
-    const Time now = m_signer.lastTime();
+    const Time now = m_keyed->signer.lastTime();
     if (now + kLeastAhead <= m_stored || !m_times)
         return;
     m_stored = std::min(now + kAhead, mavlink::kMaxSigningTime);

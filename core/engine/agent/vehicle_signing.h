@@ -11,20 +11,24 @@
 #pragma once
 
 #include "core/base/clock.h"
-#include "core/base/locked_memory.h"
 #include "core/engine/agent/agent_event.h"
 #include "core/engine/agent/agent_snapshot.h"
-#include "core/engine/agent/vehicle_key.h"
 #include "core/mavlink/enums.h"
-#include "core/mavlink/signing.h"
+#include "core/mavlink/signature.h"
 
 #include <array>
+#include <memory>
 #include <vector>
+
+namespace skyseal::keys {
+class SigningTimeFile;
+}
 
 namespace skyseal::engine {
 
-/// Create with `new`: its pages are locked.
-class VehicleSigning : public InLockedMemory
+struct VehicleKey;
+
+class VehicleSigning
 {
 public:
     using Time = mavlink::SigningTime;
@@ -43,6 +47,7 @@ public:
 
     /// `acceptUnsigned`: unsigned frames of the vehicle's side are forwarded to the ground as well; never wrongly signed ones.
     VehicleSigning(VehicleKey key, bool acceptUnsigned);
+    ~VehicleSigning();
 
     /// Whether a whole frame from the vehicle's link is accepted as the vehicle's. Counts it.
     bool accept(ByteView frame);
@@ -77,8 +82,8 @@ private:
     void storeTime();
     Pending &pending(Kind kind) { return m_pending[static_cast<std::size_t>(kind)]; }
 
-    mavlink::FrameSigner m_signer;
-    mavlink::SignatureVerifier m_verifier;
+    struct Keyed; ///< holds the key, in locked pages
+    std::unique_ptr<Keyed> m_keyed;
     std::unique_ptr<keys::SigningTimeFile> m_times;
     const bool m_acceptUnsigned;
     Time m_stored;                                                            ///< stored, or being stored
