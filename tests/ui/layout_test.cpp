@@ -228,12 +228,12 @@ private Q_SLOTS:
     /// Roll, heading and pitch, each in its third of the band above the compass.
     void horizonWritesItsNumbers()
     {
-        constexpr int kTape = 52, kCompass = 24, kRow = 20, kThird = 69;
+        constexpr int kTape = 52, kCompass = 24, kBand = 20, kThird = 69;
         Horizon horizon;
         horizon.resize(2 * kTape + 3 * kThird, 320);
         const auto numbers = [&](const HorizonValues &values) {
             horizon.showValues(values);
-            return horizon.grab(QRect(kTape, horizon.height() - kCompass - kRow, 3 * kThird, kRow)).toImage();
+            return horizon.grab(QRect(kTape, horizon.height() - kCompass - kBand, 3 * kThird, kBand)).toImage();
         };
         const HorizonValues values{.roll = 0, .pitch = -60, .heading = 10}; // nothing but ground behind the numbers
         const QImage before = numbers(values);
@@ -244,7 +244,7 @@ private Q_SLOTS:
         for (int i = 0; i < 3; ++i) {
             const QImage after = numbers(changed[i]);
             for (int third = 0; third < 3; ++third) {
-                const QRect place(third * kThird, 0, kThird, kRow);
+                const QRect place(third * kThird, 0, kThird, kBand);
                 QCOMPARE(after.copy(place) != before.copy(place), i == third);
             }
         }

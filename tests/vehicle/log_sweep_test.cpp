@@ -12,6 +12,8 @@ namespace {
 constexpr Duration kInterval = std::chrono::milliseconds(1), kRoundTrip = std::chrono::milliseconds(40);
 constexpr std::size_t kChunks = 200;
 
+using TimedRequest = QPair<double, int>; ///< seconds and first chunk
+
 /// A log of which the vehicle has streamed every chunk since a request at 0; some were lost.
 struct StreamedLog
 {
@@ -31,8 +33,7 @@ struct StreamedLog
         sweep.arrived(time, chunk);
     }
 
-    /// The next request: its time and its first chunk.
-    QPair<double, int> nextRequest()
+    TimedRequest nextRequest()
     {
         while (sweep.nextDeadline() != kNever) {
             const TimePoint now = sweep.nextDeadline();
@@ -64,30 +65,27 @@ private Q_SLOTS:
 void LogSweepTest::followsTheVehicle()
 {
     StreamedLog log({10, 50, 51, 52, 53, 54, 55, 56, 90, 150});
-    using Request = QPair<double, int>;
-    QCOMPARE(log.nextRequest(), Request(0.200, 10)); // when it has sent all, although the end is still under way
-    QCOMPARE(log.nextRequest(), Request(0.205, 50)); // not sooner than the least spacing
-    QCOMPARE(log.nextRequest(), Request(0.212, 90)); // when the whole run was sent
-    QCOMPARE(log.nextRequest(), Request(0.217, 150));
-    QCOMPARE(log.nextRequest(), Request(0.222, 10)); // again
+    QCOMPARE(log.nextRequest(), TimedRequest(0.200, 10)); // when it has sent all, although the end is still under way
+    QCOMPARE(log.nextRequest(), TimedRequest(0.205, 50)); // not sooner than the least spacing
+    QCOMPARE(log.nextRequest(), TimedRequest(0.212, 90)); // when the whole run was sent
+    QCOMPARE(log.nextRequest(), TimedRequest(0.217, 150));
+    QCOMPARE(log.nextRequest(), TimedRequest(0.222, 10)); // again
 }
 
 void LogSweepTest::chunksThatComeByThemselvesAreNotRequested()
 {
     StreamedLog log({10, 15, 16, 18, 40});
-    using Request = QPair<double, int>;
-    QCOMPARE(log.nextRequest(), Request(0.200, 10)); // sent up to 14 when the next may be requested, and then 15 and 16
-    QCOMPARE(log.nextRequest(), Request(0.207, 18));
-    QCOMPARE(log.nextRequest(), Request(0.212, 40));
+    QCOMPARE(log.nextRequest(), TimedRequest(0.200, 10)); // sent up to 14 when the next may be requested, and then 15 and 16
+    QCOMPARE(log.nextRequest(), TimedRequest(0.207, 18));
+    QCOMPARE(log.nextRequest(), TimedRequest(0.212, 40));
 }
 
 void LogSweepTest::eachBurstServesOneRequest()
 {
     StreamedLog log({10, 22, 50, 150}, 10);
-    using Request = QPair<double, int>;
-    QCOMPARE(log.nextRequest(), Request(0.200, 10));
-    QCOMPARE(log.nextRequest(), Request(0.210, 22)); // not in the same burst
-    QCOMPARE(log.nextRequest(), Request(0.220, 50));
+    QCOMPARE(log.nextRequest(), TimedRequest(0.200, 10));
+    QCOMPARE(log.nextRequest(), TimedRequest(0.210, 22)); // not in the same burst
+    QCOMPARE(log.nextRequest(), TimedRequest(0.220, 50));
 }
 
 void LogSweepTest::lastChunksAreRequestedSeveralTimesInARoundTrip()
