@@ -72,7 +72,7 @@ public:
         QStringList arguments;
         for (qsizetype i = 1; i < command.size(); ++i) {
             const QString &argument = command[i];
-            if (argument == q("-o") || argument == q("-c") || argument == q("-include"))
+            if (argument == q("-o") || argument == q("-c") || argument == q("-include") || argument == q("-Xclang"))
                 ++i; // neither an output nor precompiled headers, which contain the unchanged tree
             else if (argument.startsWith(q("-D"))) // splitCommand() leaves the backslashes before the quotes of a text
                 arguments << QString(argument).replace(QLatin1Char('\\'), QLatin1Char('"'));
