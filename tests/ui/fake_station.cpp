@@ -11,10 +11,7 @@ void FakeStation::show(const engine::Snapshot &snapshot)
 
 void FakeStation::showSealed(double time, const ChangeState &change)
 {
-    engine::Snapshot snapshot = sealedSnapshot(time);
-    if (change)
-        change(snapshot.vehicles.front().state);
-    show(snapshot);
+    Q_EMIT snapshotReady(sealedView(time, change).snapshot);
 }
 
 void FakeStation::showTwoSealed(double time, const ChangeState &change, const ChangeState &changeSecond)
