@@ -19,7 +19,7 @@ BATCH = 16
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 BUILD = pathlib.Path(sys.argv[1]).resolve()
 FOLDERS = [ROOT / folder for folder in sys.argv[2:] or ("core", "ui", "app")]
-TOGETHER = BUILD / "tidy"  # the files that include the sources, and the empty .moc files
+TOGETHER = BUILD / "tidy"  # the files that include the sources, and the empty output of moc
 
 
 def options(entry):
@@ -44,9 +44,9 @@ def batches():
 
 def check(flags, sources):
     """The findings in these sources, as text."""
-    # No check needs the output of moc, which the sources with a Q_OBJECT of their own include.
+    # No check needs the output of moc, which the sources of a Q_OBJECT include.
     for source in sources:
-        for moc in re.findall(r'^#include "(\w+\.moc)"', source.read_text(), re.M):
+        for moc in re.findall(r'^#include "(\w+\.moc|moc_\w+\.cpp)"', source.read_text(), re.M):
             (TOGETHER / moc).touch()
     name = "_".join(sources[0].relative_to(ROOT).parts)
     together = TOGETHER / f"{len(sources)}_{name}"

@@ -35,3 +35,5 @@ bool CommandGuard::eventFilter(QObject *, QEvent *event)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_command_guard.cpp"

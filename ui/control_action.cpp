@@ -107,3 +107,5 @@ QAction *focusAction(QWidget &control, const QString &text, const QKeySequence &
 }
 
 } // namespace skyseal::ui
+
+#include "moc_control_action.cpp"

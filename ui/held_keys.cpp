@@ -111,3 +111,5 @@ void HeldKeys::releaseAll()
 }
 
 } // namespace skyseal::ui
+
+#include "moc_held_keys.cpp"

@@ -79,3 +79,5 @@ void ResultLabel::paintEvent(QPaintEvent *)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_result_label.cpp"

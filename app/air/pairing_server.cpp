@@ -219,3 +219,5 @@ void PairingServer::notify(const PairingStatus &status)
 }
 
 } // namespace skyseal::app
+
+#include "moc_pairing_server.cpp"

@@ -184,3 +184,5 @@ void LaunchedSweep::end(const Reason &problem)
 }
 
 } // namespace skyseal::app
+
+#include "moc_launched_sweep.cpp"

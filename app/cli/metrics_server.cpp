@@ -93,3 +93,5 @@ QByteArray MetricsServer::answerTo(const QByteArray &request) const
 }
 
 } // namespace skyseal::app
+
+#include "moc_metrics_server.cpp"

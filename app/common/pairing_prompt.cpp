@@ -246,3 +246,5 @@ void PairingPrompt::confirm(channel::PeerRole role)
 }
 
 } // namespace skyseal::app
+
+#include "moc_pairing_prompt.cpp"

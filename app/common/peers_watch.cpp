@@ -261,3 +261,5 @@ void reportPeers(const PeersWatch &watch, bool json)
 }
 
 } // namespace skyseal::app
+
+#include "moc_peers_watch.cpp"

@@ -114,3 +114,5 @@ StopSignals::~StopSignals()
 }
 
 } // namespace skyseal::app
+
+#include "moc_process.cpp"

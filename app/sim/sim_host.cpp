@@ -204,3 +204,5 @@ void SimHost::report(link::Link &link)
 }
 
 } // namespace skyseal::app
+
+#include "moc_sim_host.cpp"

@@ -39,3 +39,5 @@ void StdinLines::read()
 }
 
 } // namespace skyseal::app
+
+#include "moc_stdin_lines.cpp"

@@ -433,3 +433,5 @@ void Application::takeScreenshot()
 }
 
 } // namespace skyseal::app
+
+#include "moc_application.cpp"

@@ -146,3 +146,5 @@ void Demo::reportEnd(const QString &name, QProcess &process)
 }
 
 } // namespace skyseal::app
+
+#include "moc_demo.cpp"

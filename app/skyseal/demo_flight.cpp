@@ -70,3 +70,5 @@ void DemoFlight::sendRequests()
 }
 
 } // namespace skyseal::app
+
+#include "moc_demo_flight.cpp"

@@ -225,3 +225,5 @@ void Keyring::changePassphrase(std::optional<crypto::Passphrase> present, std::o
 }
 
 } // namespace skyseal::app
+
+#include "moc_keyring.cpp"

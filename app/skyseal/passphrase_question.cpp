@@ -151,3 +151,5 @@ void PassphraseQuestion::setOpening(bool opening)
 }
 
 } // namespace skyseal::app
+
+#include "moc_passphrase_question.cpp"

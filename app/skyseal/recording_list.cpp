@@ -128,3 +128,5 @@ void RecordingList::save()
 }
 
 } // namespace skyseal::app
+
+#include "moc_recording_list.cpp"

@@ -179,3 +179,5 @@ void StationAdapter::endReplay()
 }
 
 } // namespace skyseal::app
+
+#include "moc_station_adapter.cpp"

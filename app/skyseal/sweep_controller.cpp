@@ -94,3 +94,5 @@ void SweepController::save(const experiment::Results &results, const QString &fo
 }
 
 } // namespace skyseal::app
+
+#include "moc_sweep_controller.cpp"

@@ -106,3 +106,5 @@ void SweepWorker::end(const QString &problem)
 }
 
 } // namespace skyseal::app
+
+#include "moc_sweep_worker.cpp"

@@ -95,3 +95,5 @@ void WindowPairing::keep(channel::Peer peer)
 }
 
 } // namespace skyseal::app
+
+#include "moc_window_pairing.cpp"

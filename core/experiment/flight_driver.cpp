@@ -128,3 +128,5 @@ void FlightDriver::abandon()
 }
 
 } // namespace skyseal::experiment
+
+#include "moc_flight_driver.cpp"

@@ -64,3 +64,5 @@ void IdleMeter::finish()
 }
 
 } // namespace skyseal::experiment
+
+#include "moc_idle_power.cpp"

@@ -328,3 +328,5 @@ void Lab::reportEnd(QProcess &process)
 }
 
 } // namespace skyseal::experiment
+
+#include "moc_lab.cpp"

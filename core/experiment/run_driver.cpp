@@ -240,3 +240,5 @@ void RunDriver::end(Reason problem)
 }
 
 } // namespace skyseal::experiment
+
+#include "moc_run_driver.cpp"

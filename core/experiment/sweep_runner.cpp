@@ -429,3 +429,5 @@ void SweepRunner::end()
 }
 
 } // namespace skyseal::experiment
+
+#include "moc_sweep_runner.cpp"

@@ -100,3 +100,5 @@ void SweepStation::giveBack(std::optional<crypto::SuiteId> resume)
 }
 
 } // namespace skyseal::experiment
+
+#include "moc_sweep_station.cpp"

@@ -366,3 +366,5 @@ std::uint64_t BatchSocket::kernelDrops() const
 }
 
 } // namespace skyseal::link
+
+#include "moc_batch_socket.cpp"

@@ -323,3 +323,5 @@ void EpollDispatcher::interrupt()
 }
 
 } // namespace skyseal::link
+
+#include "moc_epoll_dispatcher.cpp"

@@ -102,3 +102,5 @@ void Impairer::release()
 }
 
 } // namespace skyseal::link
+
+#include "moc_impairer.cpp"

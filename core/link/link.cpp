@@ -38,3 +38,5 @@ void Link::setState(LinkState state, LinkError error)
 }
 
 } // namespace skyseal::link
+
+#include "moc_link.cpp"

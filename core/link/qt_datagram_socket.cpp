@@ -98,3 +98,5 @@ std::unique_ptr<DatagramSocket> makeDatagramSocket(const LinkOptions &options)
 }
 
 } // namespace skyseal::link
+
+#include "moc_qt_datagram_socket.cpp"

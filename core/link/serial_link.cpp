@@ -117,3 +117,5 @@ void SerialLink::close()
 }
 
 } // namespace skyseal::link
+
+#include "moc_serial_link.cpp"

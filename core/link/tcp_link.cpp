@@ -117,3 +117,5 @@ void TcpLink::close()
 }
 
 } // namespace skyseal::link
+
+#include "moc_tcp_link.cpp"

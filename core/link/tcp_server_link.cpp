@@ -208,3 +208,5 @@ void TcpServerLink::close()
 }
 
 } // namespace skyseal::link
+
+#include "moc_tcp_server_link.cpp"

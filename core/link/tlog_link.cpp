@@ -118,3 +118,5 @@ void TlogLink::close()
 }
 
 } // namespace skyseal::link
+
+#include "moc_tlog_link.cpp"

@@ -161,3 +161,5 @@ void UdpLink::close()
 }
 
 } // namespace skyseal::link
+
+#include "moc_udp_link.cpp"

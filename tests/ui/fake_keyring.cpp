@@ -15,3 +15,5 @@ void FakeKeyring::changePassphrase(std::optional<crypto::Passphrase> present, st
 }
 
 } // namespace skyseal::ui
+
+#include "moc_fake_keyring.cpp"

@@ -10,3 +10,5 @@ void FakePairing::open(const std::optional<crypto::Passphrase> &passphrase)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_fake_pairing.cpp"

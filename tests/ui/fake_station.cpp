@@ -48,3 +48,5 @@ void FakeStation::showReplay(const engine::Snapshot &snapshot)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_fake_station.cpp"

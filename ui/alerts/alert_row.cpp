@@ -123,3 +123,5 @@ void AlertRow::paintEvent(QPaintEvent *)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_alert_row.cpp"

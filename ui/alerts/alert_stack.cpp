@@ -303,3 +303,5 @@ void AlertStack::paintEvent(QPaintEvent *)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_alert_stack.cpp"

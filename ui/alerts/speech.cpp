@@ -48,3 +48,5 @@ bool Speech::say(const QString &text, bool urgent)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_speech.cpp"

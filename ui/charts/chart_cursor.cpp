@@ -87,3 +87,5 @@ void ChartCursor::paintEvent(QPaintEvent *)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_chart_cursor.cpp"

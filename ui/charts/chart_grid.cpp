@@ -63,3 +63,5 @@ void ChartGrid::resizeEvent(QResizeEvent *event)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_chart_grid.cpp"

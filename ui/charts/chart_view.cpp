@@ -161,3 +161,5 @@ void ChartView::wheelEvent(QWheelEvent *event)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_chart_view.cpp"

@@ -344,3 +344,5 @@ void DiagnosticsPanel::exposedChanged(bool seen)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_diagnostics_panel.cpp"

@@ -120,3 +120,5 @@ void DiagnosticsTools::showRange(const ChartRange &range)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_diagnostics_tools.cpp"

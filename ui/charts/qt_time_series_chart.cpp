@@ -188,3 +188,5 @@ TimeSeriesChart *makeTimeSeriesChart(const ChartTitle &title, QWidget *parent)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_qt_time_series_chart.cpp"

@@ -91,3 +91,5 @@ void SuiteLegend::paintEvent(QPaintEvent *)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_suite_legend.cpp"

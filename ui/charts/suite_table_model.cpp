@@ -87,3 +87,5 @@ QVariant SuiteTableModel::headerData(int section, Qt::Orientation orientation, i
 }
 
 } // namespace skyseal::ui
+
+#include "moc_suite_table_model.cpp"

@@ -34,3 +34,5 @@ HelpDialog::HelpDialog(const QString &page, const QHash<QString, QString> &inser
 }
 
 } // namespace skyseal::ui
+
+#include "moc_help_dialog.cpp"

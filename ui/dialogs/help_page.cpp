@@ -96,3 +96,5 @@ void HelpPage::resizeEvent(QResizeEvent *event)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_help_page.cpp"

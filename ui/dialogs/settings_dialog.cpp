@@ -230,3 +230,5 @@ Settings SettingsDialog::settings() const
 }
 
 } // namespace skyseal::ui
+
+#include "moc_settings_dialog.cpp"

@@ -323,3 +323,5 @@ void ActionBar::say(const QString &line, bool ok)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_action_bar.cpp"

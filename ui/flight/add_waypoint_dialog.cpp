@@ -46,3 +46,5 @@ void AddWaypointDialog::command(VehicleCommands &commands, std::uint8_t systemId
 }
 
 } // namespace skyseal::ui
+
+#include "moc_add_waypoint_dialog.cpp"

@@ -57,3 +57,5 @@ void AltitudeBox::show()
 }
 
 } // namespace skyseal::ui
+
+#include "moc_altitude_box.cpp"

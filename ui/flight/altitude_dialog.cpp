@@ -78,3 +78,5 @@ AltitudeDialog::AltitudeDialog(VehicleCommands &commands, UnitSystem units, doub
 }
 
 } // namespace skyseal::ui
+
+#include "moc_altitude_dialog.cpp"

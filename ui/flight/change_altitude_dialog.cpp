@@ -22,3 +22,5 @@ void ChangeAltitudeDialog::command(VehicleCommands &commands, std::uint8_t syste
 }
 
 } // namespace skyseal::ui
+
+#include "moc_change_altitude_dialog.cpp"

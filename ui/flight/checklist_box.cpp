@@ -119,3 +119,5 @@ void ChecklistBox::refresh()
 }
 
 } // namespace skyseal::ui
+
+#include "moc_checklist_box.cpp"

@@ -107,3 +107,5 @@ void EmergencyStop::nameVehicle(int systemId)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_emergency_stop.cpp"

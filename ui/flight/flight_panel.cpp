@@ -74,3 +74,5 @@ void FlightPanel::applySettings(const Settings &settings)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_flight_panel.cpp"

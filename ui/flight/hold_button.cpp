@@ -175,3 +175,5 @@ void HoldButton::paintEvent(QPaintEvent *event)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_hold_button.cpp"

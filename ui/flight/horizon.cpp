@@ -217,3 +217,5 @@ void Horizon::paintNumbers(QPainter &painter, const QRectF &area) const
 }
 
 } // namespace skyseal::ui
+
+#include "moc_horizon.cpp"

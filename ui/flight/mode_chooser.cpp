@@ -75,3 +75,5 @@ void ModeChooser::nameVehicle(int systemId)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_mode_chooser.cpp"

@@ -74,3 +74,5 @@ void PreArmButton::openList()
 }
 
 } // namespace skyseal::ui
+
+#include "moc_pre_arm_button.cpp"

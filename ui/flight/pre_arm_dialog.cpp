@@ -101,3 +101,5 @@ void PreArmDialog::showViewState(const ViewState &view)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_pre_arm_dialog.cpp"

@@ -120,3 +120,5 @@ QStringList Preflight::open(std::uint8_t systemId) const
 }
 
 } // namespace skyseal::ui
+
+#include "moc_preflight.cpp"

@@ -21,3 +21,5 @@ void TakeOffDialog::command(VehicleCommands &commands, std::uint8_t systemId, do
 }
 
 } // namespace skyseal::ui
+
+#include "moc_take_off_dialog.cpp"

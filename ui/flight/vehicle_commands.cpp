@@ -121,3 +121,5 @@ void VehicleCommands::reportResult(vehicle::RequestId id, const QString &outcome
 }
 
 } // namespace skyseal::ui
+
+#include "moc_vehicle_commands.cpp"

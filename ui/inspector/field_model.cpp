@@ -81,3 +81,5 @@ QVariant FieldModel::headerData(int section, Qt::Orientation orientation, int ro
 }
 
 } // namespace skyseal::ui
+
+#include "moc_field_model.cpp"

@@ -115,3 +115,5 @@ QVariant InspectorModel::headerData(int section, Qt::Orientation orientation, in
 }
 
 } // namespace skyseal::ui
+
+#include "moc_inspector_model.cpp"

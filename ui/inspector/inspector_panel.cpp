@@ -102,3 +102,5 @@ void InspectorPanel::exposedChanged(bool seen)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_inspector_panel.cpp"

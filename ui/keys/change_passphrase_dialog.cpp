@@ -133,3 +133,5 @@ void ChangePassphraseDialog::finish(const QString &problem)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_change_passphrase_dialog.cpp"

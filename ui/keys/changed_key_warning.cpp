@@ -65,3 +65,5 @@ bool ChangedKeyWarning::isAccepted() const
 }
 
 } // namespace skyseal::ui
+
+#include "moc_changed_key_warning.cpp"

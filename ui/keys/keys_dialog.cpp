@@ -209,3 +209,5 @@ void KeysDialog::revokePeer()
 }
 
 } // namespace skyseal::ui
+
+#include "moc_keys_dialog.cpp"

@@ -132,3 +132,5 @@ void OwnKeyBox::exportKey()
 }
 
 } // namespace skyseal::ui
+
+#include "moc_own_key_box.cpp"

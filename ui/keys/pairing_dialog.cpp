@@ -269,3 +269,5 @@ void PairingDialog::agree()
 }
 
 } // namespace skyseal::ui
+
+#include "moc_pairing_dialog.cpp"

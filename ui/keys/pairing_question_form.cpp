@@ -80,3 +80,5 @@ void PairingQuestionForm::showRow(QWidget *field, bool visible)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_pairing_question_form.cpp"

@@ -68,3 +68,5 @@ bool PassphraseDialog::isToBeRemembered() const
 }
 
 } // namespace skyseal::ui
+
+#include "moc_passphrase_dialog.cpp"

@@ -38,3 +38,5 @@ std::optional<crypto::Passphrase> PassphraseField::passphrase() const
 }
 
 } // namespace skyseal::ui
+
+#include "moc_passphrase_field.cpp"

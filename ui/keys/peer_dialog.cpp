@@ -208,3 +208,5 @@ void PeerDialog::accept()
 }
 
 } // namespace skyseal::ui
+
+#include "moc_peer_dialog.cpp"

@@ -98,3 +98,5 @@ QVariant PeerModel::headerData(int section, Qt::Orientation orientation, int rol
 }
 
 } // namespace skyseal::ui
+
+#include "moc_peer_model.cpp"

@@ -78,3 +78,5 @@ QVariant ClientModel::headerData(int section, Qt::Orientation orientation, int r
 }
 
 } // namespace skyseal::ui
+
+#include "moc_client_model.cpp"

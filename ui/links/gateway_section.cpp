@@ -335,3 +335,5 @@ void GatewaySection::showState(const QString &text, const QColor &color)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_gateway_section.cpp"

@@ -278,3 +278,5 @@ void LinkDialog::browse()
 }
 
 } // namespace skyseal::ui
+
+#include "moc_link_dialog.cpp"

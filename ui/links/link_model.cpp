@@ -91,3 +91,5 @@ QVariant LinkModel::headerData(int section, Qt::Orientation orientation, int rol
 }
 
 } // namespace skyseal::ui
+
+#include "moc_link_model.cpp"

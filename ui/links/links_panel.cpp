@@ -111,3 +111,5 @@ void LinksPanel::applySettings(const Settings &settings)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_links_panel.cpp"

@@ -64,3 +64,5 @@ QString ProblemBanner::problem() const
 }
 
 } // namespace skyseal::ui
+
+#include "moc_problem_banner.cpp"

@@ -83,3 +83,5 @@ void RightsMenu::keyPressEvent(QKeyEvent *event)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_rights_menu.cpp"

@@ -100,3 +100,5 @@ void LogsPanel::showViewState(const ViewState &view)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_logs_panel.cpp"

@@ -191,3 +191,5 @@ void EmptyState::showViewState(const ViewState &view)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_empty_state.cpp"

@@ -40,3 +40,5 @@ const QPixmap &GroundPicture::picture(const Content &content, const QWidget &on)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_ground_picture.cpp"

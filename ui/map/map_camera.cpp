@@ -112,3 +112,5 @@ void MapCamera::pinch(const QPointF &from, const QPointF &to, double factor)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_map_camera.cpp"

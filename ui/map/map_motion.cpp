@@ -86,3 +86,5 @@ void MapMotion::advance(double fraction)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_map_motion.cpp"

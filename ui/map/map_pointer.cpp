@@ -54,3 +54,5 @@ void MapPointer::leave()
 }
 
 } // namespace skyseal::ui
+
+#include "moc_map_pointer.cpp"

@@ -37,3 +37,5 @@ void MapRotation::showHeading(double heading, double groundSpeed)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_map_rotation.cpp"

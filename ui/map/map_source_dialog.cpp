@@ -149,3 +149,5 @@ MapSource MapSourceDialog::source() const
 }
 
 } // namespace skyseal::ui
+
+#include "moc_map_source_dialog.cpp"

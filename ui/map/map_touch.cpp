@@ -78,3 +78,5 @@ void MapTouch::end(bool tapped)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_map_touch.cpp"

@@ -426,3 +426,5 @@ void MapView::keyPressEvent(QKeyEvent *event)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_map_view.cpp"

@@ -86,3 +86,5 @@ QString measuredText(const MeasureTool &tool, UnitSystem units)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_measure_tool.cpp"

@@ -67,3 +67,5 @@ void ProfilePanel::applySettings(const Settings &settings)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_profile_panel.cpp"

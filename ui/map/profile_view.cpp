@@ -163,3 +163,5 @@ void ProfileView::changeEvent(QEvent *event)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_profile_view.cpp"

@@ -204,3 +204,5 @@ void RegionDialog::showEnd(const RegionEnd &end)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_region_dialog.cpp"

@@ -75,3 +75,5 @@ void TileLayer::show(const MapViewport &viewport)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_tile_layer.cpp"

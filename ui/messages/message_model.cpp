@@ -103,3 +103,5 @@ QVariant MessageModel::headerData(int section, Qt::Orientation orientation, int 
 }
 
 } // namespace skyseal::ui
+
+#include "moc_message_model.cpp"

@@ -203,3 +203,5 @@ void MessagesPanel::copySelected() const
 }
 
 } // namespace skyseal::ui
+
+#include "moc_messages_panel.cpp"

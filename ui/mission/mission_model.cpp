@@ -110,3 +110,5 @@ QVariant MissionModel::headerData(int section, Qt::Orientation orientation, int 
 }
 
 } // namespace skyseal::ui
+
+#include "moc_mission_model.cpp"

@@ -238,3 +238,5 @@ void MissionPanel::handleEvent(const engine::Event &event)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_mission_panel.cpp"

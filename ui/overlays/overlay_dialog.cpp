@@ -145,3 +145,5 @@ void OverlayDialog::refresh()
 }
 
 } // namespace skyseal::ui
+
+#include "moc_overlay_dialog.cpp"

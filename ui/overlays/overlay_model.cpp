@@ -245,3 +245,5 @@ QVariant OverlayModel::headerData(int section, Qt::Orientation orientation, int 
 }
 
 } // namespace skyseal::ui
+
+#include "moc_overlay_model.cpp"

@@ -205,3 +205,5 @@ QVariant ParameterModel::headerData(int section, Qt::Orientation orientation, in
 }
 
 } // namespace skyseal::ui
+
+#include "moc_parameter_model.cpp"

@@ -207,3 +207,5 @@ void ParametersPanel::handleEvent(const engine::Event &event)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_parameters_panel.cpp"

@@ -148,3 +148,5 @@ QVariant RecordingModel::headerData(int section, Qt::Orientation orientation, in
 }
 
 } // namespace skyseal::ui
+
+#include "moc_recording_model.cpp"

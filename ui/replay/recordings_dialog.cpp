@@ -144,3 +144,5 @@ void RecordingsDialog::choose(const QString &file)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_recordings_dialog.cpp"

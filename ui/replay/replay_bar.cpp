@@ -180,3 +180,5 @@ void ReplayBar::keyPressEvent(QKeyEvent *event)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_replay_bar.cpp"

@@ -326,3 +326,5 @@ void ReplayTimeline::paintEvent(QPaintEvent *)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_replay_timeline.cpp"

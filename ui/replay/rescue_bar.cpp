@@ -57,3 +57,5 @@ RescueBar::RescueBar(const UnfinishedRun &run, QWidget *parent) : QFrame(parent)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_rescue_bar.cpp"

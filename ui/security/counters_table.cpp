@@ -107,3 +107,5 @@ void CountersTable::showRow(const Row &row, const channel::SessionStats *stats)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_counters_table.cpp"

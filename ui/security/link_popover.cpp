@@ -168,3 +168,5 @@ bool LinkPopover::eventFilter(QObject *watched, QEvent *event)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_link_popover.cpp"

@@ -337,3 +337,5 @@ void SecureLinkPanel::showNote()
 }
 
 } // namespace skyseal::ui
+
+#include "moc_secure_link_panel.cpp"

@@ -255,3 +255,5 @@ void SuiteActions::refreshChangeKeys()
 }
 
 } // namespace skyseal::ui
+
+#include "moc_suite_actions.cpp"

@@ -53,3 +53,5 @@ QSize SuiteRow::minimumSizeHint() const
 }
 
 } // namespace skyseal::ui
+
+#include "moc_suite_row.cpp"

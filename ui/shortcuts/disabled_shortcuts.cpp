@@ -43,3 +43,5 @@ DisabledShortcuts::DisabledShortcuts(const Shortcuts &shortcuts, QWidget &window
 }
 
 } // namespace skyseal::ui
+
+#include "moc_disabled_shortcuts.cpp"

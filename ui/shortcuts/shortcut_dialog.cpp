@@ -189,3 +189,5 @@ bool ShortcutDialog::eventFilter(QObject *watched, QEvent *event)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_shortcut_dialog.cpp"

@@ -33,3 +33,5 @@ void ShortcutEdit::keyPressEvent(QKeyEvent *event)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_shortcut_edit.cpp"

@@ -70,3 +70,5 @@ QVariant ShortcutModel::headerData(int section, Qt::Orientation orientation, int
 }
 
 } // namespace skyseal::ui
+
+#include "moc_shortcut_model.cpp"

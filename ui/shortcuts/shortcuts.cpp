@@ -122,3 +122,5 @@ void Shortcuts::apply()
 }
 
 } // namespace skyseal::ui
+
+#include "moc_shortcuts.cpp"

@@ -289,3 +289,5 @@ void StatusStrip::paintEvent(QPaintEvent *)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_status_strip.cpp"

@@ -213,3 +213,5 @@ void StripItem::paintEvent(QPaintEvent *)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_strip_item.cpp"

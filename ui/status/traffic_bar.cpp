@@ -83,3 +83,5 @@ void TrafficBar::showViewState(const ViewState &view)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_traffic_bar.cpp"

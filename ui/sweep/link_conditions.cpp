@@ -151,3 +151,5 @@ std::vector<Condition> LinkConditions::conditions() const
 }
 
 } // namespace skyseal::ui
+
+#include "moc_link_conditions.cpp"

@@ -163,3 +163,5 @@ void SweepBars::drawBar(QPainter &painter, const Frame &frame, std::size_t row) 
 }
 
 } // namespace skyseal::ui
+
+#include "moc_sweep_bars.cpp"

@@ -297,3 +297,5 @@ SweepOrder SweepDialog::order() const
 }
 
 } // namespace skyseal::ui
+
+#include "moc_sweep_dialog.cpp"

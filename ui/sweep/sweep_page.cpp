@@ -391,3 +391,5 @@ void SweepPage::setStatus(const QString &text, bool problem)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_sweep_page.cpp"

@@ -116,3 +116,5 @@ void SweepPresenter::saveIn(const QString &folder)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_sweep_presenter.cpp"

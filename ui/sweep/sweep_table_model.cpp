@@ -129,3 +129,5 @@ QVariant SweepTableModel::headerData(int section, Qt::Orientation orientation, i
 }
 
 } // namespace skyseal::ui
+
+#include "moc_sweep_table_model.cpp"

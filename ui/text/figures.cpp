@@ -138,3 +138,5 @@ void FigureLabel::paintEvent(QPaintEvent *)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_figures.cpp"

@@ -271,3 +271,5 @@ const QPalette &InstrumentStyle::edged(const QStyleOption &option) const
 }
 
 } // namespace skyseal::ui
+
+#include "moc_instrument_style.cpp"

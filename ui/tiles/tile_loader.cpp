@@ -70,3 +70,5 @@ void TileLoader::cancelRegion()
 }
 
 } // namespace skyseal::ui
+
+#include "moc_tile_loader.cpp"

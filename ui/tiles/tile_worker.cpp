@@ -283,3 +283,5 @@ void TileWorker::endRegion(const RegionEnd &end)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_tile_worker.cpp"

@@ -121,3 +121,5 @@ void CellArea::changeEvent(QEvent *event)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_cell_area.cpp"

@@ -69,3 +69,5 @@ QVariant SourceModel::headerData(int section, Qt::Orientation orientation, int r
 }
 
 } // namespace skyseal::ui
+
+#include "moc_source_model.cpp"

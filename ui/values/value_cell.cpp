@@ -152,3 +152,5 @@ void ValueCell::paintEvent(QPaintEvent *)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_value_cell.cpp"

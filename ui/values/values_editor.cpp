@@ -412,3 +412,5 @@ bool ValuesEditor::eventFilter(QObject *watched, QEvent *event)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_values_editor.cpp"

@@ -79,3 +79,5 @@ void ValuesGrid::showViewState(const ViewState &view)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_values_grid.cpp"

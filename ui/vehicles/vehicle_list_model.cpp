@@ -147,3 +147,5 @@ QVariant VehicleListModel::headerData(int section, Qt::Orientation orientation, 
 }
 
 } // namespace skyseal::ui
+
+#include "moc_vehicle_list_model.cpp"

@@ -82,3 +82,5 @@ bool VehicleListOrder::lessThan(const QModelIndex &left, const QModelIndex &righ
 }
 
 } // namespace skyseal::ui
+
+#include "moc_vehicle_list_order.cpp"

@@ -244,3 +244,5 @@ bool VehiclesPanel::eventFilter(QObject *watched, QEvent *event)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_vehicles_panel.cpp"

@@ -163,3 +163,5 @@ bool CommandPalette::eventFilter(QObject *watched, QEvent *event)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_command_palette.cpp"

@@ -86,3 +86,5 @@ void FlightTarget::show(const ViewState &view)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_flight_target.cpp"

@@ -496,3 +496,5 @@ bool MainWindow::focusNextPrevChild(bool next)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_main_window.cpp"

@@ -91,3 +91,5 @@ void MapAlerts::refresh()
 }
 
 } // namespace skyseal::ui
+
+#include "moc_map_alerts.cpp"

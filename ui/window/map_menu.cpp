@@ -241,3 +241,5 @@ QString MapMenu::describe(const LatLong &place) const
 }
 
 } // namespace skyseal::ui
+
+#include "moc_map_menu.cpp"

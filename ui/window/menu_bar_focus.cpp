@@ -44,3 +44,5 @@ void MenuBarFocus::leave()
 }
 
 } // namespace skyseal::ui
+
+#include "moc_menu_bar_focus.cpp"

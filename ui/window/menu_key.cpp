@@ -45,3 +45,5 @@ bool MenuKey::eventFilter(QObject *watched, QEvent *event)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_menu_key.cpp"

@@ -53,3 +53,5 @@ void ProblemReports::reportPortInUse(const engine::LinkSnapshot &link)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_problem_reports.cpp"

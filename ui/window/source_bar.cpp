@@ -145,3 +145,5 @@ void SourceBar::changeEvent(QEvent *event)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_source_bar.cpp"

@@ -47,3 +47,5 @@ void TypeAhead::find()
 }
 
 } // namespace skyseal::ui
+
+#include "moc_type_ahead.cpp"

@@ -105,3 +105,5 @@ void ViewSelection::selectSession(quint32 session)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_view_selection.cpp"

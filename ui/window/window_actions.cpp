@@ -43,3 +43,5 @@ const std::vector<WindowActions::Group> &WindowActions::groups()
 }
 
 } // namespace skyseal::ui
+
+#include "moc_window_actions.cpp"

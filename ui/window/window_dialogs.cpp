@@ -222,3 +222,5 @@ void WindowDialogs::openAbout(const QString &version)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_window_dialogs.cpp"

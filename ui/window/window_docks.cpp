@@ -269,3 +269,5 @@ void WindowDocks::raiseFloating()
 }
 
 } // namespace skyseal::ui
+
+#include "moc_window_docks.cpp"

@@ -43,3 +43,5 @@ WorkspaceTabs::WorkspaceTabs(const Workspaces &workspaces, QWidget *parent) : QW
 }
 
 } // namespace skyseal::ui
+
+#include "moc_workspace_tabs.cpp"

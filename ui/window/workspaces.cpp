@@ -96,3 +96,5 @@ void Workspaces::save(QSettings &store)
 }
 
 } // namespace skyseal::ui
+
+#include "moc_workspaces.cpp"

@@ -202,3 +202,5 @@ void ControlSocket::switchEnded(channel::SessionId session, Concerned concerned,
 }
 
 } // namespace skyseal::app
+
+#include "moc_control_socket.cpp"

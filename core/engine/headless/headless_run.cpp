@@ -222,3 +222,5 @@ void HeadlessRun::settle(const Snapshot &last)
 }
 
 } // namespace skyseal::engine
+
+#include "moc_headless_run.cpp"

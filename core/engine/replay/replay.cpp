@@ -56,3 +56,5 @@ void Replay::chooseFields(std::vector<FieldChoice> choices)
 }
 
 } // namespace skyseal::engine
+
+#include "moc_replay.cpp"

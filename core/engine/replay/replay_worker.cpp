@@ -228,3 +228,5 @@ void ReplayWorker::publishSnapshot(TimePoint now)
 }
 
 } // namespace skyseal::engine
+
+#include "moc_replay_worker.cpp"

@@ -349,4 +349,5 @@ std::optional<channel::PublicKey> Station::publicKey() const
 
 } // namespace skyseal::engine
 
+#include "moc_station.cpp"
 #include "station.moc"
