@@ -138,6 +138,7 @@ private Q_SLOTS:
     void protocolHasNoQt();
     void dialogsKeepNobodyFromTheWindow();
     void secretsAreComparedInConstantTime();
+    void outputOfMocIsCompiledWithItsSource();
     void filesStaySmall();
     void linesStayShort();
     void testsDoNotSleep();
@@ -331,6 +332,28 @@ void LayersTest::secretsAreComparedInConstantTime()
         for (const QString &line : file.lines)
             QVERIFY2(!kCompare.match(line).hasMatch(), qPrintable(file.path + QStringLiteral(": ") + line));
     }
+}
+
+/// Compiled apart, the output of moc would read the headers of a library once more.
+void LayersTest::outputOfMocIsCompiledWithItsSource()
+{
+    static const QRegularExpression kMacro(QStringLiteral("\\s*Q_(OBJECT|GADGET|NAMESPACE)"));
+    QHash<QString, QStringList> files;
+    for (const SourceFile &file : sources({QStringLiteral("core"), QStringLiteral("ui"), QStringLiteral("app")}))
+        files.insert(file.path, file.lines);
+    qsizetype checked = 0;
+    QStringList wrong;
+    for (auto it = files.cbegin(); it != files.cend(); ++it) {
+        const QString base = it.key().section(QLatin1Char('/'), -1).chopped(2);
+        const QString source = it.key().chopped(2) + QStringLiteral(".cpp");
+        if (!it.key().endsWith(QLatin1String(".h")) || !files.contains(source) || it->indexOf(kMacro) < 0)
+            continue;
+        ++checked;
+        if (!files[source].contains(QStringLiteral("#include \"moc_%1.cpp\"").arg(base)))
+            wrong << source;
+    }
+    QVERIFY(checked > 100);
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
 }
 
 void LayersTest::filesStaySmall()
