@@ -45,7 +45,6 @@
 
 #include <QtCore/QFileInfo>
 #include <QtCore/QSettings>
-#include <QtGui/QAction>
 #include <QtGui/QCloseEvent>
 #include <QtGui/QScreen>
 #include <QtWidgets/QDialog>
