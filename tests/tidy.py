@@ -44,7 +44,7 @@ def batches():
 
 def check(flags, sources):
     """The findings in these sources, as text."""
-    # No check needs the output of moc, which the sources of a Q_OBJECT include.
+    # No check needs the output of moc, which the sources of classes with a Q_OBJECT include.
     for source in sources:
         for moc in re.findall(r'^#include "(\w+\.moc|moc_\w+\.cpp)"', source.read_text(), re.M):
             (TOGETHER / moc).touch()
