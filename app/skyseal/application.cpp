@@ -8,6 +8,7 @@
 #include "core/engine/station/snapshot.h"
 #include "core/engine/text/qt_text.h"
 #include "core/keys/secret_file.h"
+#include "core/link/free_port.h"
 #include "ui/charts/chart_export.h"
 #include "ui/replay/rescue_bar.h"
 #include "ui/text/command_permits.h"
@@ -389,7 +390,7 @@ void Application::beginDemo()
     m_window->setDemo(true);
     const bool named = m_options.demo && !m_options.links.empty();
     const link::LinkUrl url = named ? m_options.links.front()
-                                    : *link::LinkUrl::parse("udpin:127.0.0.1:" + std::to_string(Demo::freePort()));
+                                    : *link::LinkUrl::parse("udpin:127.0.0.1:" + std::to_string(link::freeUdpPorts(1).front()));
     if (named)
         for (const QString &own : linksOfStart())
             m_window->addLink(own);

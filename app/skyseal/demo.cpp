@@ -2,11 +2,11 @@
 
 #include "core/base/research.h"
 #include "core/keys/paired_ends.h"
+#include "core/link/free_port.h"
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QFileInfo>
 #include <QtCore/QStandardPaths>
-#include <QtNetwork/QUdpSocket>
 
 #ifdef Q_OS_LINUX
 #include <csignal>
@@ -27,13 +27,6 @@ QString Demo::programPath(const QString &name)
 {
     const QFileInfo beside(QCoreApplication::applicationDirPath() + QLatin1Char('/') + name);
     return beside.isExecutable() ? beside.absoluteFilePath() : QStandardPaths::findExecutable(name);
-}
-
-quint16 Demo::freePort()
-{
-    QUdpSocket probe;
-    probe.bind(QHostAddress::LocalHost, 0);
-    return probe.localPort();
 }
 
 bool Demo::isAvailable()
@@ -69,7 +62,7 @@ engine::KeyPaths Demo::stationKeys() const
 void Demo::start(quint16 groundPort)
 {
     if (m_vehiclePort == 0) {
-        m_vehiclePort = freePort();
+        m_vehiclePort = link::freeUdpPorts(1).front();
         for (QProcess *process : {&m_simulator, &m_agent}) {
             const QString name = process == &m_simulator ? kSimulator : kAgent;
             process->setStandardOutputFile(QProcess::nullDevice());

@@ -25,8 +25,6 @@ public:
     /// The paths of the programs: in the folder of this one, then on the PATH; empty if missing.
     static QString programPath(const QString &name);
     static bool isAvailable();
-    /// A UDP port of loopback that is free now.
-    static quint16 freePort();
 
     /// The key files of the station in the demo.
     engine::KeyPaths stationKeys() const;

@@ -7,6 +7,7 @@
 #include "core/keys/file_io.h"
 #include "core/keys/paired_ends.h"
 #include "core/link/address_text.h"
+#include "core/link/free_port.h"
 #include "core/link/steady_now.h"
 #include "core/mavlink/enums.h"
 #include "core/mavlink/messages.h"
@@ -16,9 +17,9 @@
 #include <QtCore/QJsonDocument>
 #include <QtCore/QJsonObject>
 #include <QtNetwork/QNetworkInterface>
-#include <QtNetwork/QUdpSocket>
 
 #include <array>
+#include <vector>
 #ifdef Q_OS_LINUX
 #include <csignal>
 #include <sys/prctl.h>
@@ -33,18 +34,6 @@ constexpr int kStopMs = 3000;
 constexpr int kSearchMs = 1000, kMostSearches = 20; ///< for the autopilot's process
 constexpr int kFlightRate =
     20; ///< speeds up the flight, so that the vehicle has a position within seconds; telemetry keeps its rates
-
-/// Three different ports: all sockets stay bound until the last port is found.
-std::array<quint16, 3> freePorts()
-{
-    std::array<QUdpSocket, 3> probes;
-    std::array<quint16, 3> out{};
-    for (std::size_t i = 0; i < probes.size(); ++i) {
-        probes[i].bind(QHostAddress::LocalHost, 0);
-        out[i] = probes[i].localPort();
-    }
-    return out;
-}
 
 QString loopback(const char *scheme, quint16 port)
 {
@@ -118,7 +107,7 @@ Lab::Lab(LabPrograms programs, std::optional<link::LinkUrl> vehicle, const Place
 {
     if (m_vehicle)
         m_placement.simulator.reset(); // the autopilot is not ours to place
-    const std::array<quint16, 3> ports = freePorts();
+    const std::vector<std::uint16_t> ports = link::freeUdpPorts(3);
     m_vehiclePort = ports[0];
     m_relayPort = ports[1];
     m_groundPort = ports[2];

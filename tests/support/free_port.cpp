@@ -16,8 +16,8 @@ namespace skyseal::test {
 
 namespace {
 
-/// Below the ports that Linux gives to sockets that ask for any (net.ipv4.ip_local_port_range).
-constexpr int kFirst = 20'000, kCount = 12'000;
+/// Below the ports that the programs choose for others (core/link/free_port.h).
+constexpr int kFirst = 20'000, kCount = 6'000;
 
 /// Reserves the port for this process by a name in the abstract namespace of Unix sockets, which ends with the process.
 bool reserve(quint16 port)
