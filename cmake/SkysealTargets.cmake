@@ -18,12 +18,14 @@ target_compile_definitions(skyseal_options INTERFACE
 include(SkysealHardening)
 
 # moc reads every header that a file includes, over a second for a test, although it needs none here: what it generates code for
-# is in the file itself. Without include paths it finds none, and a changed header runs no moc again.
+# is in the file itself. Without include paths it finds none, and a changed header runs no moc again. So it does not wait for the
+# libraries of its target either, as it would by AUTOGEN_ORIGIN_DEPENDS: the compilation of a program's main() waits for it.
 get_target_property(skyseal_moc Qt6::moc LOCATION)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/moc.in ${CMAKE_BINARY_DIR}/moc @ONLY
   FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 function(skyseal_automoc target)
-  set_target_properties(${target} PROPERTIES AUTOMOC ON AUTOMOC_EXECUTABLE ${CMAKE_BINARY_DIR}/moc)
+  set_target_properties(${target} PROPERTIES AUTOMOC ON AUTOMOC_EXECUTABLE ${CMAKE_BINARY_DIR}/moc
+    AUTOGEN_ORIGIN_DEPENDS OFF)
   # Source files include the output of moc for their headers, which they have read already. What is left for this file is
   # nearly nothing, quicker to compile than a precompiled header is to load.
   set_source_files_properties(${CMAKE_CURRENT_BINARY_DIR}/${target}_autogen/mocs_compilation.cpp
