@@ -46,7 +46,12 @@ std::optional<SigningAction> actionNamed(const std::string &name)
 /// Whether the bytes of the link leave this machine over a network. The other end of a serial port cannot be known.
 bool mayBeOverheard(const link::LinkUrl &url)
 {
-    if (url.type().target != link::LinkTarget::HostPort || url.host() == "localhost")
+    switch (url.type().target) {
+    case link::LinkTarget::DeviceBaud:
+    case link::LinkTarget::File: return false;
+    case link::LinkTarget::HostPort: break;
+    }
+    if (url.host() == "localhost")
         return false;
     const auto address = link::parseHost(url.host(), url.port());
     return !address || !link::toQt(*address).isLoopback();
