@@ -48,13 +48,18 @@ public:
         m_ask = std::make_unique<QTimer>();
         connect(m_ask.get(), &QTimer::timeout, this, [this] {
             m_core->setReaderAlive(steadyNow() - m_answered < kReaderPatience);
-            Q_EMIT readerAsked();
+            if (!std::exchange(m_isAsking, true)) // so that a reader that hangs collects no questions
+                Q_EMIT readerAsked();
         });
         m_ask->start(kAskReaderEvery);
         runTasks();
     }
 
-    void readerAnswered() { m_answered = steadyNow(); }
+    void readerAnswered()
+    {
+        m_answered = steadyNow();
+        m_isAsking = false;
+    }
 
     void runTasks()
     {
@@ -103,6 +108,7 @@ private:
     std::unique_ptr<StationCore> m_core;
     std::unique_ptr<QTimer> m_ask;
     TimePoint m_answered{};
+    bool m_isAsking = false; ///< the reader has not answered yet
 };
 
 /// Carries the signals of the reader's thread to the worker's.
