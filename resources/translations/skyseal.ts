@@ -1729,7 +1729,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>from=: &apos;%1&apos; serves the host of its URL alone; from= is for links that listen (udpin, tcpin)</source>
+        <source>from=: &apos;%1&apos; serves the host of its URL alone; from= is for links that listen</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4910,16 +4910,7 @@ Fingerprint %5</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Vehicle %1 at %2 may be impersonating %3, which has not been heard yet. Its telemetry is not shown and nothing is sent to it until you allow plain MAVLink for it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Anyone on the path can read and change the traffic. Start skyseal-air beside the vehicle to seal the link.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The agent %1 at %2 is reachable but does not answer. Does it know this station&apos;s key?
-Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4948,6 +4939,10 @@ Fingerprint %3</source>
     </message>
     <message>
         <source>Under attack: %1 spoofed frames of this vehicle since the link came up. All of them were refused.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicle %1 at %2 may be impersonating %3, which has not been heard yet. Its telemetry is not shown and nothing is sent to it until you allow it: Security → Allow plain MAVLink.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6787,7 +6782,7 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>CPU time over the last second: of the process with its window, of the link thread, and of the suite in seal and open (sum of the elapsed times of the calls). What watching takes (the snapshots for this window, and these measurements) is part of “link” and stated below the charts; drawing the charts is part of “process” only.</source>
+        <source>CPU time over the last second: of the process with its window, of the link thread, and of the suite in seal and open (sum of the elapsed times of the calls). The cost of watching (the snapshots for this window, and these measurements) is part of “link” and stated below the charts; drawing the charts is part of “process” only.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7307,23 +7302,7 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It is reachable at %1 but does not answer. Does its list of peers contain this station&apos;s key, fingerprint %2?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>An agent at %1 announces itself with an unknown key. If it is yours, pair the two.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This vehicle uses plain MAVLink: anyone on the path can read its telemetry and command it. Start skyseal-air beside it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Not sealed, needs approval</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Vehicle %1 sends plain MAVLink and may be impersonating %2. Commands are disabled until you allow it: Security → Allow plain MAVLink.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7351,19 +7330,11 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This vehicle uses plain MAVLink: anyone on the path can read its telemetry and command it. This station cannot seal the link, because it cannot use its key: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The session starts automatically when a known agent announces itself.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Not sealed, sweep running</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sweep is measuring plain MAVLink, with your consent: anyone on the path can read the telemetry and command the vehicle. The sweep seals the link again afterwards.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7375,15 +7346,7 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The companion computer cannot store handshake counters: its disk may be full, read-only or broken. The link stays up. If that computer restarts now, it will answer replayed handshakes, but they cannot establish a session.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Sealed, disk error on this computer</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Handshake counters cannot be stored: %1. The link stays up. If this program restarts now, agents will refuse its first handshake and return the correct counter.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7400,6 +7363,18 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>%1 spoofed frames in this session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1. If it is yours, pair the two.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anyone on the path can read and change the traffic. This station cannot seal the link, because it cannot use its key: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1729,8 +1729,8 @@
         <translation>„%1“: Clients werden über UDP oder TCP bedient</translation>
     </message>
     <message>
-        <source>from=: &apos;%1&apos; serves the host of its URL alone; from= is for links that listen (udpin, tcpin)</source>
-        <translation>from=: „%1“ bedient allein den Host seiner URL; from= ist für Verbindungen, die lauschen (udpin, tcpin)</translation>
+        <source>from=: &apos;%1&apos; serves the host of its URL alone; from= is for links that listen</source>
+        <translation>from=: „%1“ bedient allein den Host seiner URL; from= ist für Verbindungen, die lauschen</translation>
     </message>
     <message>
         <source>write=&apos;%1&apos;: none, all, or mission, param, command, ftp and rc are expected</source>
@@ -4932,18 +4932,8 @@ Fingerabdruck %5</translation>
         <translation>Nicht versiegelt · braucht Freigabe</translation>
     </message>
     <message>
-        <source>Vehicle %1 at %2 may be impersonating %3, which has not been heard yet. Its telemetry is not shown and nothing is sent to it until you allow plain MAVLink for it.</source>
-        <translation>Fahrzeug %1 unter %2 gibt sich möglicherweise als %3 aus (noch nicht empfangen). Seine Telemetrie wird nicht angezeigt und nichts an das Fahrzeug gesendet, bis ungeschütztes MAVLink dafür zugelassen wird.</translation>
-    </message>
-    <message>
         <source>Anyone on the path can read and change the traffic. Start skyseal-air beside the vehicle to seal the link.</source>
         <translation>Jeder auf der Übertragungsstrecke kann den Verkehr mitlesen und verändern. Um die Verbindung zu versiegeln, skyseal-air neben dem Fahrzeug starten.</translation>
-    </message>
-    <message>
-        <source>The agent %1 at %2 is reachable but does not answer. Does it know this station&apos;s key?
-Fingerprint %3</source>
-        <translation>Der Agent %1 unter %2 ist erreichbar, antwortet aber nicht. Kennt er den Schlüssel dieser Station?
-Fingerabdruck %3</translation>
     </message>
     <message>
         <source>No sealed links: this station cannot use its key</source>
@@ -4972,6 +4962,10 @@ Fingerabdruck %3</translation>
     <message>
         <source>Under attack: %1 spoofed frames of this vehicle since the link came up. All of them were refused.</source>
         <translation>Unter Angriff: %1 vorgetäuschte Frames dieses Fahrzeugs seit Beginn der Verbindung. Alle wurden abgelehnt.</translation>
+    </message>
+    <message>
+        <source>Vehicle %1 at %2 may be impersonating %3, which has not been heard yet. Its telemetry is not shown and nothing is sent to it until you allow it: Security → Allow plain MAVLink.</source>
+        <translation>Fahrzeug %1 unter %2 gibt sich möglicherweise als %3 aus (noch nicht empfangen). Seine Telemetrie wird nicht angezeigt und nichts an das Fahrzeug gesendet, bis es freigegeben ist: Sicherheit → Ungeschütztes MAVLink zulassen.</translation>
     </message>
 </context>
 <context>
@@ -6822,7 +6816,7 @@ mit PSK</translation>
         <translation>Aus den Energiezählern des Kernels oder dem Sensor der Stromversorgung, in der letzten Sekunde: der ganze Rechner, nicht nur dieses Programm (%1).</translation>
     </message>
     <message>
-        <source>CPU time over the last second: of the process with its window, of the link thread, and of the suite in seal and open (sum of the elapsed times of the calls). What watching takes (the snapshots for this window, and these measurements) is part of “link” and stated below the charts; drawing the charts is part of “process” only.</source>
+        <source>CPU time over the last second: of the process with its window, of the link thread, and of the suite in seal and open (sum of the elapsed times of the calls). The cost of watching (the snapshots for this window, and these measurements) is part of “link” and stated below the charts; drawing the charts is part of “process” only.</source>
         <translation>CPU-Zeit in der letzten Sekunde: des Prozesses mit seinem Fenster, des Verbindungs-Threads und der Chiffre beim Versiegeln und Öffnen (Summe der Dauer aller Aufrufe). Was das Beobachten kostet (die Momentaufnahmen für dieses Fenster und diese Messungen), ist in „Verbindung“ enthalten und steht unter den Diagrammen; das Zeichnen der Diagramme ist nur in „Prozess“ enthalten.</translation>
     </message>
 </context>
@@ -7343,24 +7337,8 @@ mit PSK</translation>
         <translation>Versiegelt, wechselt Schlüssel…</translation>
     </message>
     <message>
-        <source>It is reachable at %1 but does not answer. Does its list of peers contain this station&apos;s key, fingerprint %2?</source>
-        <translation>Unter %1 erreichbar, antwortet aber nicht. Steht der Schlüssel dieser Station, Fingerabdruck %2, in der dortigen Liste der Gegenstellen?</translation>
-    </message>
-    <message>
-        <source>An agent at %1 announces itself with an unknown key. If it is yours, pair the two.</source>
-        <translation>Ein Agent unter %1 meldet sich mit einem unbekannten Schlüssel. Wenn es der eigene ist, die beiden koppeln.</translation>
-    </message>
-    <message>
-        <source>This vehicle uses plain MAVLink: anyone on the path can read its telemetry and command it. Start skyseal-air beside it.</source>
-        <translation>Dieses Fahrzeug verwendet ungeschütztes MAVLink: Jeder auf der Übertragungsstrecke kann seine Telemetrie lesen und ihm Befehle geben. Daneben skyseal-air starten.</translation>
-    </message>
-    <message>
         <source>Not sealed, needs approval</source>
         <translation>Nicht versiegelt, braucht Freigabe</translation>
-    </message>
-    <message>
-        <source>Vehicle %1 sends plain MAVLink and may be impersonating %2. Commands are disabled until you allow it: Security → Allow plain MAVLink.</source>
-        <translation>Fahrzeug %1 sendet ungeschütztes MAVLink und gibt sich möglicherweise als %2 aus. Befehle sind gesperrt bis zur Freigabe: Sicherheit → Ungeschütztes MAVLink zulassen.</translation>
     </message>
     <message>
         <source>Sealed, no data received</source>
@@ -7387,20 +7365,12 @@ mit PSK</translation>
         <translation>Diese Station kann ihren Schlüssel nicht verwenden: %1</translation>
     </message>
     <message>
-        <source>This vehicle uses plain MAVLink: anyone on the path can read its telemetry and command it. This station cannot seal the link, because it cannot use its key: %1</source>
-        <translation>Dieses Fahrzeug verwendet ungeschütztes MAVLink: Jeder auf der Übertragungsstrecke kann seine Telemetrie lesen und ihm Befehle geben. Diese Station kann die Verbindung nicht versiegeln, weil sie ihren Schlüssel nicht verwenden kann: %1</translation>
-    </message>
-    <message>
         <source>The session starts automatically when a known agent announces itself.</source>
         <translation>Die Sitzung beginnt von selbst, wenn sich ein bekannter Agent meldet.</translation>
     </message>
     <message>
         <source>Not sealed, sweep running</source>
         <translation>Nicht versiegelt, Messreihe läuft</translation>
-    </message>
-    <message>
-        <source>The sweep is measuring plain MAVLink, with your consent: anyone on the path can read the telemetry and command the vehicle. The sweep seals the link again afterwards.</source>
-        <translation>Die Messreihe misst gerade ungeschütztes MAVLink, mit hier gegebener Zustimmung: Jeder auf der Übertragungsstrecke kann die Telemetrie lesen und dem Fahrzeug Befehle geben. Danach versiegelt die Messreihe die Verbindung wieder.</translation>
     </message>
     <message>
         <source>It continues automatically when the agent is heard again.</source>
@@ -7411,16 +7381,8 @@ mit PSK</translation>
         <translation>Versiegelt, Datenträgerfehler beim Agenten</translation>
     </message>
     <message>
-        <source>The companion computer cannot store handshake counters: its disk may be full, read-only or broken. The link stays up. If that computer restarts now, it will answer replayed handshakes, but they cannot establish a session.</source>
-        <translation>Der Begleitrechner kann keine Handshake-Zähler speichern: Sein Datenträger ist vielleicht voll, schreibgeschützt oder defekt. Die Verbindung bleibt bestehen. Startet dieser Rechner jetzt neu, beantwortet er wiedereingespielte Handshakes, die aber keine Sitzung aufbauen können.</translation>
-    </message>
-    <message>
         <source>Sealed, disk error on this computer</source>
         <translation>Versiegelt, Datenträgerfehler auf diesem Rechner</translation>
-    </message>
-    <message>
-        <source>Handshake counters cannot be stored: %1. The link stays up. If this program restarts now, agents will refuse its first handshake and return the correct counter.</source>
-        <translation>Handshake-Zähler lassen sich nicht speichern: %1. Die Verbindung bleibt bestehen. Startet dieses Programm jetzt neu, lehnen Agenten seinen ersten Handshake ab und senden den richtigen Zähler zurück.</translation>
     </message>
     <message>
         <source>Opening the key…</source>
@@ -7437,6 +7399,18 @@ mit PSK</translation>
     <message>
         <source>%1 spoofed frames in this session</source>
         <translation>%1 vorgetäuschte Frames in dieser Sitzung</translation>
+    </message>
+    <message>
+        <source>%1. If it is yours, pair the two.</source>
+        <translation>%1. Wenn es der eigene ist, die beiden koppeln.</translation>
+    </message>
+    <message>
+        <source>Anyone on the path can read and change the traffic. This station cannot seal the link, because it cannot use its key: %1</source>
+        <translation>Jeder auf der Übertragungsstrecke kann den Verkehr mitlesen und verändern. Diese Station kann die Verbindung nicht versiegeln, weil sie ihren Schlüssel nicht verwenden kann: %1</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
     </message>
 </context>
 <context>

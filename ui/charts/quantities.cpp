@@ -157,7 +157,7 @@ std::vector<Quantity> costs()
          .unit = QuantitiesText::tr("% of a core"),
          .note = QuantitiesText::tr(
              "CPU time over the last second: of the process with its window, of the link thread, and of the "
-             "suite in seal and open (sum of the elapsed times of the calls). What watching takes (the "
+             "suite in seal and open (sum of the elapsed times of the calls). The cost of watching (the "
              "snapshots for this window, and these measurements) is part of “link” and stated below the charts; "
              "drawing the charts is part of “process” only."),
          .group = QuantityGroupId::Cost,

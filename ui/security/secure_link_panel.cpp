@@ -1,7 +1,7 @@
 #include "ui/security/secure_link_panel.h"
 
 #include "core/engine/station/snapshot.h"
-#include "core/engine/text/state_text.h"
+#include "core/engine/text/event_text.h"
 #include "ui/security/counters_table.h"
 #include "ui/security/suite_actions.h"
 #include "ui/security/suite_row.h"
@@ -196,12 +196,9 @@ void SecureLinkPanel::showHead(const ViewState &view)
             advice = oneWay->advice;
         } else if (const engine::UnansweringAgent *agent = unansweringOf(view)) {
             title = tr("%1 does not answer").arg(fromStd(agent->peerName));
-            advice = tr("It is reachable at %1 but does not answer. Does its list of peers contain this station's key, "
-                        "fingerprint %2?")
-                         .arg(fromStd(agent->remoteAddress), fromStd(agent->ownFingerprint));
+            advice = face.toolTip;
         } else if (unknown) {
-            advice = tr("An agent at %1 announces itself with an unknown key. If it is yours, pair the two.")
-                         .arg(fromStd(unknown->remoteAddress));
+            advice = tr("%1. If it is yours, pair the two.").arg(engine::unknownAgentText(fromStd(unknown->remoteAddress)));
         } else if (const auto ended = linkEndedOf(view)) {
             title = ended->title;
             advice = ended->advice;
@@ -211,26 +208,19 @@ void SecureLinkPanel::showHead(const ViewState &view)
         break;
     case Security::Plain:
         title = tr("Not sealed");
-        advice = tr("This vehicle uses plain MAVLink: anyone on the path can read its telemetry and command it. "
-                    "Start skyseal-air beside it.");
+        advice = face.toolTip;
         if (view.pendingApproval) {
             title = tr("Not sealed, needs approval");
-            advice = tr("Vehicle %1 sends plain MAVLink and may be impersonating %2. Commands are disabled until you "
-                        "allow it: Security → Allow plain MAVLink.")
-                         .arg(view.pendingApproval->systemId)
-                         .arg(engine::anyOfNames(view.pendingApproval->mayBe));
         } else if (oneWay) {
             title = oneWay->title;
             advice = oneWay->advice;
         } else if (!view.key.problem.isEmpty() && !view.key.isOpening) {
             advice =
-                tr("This vehicle uses plain MAVLink: anyone on the path can read its telemetry and command it. This station "
-                   "cannot seal the link, because it cannot use its key: %1")
+                tr("Anyone on the path can read and change the traffic. This station cannot seal the link, because it cannot "
+                   "use its key: %1")
                     .arg(view.key.problem);
         } else if (view.plainRun) {
             title = tr("Not sealed, sweep running");
-            advice = tr("The sweep is measuring plain MAVLink, with your consent: anyone on the path can read the "
-                        "telemetry and command the vehicle. The sweep seals the link again afterwards.");
         }
         color = colors.warning;
         break;
@@ -247,15 +237,11 @@ void SecureLinkPanel::showHead(const ViewState &view)
             color = colors.warning;
         } else if (view.session && view.session->stats.peerCannotStore) {
             title = tr("Sealed, disk error at the agent");
-            advice = tr("The companion computer cannot store handshake counters: its disk may be full, read-only or "
-                        "broken. The link stays up. If that computer restarts now, it will answer replayed handshakes, "
-                        "but they cannot establish a session.");
+            advice = tr("%1.").arg(engine::peerCannotStoreText(fromStd(view.session->info.peerName)));
             color = colors.warning;
         } else if (!view.snapshot->storageProblem.empty()) {
             title = tr("Sealed, disk error on this computer");
-            advice = tr("Handshake counters cannot be stored: %1. The link stays up. If this program restarts now, "
-                        "agents will refuse its first handshake and return the correct counter.")
-                         .arg(reasonText(view.snapshot->storageProblem));
+            advice = tr("%1.").arg(engine::countersNotStoredText(view.snapshot->storageProblem));
             color = colors.warning;
         }
         break;

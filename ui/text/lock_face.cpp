@@ -1,6 +1,7 @@
 #include "ui/text/lock_face.h"
 
 #include "core/engine/station/snapshot.h"
+#include "core/engine/text/event_text.h"
 #include "core/engine/text/state_text.h"
 #include "ui/refusal_meter.h"
 #include "ui/text/link_ended.h"
@@ -46,15 +47,15 @@ LockFace unsealedFace(const QStringList &variants, const QString &toolTip)
     return face;
 }
 
-LockFace pendingApprovalFace(const engine::PendingVehicle &held)
+LockFace pendingApprovalFace(const engine::PendingVehicle &pending)
 {
     return unsealedFace(
-        {LockFaceText::tr("Not sealed · vehicle %1 needs approval").arg(held.systemId),
+        {LockFaceText::tr("Not sealed · vehicle %1 needs approval").arg(pending.systemId),
          LockFaceText::tr("Not sealed · needs approval"), LockFaceText::tr("Not sealed")},
         LockFaceText::tr("Vehicle %1 at %2 may be impersonating %3, which has not been heard yet. Its telemetry is not "
-                         "shown and nothing is sent to it until you allow plain MAVLink for it.")
-            .arg(held.systemId)
-            .arg(fromStd(held.remoteAddress), engine::anyOfNames(held.mayBe)));
+                         "shown and nothing is sent to it until you allow it: Security → Allow plain MAVLink.")
+            .arg(pending.systemId)
+            .arg(fromStd(pending.remoteAddress), engine::anyOfNames(pending.mayBe)));
 }
 
 LockFace plainFace(const ViewState &view)
@@ -106,9 +107,7 @@ LockFace lockFaceOf(const ViewState &view)
             face.lost = true;
             face.variants = {LockFaceText::tr("%1 does not answer").arg(fromStd(agent->peerName)),
                              LockFaceText::tr("No answer")};
-            face.toolTip = LockFaceText::tr("The agent %1 at %2 is reachable but does not answer. Does it know this station's "
-                                            "key?\nFingerprint %3")
-                               .arg(fromStd(agent->peerName), fromStd(agent->remoteAddress), fromStd(agent->ownFingerprint));
+            face.toolTip = engine::unansweringText(*agent);
             return face;
         }
         if (const auto ended = linkEndedOf(view)) {

@@ -110,7 +110,7 @@ Result<ServeConfig, Reason> ServeConfig::parse(std::string_view text, const Writ
     }
     if (out.from && !out.url.isListening())
         return tl::unexpected(
-            sentence("Reason", "from=: '%1' serves the host of its URL alone; from= is for links that listen (udpin, tcpin)")(
+            sentence("Reason", "from=: '%1' serves the host of its URL alone; from= is for links that listen")(
                 std::string(out.url.type().scheme)));
     if (out.name.empty())
         out.name = out.url.toText();

@@ -64,8 +64,7 @@ public:
         const bool isKeyKnown = e.peer != channel::PublicKey{};
         // A station receives an announcement, which does not contain the key; an agent receives a handshake, which does.
         if (e.reason == channel::RefusalReason::UnknownPeer && !isKeyKnown)
-            return {tr("An agent at %1 announces itself with an unknown key").arg(addressOf(e.path)), kWarning, 0, false,
-                    EventText::Remedy::PairAgent};
+            return {unknownAgentText(addressOf(e.path)), kWarning, 0, false, EventText::Remedy::PairAgent};
         const QString sentence = tr("Refused a handshake from %1: %2").arg(addressOf(e.path), refusalText(e.reason));
         return {isKeyKnown ? tr("%1 (key %2)").arg(sentence, qt(keys::fingerprint(e.peer))) : sentence, kWarning};
     }
@@ -123,11 +122,7 @@ public:
         if (!e.failed)
             return {tr("The companion computer of %1 can store handshake counters again").arg(peer(e.session)),
                     mavlink::MAV_SEVERITY_NOTICE};
-        return {tr("The companion computer of %1 cannot store handshake counters; its disk may be full, read-only or "
-                   "broken. The link stays up. If that computer restarts now, it will answer replayed handshakes, but "
-                   "they cannot establish a session")
-                    .arg(peer(e.session)),
-                kError};
+        return {peerCannotStoreText(peer(e.session)), kError};
     }
 
 private:
@@ -150,6 +145,20 @@ QString EventText::line() const
 EventText routineText(const QString &sentence, std::uint8_t systemId)
 {
     return {sentence, kInfo, systemId, true};
+}
+
+QString unknownAgentText(const QString &address)
+{
+    return DescribeChannel::tr("An agent at %1 announces itself with an unknown key").arg(address);
+}
+
+QString peerCannotStoreText(const QString &peer)
+{
+    return DescribeChannel::tr(
+               "The companion computer of %1 cannot store handshake counters; its disk may be full, read-only or "
+               "broken. The link stays up. If that computer restarts now, it will answer replayed handshakes, "
+               "but they cannot establish a session")
+        .arg(peer);
 }
 
 EventText channelEventText(const channel::Event &event, const PeerNames &names)

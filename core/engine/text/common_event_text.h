@@ -32,5 +32,8 @@ EventText routineText(const QString &sentence, std::uint8_t systemId = 0);
 /// `names` must have noted the event.
 EventText channelEventText(const channel::Event &event, const PeerNames &names);
 EventText linkText(const LinkSnapshot &link);
+/// For what shows the state: the sentence of the event that reports it.
+QString unknownAgentText(const QString &address);
+QString peerCannotStoreText(const QString &peer);
 
 } // namespace skyseal::engine

@@ -64,9 +64,7 @@ public:
         const QString name = qt(e.agent.peerName), address = qt(e.agent.remoteAddress);
         if (e.over)
             return routineText(tr("The agent %1 at %2 has answered or is no longer heard").arg(name, address));
-        return {tr("The agent %1 at %2 announces itself but does not answer: does it know this station's key? %3")
-                    .arg(name, address, qt(e.agent.ownFingerprint)),
-                kWarning};
+        return {unansweringText(e.agent), kWarning};
     }
     EventText operator()(const RecordingProblem &e) const
     {
@@ -81,10 +79,7 @@ public:
     {
         if (e.problem.empty())
             return {tr("Handshake counters can be stored again"), kNotice};
-        return {tr("Handshake counters cannot be stored: %1. The links stay up. If this station restarts now, agents "
-                   "will refuse its first handshake and return the correct counter")
-                    .arg(reasonText(e.problem)),
-                kError};
+        return {countersNotStoredText(e.problem), kError};
     }
     EventText operator()(const ServedLinkChanged &e) const { return linkText(e.link); }
     EventText operator()(const ClientConnected &e) const
@@ -220,6 +215,19 @@ private:
 };
 
 } // namespace
+
+QString unansweringText(const UnansweringAgent &agent)
+{
+    return Describe::tr("The agent %1 at %2 announces itself but does not answer: does it know this station's key? %3")
+        .arg(qt(agent.peerName), qt(agent.remoteAddress), qt(agent.ownFingerprint));
+}
+
+QString countersNotStoredText(const Reason &problem)
+{
+    return Describe::tr("Handshake counters cannot be stored: %1. The links stay up. If this station restarts now, agents "
+                        "will refuse its first handshake and return the correct counter")
+        .arg(reasonText(problem));
+}
 
 EventText eventText(const Event &event, const PeerNames &names)
 {

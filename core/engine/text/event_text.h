@@ -9,6 +9,9 @@ namespace skyseal::engine {
 
 /// `names` must have noted the event.
 EventText eventText(const Event &event, const PeerNames &names);
+/// For what shows the state: the sentence of the event that reports it.
+QString unansweringText(const UnansweringAgent &agent);
+QString countersNotStoredText(const Reason &problem);
 /// "accepted", "denied: …", "no answer to 5 attempts"
 QString commandOutcomeText(const vehicle::CommandResult &result);
 
