@@ -111,8 +111,8 @@ private Q_SLOTS:
             std::istringstream file(m_recorded.content);
             ReplayedFlight played(file, [](const Event &) {});
             played.advance(to, std::numeric_limits<std::size_t>::max());
-            const FlownWays::Way &expected = played.flown().of(1);
-            const FlownWays::Way &way = status().flown->of(1);
+            const FlownTracks::Points &expected = played.flown().of(1);
+            const FlownTracks::Points &way = status().flown->of(1);
             QVERIFY(!way.empty());
             QCOMPARE(way.size(), expected.size());
             QCOMPARE(way.back().at, expected.back().at);

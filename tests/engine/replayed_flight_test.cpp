@@ -147,10 +147,10 @@ private Q_SLOTS:
         Player player(m_recorded.content);
         QVERIFY(player.flight.flown().of(1).empty());
         player.flight.advance(RecordedCopter::kLength, kAll);
-        const FlownWays::Way &way = player.flight.flown().of(1);
+        const FlownTracks::Points &way = player.flight.flown().of(1);
         QVERIFY2(!way.empty() && way.front().begins, qPrintable(QString::number(way.size())));
         const auto after = std::ranges::find_if(way,
-                                                [](const FlownPlace &place) { return place.at >= RecordedCopter::kGapTo; });
+                                                [](const FlownPoint &place) { return place.at >= RecordedCopter::kGapTo; });
         QVERIFY(after != way.end());
         for (auto place = way.begin() + 1; place != way.end(); ++place) {
             QVERIFY(place->at > (place - 1)->at);
@@ -161,7 +161,7 @@ private Q_SLOTS:
 
     void waysAreBounded()
     {
-        FlownWays ways;
+        FlownTracks ways;
         constexpr int kVehicleCount = 20, kPlaces = 12'000;
         for (int i = 0; i < kPlaces; ++i) {
             for (std::uint8_t id = 1; id <= kVehicleCount; ++id) {
@@ -172,10 +172,10 @@ private Q_SLOTS:
         std::size_t places = 0;
         for (std::uint8_t id = 1; id <= kVehicleCount; ++id) {
             places += ways.of(id).size();
-            QVERIFY(ways.of(id).size() <= FlownWays::kMostOfOne);
+            QVERIFY(ways.of(id).size() <= FlownTracks::kMostOfOne);
             QCOMPARE(ways.of(id).back().at, Duration(std::chrono::seconds(kPlaces - 1)));
         }
-        QCOMPARE(places, FlownWays::kMost);
+        QCOMPARE(places, FlownTracks::kMost);
     }
 
     void gapMakesTheVehicleLostUntilItIsOver()

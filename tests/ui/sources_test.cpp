@@ -201,7 +201,7 @@ private Q_SLOTS:
         const auto *map = find<MapView>("map");
         QCOMPARE(map->content().track().points().size(), std::size_t(1));
 
-        engine::FlownWays ways;
+        engine::FlownTracks ways;
         const vehicle::Position end = recorded(90).vehicles.front().state.position;
         for (int i = 0; i <= 40; ++i) {
             if (i == 20)
@@ -219,7 +219,7 @@ private Q_SLOTS:
         picture.replay->seeking = true; // the picture of before
         m_station->showReplay(picture);
         picture.replay->seeking = false;
-        const auto flown = std::make_shared<const engine::FlownWays>(ways);
+        const auto flown = std::make_shared<const engine::FlownTracks>(ways);
         picture.replay->flown = flown;
         m_station->showReplay(picture);
         const auto &points = map->content().track().points();

@@ -68,7 +68,7 @@ bool MapContent::showFlown(const engine::Snapshot &snapshot, bool another)
     if (!flown || (!sought && !another))
         return false;
     m_track.clear();
-    for (const engine::FlownPlace &place : flown->of(m_systemId)) {
+    for (const engine::FlownPoint &place : flown->of(m_systemId)) {
         const QPointF now = mercator::project({place.latitude, place.longitude});
         if (place.begins || isJump(now, seconds(place.at)))
             m_track.interrupt();

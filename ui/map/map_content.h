@@ -14,7 +14,7 @@
 #include <vector>
 
 namespace skyseal::engine {
-class FlownWays;
+class FlownTracks;
 struct Snapshot;
 } // namespace skyseal::engine
 
@@ -66,8 +66,8 @@ private:
     Track m_track;
     TrackColors m_trackColors = TrackColors::Suite;
     QPointF m_lastKnown;
-    double m_positionAt = 0;                          ///< time of the snapshot with the last position, seconds
-    std::shared_ptr<const engine::FlownWays> m_flown; ///< of the last seek of a replay
+    double m_positionAt = 0;                            ///< time of the snapshot with the last position, seconds
+    std::shared_ptr<const engine::FlownTracks> m_flown; ///< of the last seek of a replay
     std::shared_ptr<const std::vector<vehicle::MissionItem>> m_mission;
     std::optional<MissionRoute> m_route;
     int m_missionCurrent = -1;

@@ -15,7 +15,7 @@ namespace skyseal::engine {
 
 struct IndexCache
 {
-    /// To be increased by whoever changes what LogIndexer finds in a recording, or how it is stored.
+    /// Increase it with every change of what LogIndexer finds in a recording, or of how it is stored.
     static constexpr std::uint32_t kVersion = 1;
     /// Of the file; the index of a usual flight takes a few hundred bytes.
     static constexpr std::size_t kMostBytes = 16u << 20, kMostRecordings = 2000;

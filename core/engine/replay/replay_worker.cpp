@@ -167,7 +167,7 @@ void ReplayWorker::followFlight(TimePoint now, bool arrived)
     const bool sought = m_seek.has_value();
     m_seek.reset();
     if (sought)
-        m_flown = std::make_shared<const FlownWays>(m_flight->flown());
+        m_flown = std::make_shared<const FlownTracks>(m_flight->flown());
     if (sought || !arrived || m_flight->isOver())
         m_clock.setPosition(now, m_flight->position());
     if (!m_flight->isOver() || m_link.phase == LinkPhase::Finished)

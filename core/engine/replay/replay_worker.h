@@ -81,7 +81,7 @@ private:
     std::shared_ptr<const tlog::LogIndex> m_index;
     ReplayClock m_clock;
     std::optional<Duration> m_seek; ///< the target, until it is reached
-    std::shared_ptr<const FlownWays> m_flown;
+    std::shared_ptr<const FlownTracks> m_flown;
     std::uint64_t m_seeks = 0;
     LinkSnapshot m_link; ///< all but its counters
     SnapshotPace m_pace{30};

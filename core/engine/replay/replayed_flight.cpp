@@ -94,7 +94,7 @@ bool ReplayedFlight::passTime(Duration until, std::size_t &most)
         m_fleet.vehicles().handleDeadline(now);
         if (next >= m_nextSample) {
             m_fleet.sample(now, m_notify);
-            noteWays(now, next);
+            noteTracks(now, next);
             m_nextSample += kSampleEvery;
         }
         for (auto &[systemId, vehicle] : m_fleet.vehicles().all())
@@ -103,7 +103,7 @@ bool ReplayedFlight::passTime(Duration until, std::size_t &most)
     return true;
 }
 
-void ReplayedFlight::noteWays(TimePoint now, Duration at)
+void ReplayedFlight::noteTracks(TimePoint now, Duration at)
 {
     for (const auto &[systemId, vehicle] : m_fleet.vehicles().all()) {
         const vehicle::VehicleState &state = vehicle.current();

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "core/engine/station/fleet.h"
-#include "core/engine/station/flown_ways.h"
+#include "core/engine/station/flown_tracks.h"
 #include "core/log/log_reader.h"
 #include "core/log/log_time.h"
 
@@ -36,8 +36,8 @@ public:
     void setInspecting(bool inspecting) { m_fleet.inspector().setWatching(inspecting); }
     void chooseFields(std::vector<FieldChoice> choices) { m_fleet.fields().choose(std::move(choices)); }
 
-    /// The ways of the vehicles so far.
-    const FlownWays &flown() const { return m_flown; }
+    /// The tracks of the vehicles so far.
+    const FlownTracks &flown() const { return m_flown; }
 
     /// Fills in vehicles, inspector, fields and totals, and adds `link`, over which the vehicles are heard, with its counters.
     void describe(Snapshot &out, LinkSnapshot link) const;
@@ -54,14 +54,14 @@ private:
     bool passTime(Duration until, std::size_t &most);
     Duration nextDeadline() const;
     void drain(vehicle::Vehicle &vehicle);
-    void noteWays(TimePoint now, Duration at);
+    void noteTracks(TimePoint now, Duration at);
 
     tlog::LogReader m_reader;
     tlog::LogTime m_log;
     Notify m_notify;
     StationConfig m_config;
     Fleet m_fleet;
-    FlownWays m_flown;
+    FlownTracks m_flown;
     std::uint64_t m_frames = 0, m_bytes = 0, m_damaged = 0;
     std::optional<NextEntry> m_next;
     Duration m_position{};

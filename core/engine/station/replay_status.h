@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/clock.h"
-#include "core/engine/station/flown_ways.h"
+#include "core/engine/station/flown_tracks.h"
 
 #include <cstdint>
 #include <memory>
@@ -24,7 +24,7 @@ struct ReplayStatus
     bool ended = false;                            ///< at the end of the recording
     std::uint64_t seeks = 0;                       ///< seeks so far: pictures with different numbers do not continue each other
     std::shared_ptr<const tlog::LogIndex> index{}; ///< null until the whole recording was read
-    std::shared_ptr<const FlownWays> flown{};      ///< up to where the last seek went; null before, and during one
+    std::shared_ptr<const FlownTracks> flown{};    ///< up to where the last seek went; null before, and during one
 };
 
 } // namespace skyseal::engine
