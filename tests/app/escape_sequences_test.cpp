@@ -118,7 +118,7 @@ void EscapeSequencesTest::noneReachesTheTerminal()
     QProcess process;
     process.setProcessChannelMode(QProcess::MergedChannels);
     process.start(QStringLiteral(SKYSEAL_BIN_DIR "/") + program, arguments);
-    QVERIFY(process.waitForStarted());
+    QVERIFY(process.waitForStarted(kDeadlineMs));
     process.closeWriteChannel();
     QByteArray said;
     // A program that tries a missing device again and again does not end.

@@ -3,6 +3,7 @@
 #include "app/common/sweep_command_line.h"
 #include "app/common/sweep_setting.h"
 #include "core/experiment/setting.h"
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QDir>
@@ -49,7 +50,7 @@ void SweepCommandLineTest::readByShell(const QString &text, QStringList &words)
     QProcess shell;
     shell.setWorkingDirectory(folder.path());
     shell.start(QStringLiteral("sh"), {QStringLiteral("-c"), QStringLiteral("printf '%s\\0' ") + text});
-    QVERIFY(shell.waitForFinished());
+    QVERIFY(shell.waitForFinished(test::kDeadlineMs));
     QCOMPARE(shell.readAllStandardError(), QByteArray());
     QCOMPARE(shell.exitCode(), 0);
     QVERIFY(QDir(folder.path()).isEmpty());

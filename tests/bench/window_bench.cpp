@@ -90,7 +90,7 @@ public:
     ~Skyseal()
     {
         m_process.terminate();
-        m_process.waitForFinished();
+        m_process.waitForFinished(kDeadlineMs);
     }
     /// As the desktop ends its programs. Returns how many milliseconds the program needed.
     double quit()
@@ -98,7 +98,7 @@ public:
         QElapsedTimer clock;
         clock.start();
         m_process.terminate();
-        if (!m_process.waitForFinished() || m_process.exitStatus() != QProcess::NormalExit)
+        if (!m_process.waitForFinished(kDeadlineMs) || m_process.exitStatus() != QProcess::NormalExit)
             qFatal("the program does not quit");
         return static_cast<double>(clock.nsecsElapsed()) / 1e6;
     }
@@ -122,7 +122,7 @@ void firstWindow()
         const QDateTime begin = QDateTime::currentDateTimeUtc();
         program.start({QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:0"), QStringLiteral("--screenshot"), file,
                        QStringLiteral("--after"), QStringLiteral("0")});
-        program.process().waitForFinished();
+        program.process().waitForFinished(kDeadlineMs);
         if (!QFileInfo::exists(file))
             qFatal("no picture of the window");
         times.push_back(static_cast<double>(begin.msecsTo(QFileInfo(file).lastModified())));

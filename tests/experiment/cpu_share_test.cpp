@@ -82,14 +82,14 @@ void CpuShareTest::suitesShareIsWhatPerfFinds()
     QProcess sweep;
     sweep.start(QStringLiteral(SKYSEAL_BIN_DIR "/skyseal-cli"),
                 words("sweep --launches 1 --pps 20000 --seconds 15 --repeats 1 --no-noise --json --suites") << suite);
-    QVERIFY(sweep.waitForStarted());
+    QVERIFY(sweep.waitForStarted(kDeadlineMs));
     EVENTUALLY(ioThreadOf(sweep.processId()) != 0);
     // Its user and its kernel time, as the thread's own clock counts both.
     QProcess perf;
     perf.start(QStringLiteral("perf"),
                words("record -q -e cpu-clock -F 1999 --call-graph dwarf,8192 -o")
                    << data << QStringLiteral("-t") << QString::number(ioThreadOf(sweep.processId())));
-    QVERIFY(perf.waitForStarted());
+    QVERIFY(perf.waitForStarted(kDeadlineMs));
     QVERIFY(sweep.waitForFinished(2 * kDeadlineMs));
     QCOMPARE(sweep.exitCode(), 0);
     if (!perf.waitForFinished(kDeadlineMs)) {

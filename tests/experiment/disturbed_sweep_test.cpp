@@ -27,13 +27,13 @@ public:
     Hog()
     {
         m_process.start(QStringLiteral("sh"), {QStringLiteral("-c"), QStringLiteral("while :; do :; done")});
-        m_started = m_process.waitForStarted();
+        m_started = m_process.waitForStarted(kDeadlineMs);
         m_clock.start();
     }
     ~Hog()
     {
         m_process.kill();
-        m_process.waitForFinished();
+        m_process.waitForFinished(kDeadlineMs);
     }
     bool started() const { return m_started; }
     /// Percent of a core since it started.

@@ -91,13 +91,13 @@ void MeterShareTest::meterIsNoPartOfTheMeasurement()
     sweep.start(QStringLiteral(SKYSEAL_BIN_DIR "/skyseal-cli"),
                 words("sweep --launches 1 --load natural --suites chacha20-poly1305 --no-noise --json --seconds")
                     << QString::number(kRunSeconds) << QStringLiteral("--repeats") << QString::number(kMeteredRuns));
-    QVERIFY(sweep.waitForStarted());
+    QVERIFY(sweep.waitForStarted(kDeadlineMs));
     EVENTUALLY(ioThreadOf(sweep.processId()) != 0);
     QProcess perf;
     perf.start(QStringLiteral("perf"),
                words("record -q -e cpu-clock -F 9999 --call-graph dwarf,4096 -o")
                    << data << QStringLiteral("-t") << QString::number(ioThreadOf(sweep.processId())));
-    QVERIFY(perf.waitForStarted());
+    QVERIFY(perf.waitForStarted(kDeadlineMs));
     QVERIFY(sweep.waitForFinished(kSweepMs));
     const QByteArray out = sweep.readAllStandardOutput();
     QVERIFY2(sweep.exitCode() == 0, sweep.readAllStandardError().constData());

@@ -600,7 +600,7 @@ void SweepTest::cancelKeepsWhatThereIs()
     QProcess process;
     QStringList arguments = sweep("--suites none,aes-256-gcm --seconds 1 --warm-up 0.3 --repeats 50 --load natural --json");
     process.start(q(SKYSEAL_BIN_DIR "/skyseal-cli"), arguments << q("--out") << folder.path());
-    QVERIFY(process.waitForStarted());
+    QVERIFY(process.waitForStarted(kDeadlineMs));
     QByteArray out;
     while (events(out, "run").isEmpty() && process.waitForReadyRead(kDeadlineMs))
         out += process.readAllStandardOutput();

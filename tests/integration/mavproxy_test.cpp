@@ -41,7 +41,7 @@ public:
     ~MavProxy()
     {
         m_process.kill();
-        m_process.waitForFinished();
+        m_process.waitForFinished(kDeadlineMs);
     }
     MavProxy(const MavProxy &) = delete;
     MavProxy &operator=(const MavProxy &) = delete;

@@ -48,7 +48,7 @@ QByteArray encrypted(const QByteArray &frame, const QString &cipher, const QStri
                   {QStringLiteral("enc"), QStringLiteral("-") + cipher, QStringLiteral("-K"), kKey, QStringLiteral("-iv"), iv});
     openssl.write(frame.mid(header, length));
     openssl.closeWriteChannel();
-    openssl.waitForFinished();
+    openssl.waitForFinished(kDeadlineMs);
     const QByteArray payload = openssl.readAllStandardOutput();
     if (payload.size() != length)
         return {};

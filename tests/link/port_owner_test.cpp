@@ -1,6 +1,7 @@
 // Which program holds a port of this machine, and which is connected to one: this test itself, by sockets of every kind.
 #include "core/link/address_text.h"
 #include "core/link/port_owner.h"
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 
 #include <QtNetwork/QTcpServer>
@@ -43,7 +44,7 @@ void PortOwnerTest::listenerAndCaller()
     QVERIFY(!portCaller(PortKind::Tcp, port));
     QTcpSocket caller;
     caller.connectToHost(server.serverAddress(), port);
-    QVERIFY(caller.waitForConnected());
+    QVERIFY(caller.waitForConnected(skyseal::test::kDeadlineMs));
     const auto found = portCaller(PortKind::Tcp, port);
     QVERIFY(found);
     QCOMPARE(found->process, qint64(QCoreApplication::applicationPid()));
@@ -64,7 +65,7 @@ void PortOwnerTest::datagrams()
     QCOMPARE(sender.writeDatagram("x", QHostAddress::LocalHost, station.localPort()), qint64(1));
     QVERIFY(!portCaller(PortKind::Udp, station.localPort()));
     caller.connectToHost(QHostAddress(QHostAddress::LocalHost), station.localPort());
-    QVERIFY(caller.waitForConnected());
+    QVERIFY(caller.waitForConnected(skyseal::test::kDeadlineMs));
     const auto found = portCaller(PortKind::Udp, station.localPort());
     QVERIFY(found);
     QCOMPARE(found->process, qint64(QCoreApplication::applicationPid()));

@@ -149,7 +149,7 @@ void TcpLinkTest::bytesBeforeTheEndAreDelivered()
     const auto in = openLink("tcpin:127.0.0.1:0", server, quick());
     QTcpSocket socket;
     socket.connectToHost(QHostAddress(QHostAddress::LocalHost), in->localEndpoint()->port);
-    QVERIFY(socket.waitForConnected());
+    QVERIFY(socket.waitForConnected(kDeadlineMs));
     socket.write("last words");
     socket.disconnectFromHost();
     EVENTUALLY_EQUAL(server.left.size(), std::size_t(1));
@@ -201,7 +201,7 @@ void TcpLinkTest::serverRefusesTooManyClients()
     for (std::size_t i = 0; i < TcpServerLink::kMostClients + 1; ++i) {
         sockets.push_back(std::make_unique<QTcpSocket>());
         sockets.back()->connectToHost(QHostAddress(QHostAddress::LocalHost), in->localEndpoint()->port);
-        QVERIFY(sockets.back()->waitForConnected());
+        QVERIFY(sockets.back()->waitForConnected(kDeadlineMs));
     }
     EVENTUALLY_EQUAL(sockets.back()->state(), QAbstractSocket::UnconnectedState);
     QCOMPARE(server.joined.size(), TcpServerLink::kMostClients);
@@ -216,7 +216,7 @@ std::unique_ptr<QTcpSocket> clientOf(const Link &server, const char *from = "127
     auto socket = std::make_unique<QTcpSocket>();
     socket->bind(QHostAddress(QLatin1String(from)));
     socket->connectToHost(QHostAddress(QHostAddress::LocalHost), server.localEndpoint()->port);
-    return socket->waitForConnected() ? std::move(socket) : nullptr;
+    return socket->waitForConnected(kDeadlineMs) ? std::move(socket) : nullptr;
 }
 
 bool isOut(const QTcpSocket &socket)

@@ -24,7 +24,7 @@ Terminal::Terminal(const QString &program, const QStringList &arguments)
         ::ioctl(terminal, TIOCSCTTY, 0);
     });
     m_process.start(QStringLiteral(SKYSEAL_BIN_DIR "/") + program, arguments);
-    m_process.waitForStarted();
+    m_process.waitForStarted(kDeadlineMs);
 }
 
 Terminal::~Terminal()

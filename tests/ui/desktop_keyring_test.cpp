@@ -128,7 +128,7 @@ void DesktopKeyringTest::initTestCase()
     m_daemon.setProcessChannelMode(QProcess::ForwardedErrorChannel);
     m_daemon.start(QStringLiteral("gnome-keyring-daemon"),
                    {QStringLiteral("--foreground"), QStringLiteral("--unlock"), QStringLiteral("--components=secrets")});
-    QVERIFY(m_daemon.waitForStarted());
+    QVERIFY(m_daemon.waitForStarted(test::kDeadlineMs));
     m_daemon.write("login");
     m_daemon.closeWriteChannel();
     const auto *bus = QDBusConnection::sessionBus().interface();
@@ -142,7 +142,7 @@ void DesktopKeyringTest::cleanupTestCase()
     m_memory.reset();
     if (m_daemon.state() == QProcess::Running) {
         m_daemon.terminate();
-        m_daemon.waitForFinished();
+        m_daemon.waitForFinished(test::kDeadlineMs);
     }
 }
 

@@ -33,7 +33,7 @@ private Q_SLOTS:
             bare.remove(QStringLiteral("DISPLAY"));
             skyseal.setProcessEnvironment(bare);
             skyseal.start(program(), {QLatin1String(option)});
-            QVERIFY(skyseal.waitForFinished());
+            QVERIFY(skyseal.waitForFinished(kDeadlineMs));
             QCOMPARE(skyseal.exitCode(), 0);
             QVERIFY(skyseal.readAllStandardOutput().contains("skyseal"));
         }
@@ -55,7 +55,7 @@ private Q_SLOTS:
         QProcess skyseal;
         prepare(skyseal);
         skyseal.start(program(), arguments);
-        QVERIFY(skyseal.waitForFinished());
+        QVERIFY(skyseal.waitForFinished(kDeadlineMs));
         QCOMPARE(skyseal.exitCode(), 2);
         const QByteArray said = skyseal.readAllStandardError();
         QCOMPARE(said.count('\n'), 1);
@@ -69,7 +69,7 @@ private Q_SLOTS:
         skyseal.start(program(),
                       {QStringLiteral("--identity"), m_folder.filePath(QStringLiteral("none.key")), QStringLiteral("--peers"),
                        m_folder.filePath(QStringLiteral("none.peers"))});
-        QVERIFY(skyseal.waitForFinished());
+        QVERIFY(skyseal.waitForFinished(kDeadlineMs));
         QCOMPARE(skyseal.exitCode(), 3);
         QVERIFY(skyseal.readAllStandardError().contains("none.key"));
     }
@@ -82,7 +82,7 @@ private Q_SLOTS:
         skyseal.start(program(),
                       {QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:0"), QStringLiteral("--screenshot"), file,
                        QStringLiteral("--after"), QStringLiteral("0.5")});
-        QVERIFY(skyseal.waitForFinished());
+        QVERIFY(skyseal.waitForFinished(kDeadlineMs));
         QCOMPARE(skyseal.exitCode(), 0);
         const QImage picture(file);
         QCOMPARE(picture.size(), QSize(1280, 800)); // although the screen has 800 by 800
@@ -96,7 +96,7 @@ private Q_SLOTS:
                       {QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:0"), QStringLiteral("--screenshot"),
                        m_folder.filePath(QStringLiteral("no/such/folder.png")), QStringLiteral("--after"),
                        QStringLiteral("0.2")});
-        QVERIFY(skyseal.waitForFinished());
+        QVERIFY(skyseal.waitForFinished(kDeadlineMs));
         QCOMPARE(skyseal.exitCode(), 3);
         QVERIFY(skyseal.readAllStandardError().contains("folder.png: cannot be written"));
     }
@@ -115,10 +115,10 @@ private Q_SLOTS:
         QProcess skyseal;
         prepare(skyseal);
         skyseal.start(program(), {QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:%1").arg(port)});
-        QVERIFY(skyseal.waitForStarted());
+        QVERIFY(skyseal.waitForStarted(kDeadlineMs));
         EVENTUALLY(isBound(port));
         ::kill(static_cast<pid_t>(skyseal.processId()), SIGINT);
-        QVERIFY(skyseal.waitForFinished());
+        QVERIFY(skyseal.waitForFinished(kDeadlineMs));
         QCOMPARE(skyseal.exitStatus(), QProcess::NormalExit);
         QCOMPARE(skyseal.exitCode(), 0);
     }
@@ -133,20 +133,20 @@ private Q_SLOTS:
         QProcess skyseal;
         prepare(skyseal);
         skyseal.start(program(), {QStringLiteral("--link"), QString::fromLatin1(url)});
-        QVERIFY(skyseal.waitForStarted());
+        QVERIFY(skyseal.waitForStarted(kDeadlineMs));
         const auto isMarked = [&] {
             QFile file(runs.filePath(markers().value(0)));
             return markers().size() == 1 && file.open(QIODevice::ReadOnly) && file.readAll().contains("link " + url);
         };
         EVENTUALLY(isMarked());
         skyseal.kill();
-        QVERIFY(skyseal.waitForFinished());
+        QVERIFY(skyseal.waitForFinished(kDeadlineMs));
         QVERIFY(isMarked());
         skyseal.start(program(), {QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:0")});
-        QVERIFY(skyseal.waitForStarted());
+        QVERIFY(skyseal.waitForStarted(kDeadlineMs));
         EVENTUALLY(!markers().isEmpty() && !isMarked());
         ::kill(static_cast<pid_t>(skyseal.processId()), SIGTERM);
-        QVERIFY(skyseal.waitForFinished());
+        QVERIFY(skyseal.waitForFinished(kDeadlineMs));
         QVERIFY(markers().isEmpty());
     }
 
@@ -161,7 +161,7 @@ private Q_SLOTS:
                       {QStringLiteral("--identity"), QString::fromStdString(keys.identity), QStringLiteral("--peers"),
                        QString::fromStdString(keys.peers), QStringLiteral("--link"),
                        QStringLiteral("udpin:127.0.0.1:%1").arg(port)});
-        QVERIFY(skyseal.waitForStarted());
+        QVERIFY(skyseal.waitForStarted(kDeadlineMs));
         rig.startAgent("127.0.0.1:" + std::to_string(port));
         const auto channelEvents = [&rig] {
             std::vector<channel::Event> out;

@@ -1,6 +1,7 @@
 // The window under a real X server with a window manager, by keys and clicks that the server itself makes: focus, held keys and
 // the windows of dialogs differ there from what QTest sends. Xvfb, blackbox and xdotool are in packaging/dependencies. Pictures
 // are kept in the folder that SKYSEAL_PICTURES names.
+#include "tests/support/eventually.h"
 #include "ui/flight/hold_button.h"
 #include "ui/held_keys.h"
 #include "window_rig.h"
@@ -133,7 +134,7 @@ void X11Test::programOpensItsWindows()
     skyseal.setProcessEnvironment(environment);
     skyseal.setProcessChannelMode(QProcess::ForwardedChannels);
     skyseal.start(QStringLiteral(SKYSEAL_BIN_DIR "/skyseal"), {QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:0")});
-    QVERIFY(skyseal.waitForStarted());
+    QVERIFY(skyseal.waitForStarted(test::kDeadlineMs));
     const QString name = QStringLiteral("Skyseal");
     EVENTUALLY(!windows(name).isEmpty());
     const QString window = windows(name).front();
@@ -298,7 +299,7 @@ int main(int argc, char **argv)
         inside.waitForFinished(-1);
         for (QProcess *other : {&manager, &server}) {
             other->terminate();
-            other->waitForFinished();
+            other->waitForFinished(test::kDeadlineMs);
         }
         return inside.exitStatus() == QProcess::NormalExit ? inside.exitCode() : 1;
     }
