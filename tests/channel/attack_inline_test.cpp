@@ -33,10 +33,10 @@ bool offerFrame(Pair &pair, Side to, Bytes bytes)
 /// Recomputes the checksum as an attacker can: it needs no key.
 Bytes withRightChecksum(Bytes frame)
 {
-    const engine::DialectTraits facts(mavlink::Dialect::builtin());
+    const engine::DialectTraits traits(mavlink::Dialect::builtin());
     const std::size_t end = frame.size() - kInlineTrailer - 2;
     const std::uint8_t crcExtra = mavlink::Dialect::builtin().find("COMMAND_LONG")->crcExtra;
-    const std::uint16_t checksum = facts.checksum(ByteView(frame).subspan(1, end - 1), crcExtra);
+    const std::uint16_t checksum = traits.checksum(ByteView(frame).subspan(1, end - 1), crcExtra);
     frame[end] = static_cast<std::uint8_t>(checksum);
     frame[end + 1] = static_cast<std::uint8_t>(checksum >> 8);
     return frame;

@@ -266,12 +266,12 @@ void CarrierSessionTest::noInlineFramesElsewhere()
         PairOptions options = in(carrier);
         options.ground.allowInline = options.ground.preferInline = options.air.allowInline = true;
         options.ground.suites = options.air.suites = {crypto::SuiteId::Aes256Ctr};
-        struct Facts final : MessageTraits
+        struct Traits final : MessageTraits
         {
             std::optional<Message> message(std::uint32_t) const override { return std::nullopt; }
             std::uint16_t checksum(ByteView, std::uint8_t) const override { return 0; }
         };
-        options.messageTraits = std::make_shared<Facts>();
+        options.messageTraits = std::make_shared<Traits>();
         Pair pair(options);
         QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
         pair.run(1s);
