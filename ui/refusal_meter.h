@@ -1,5 +1,5 @@
 // Counts, for each vehicle, the refused frames that claimed to be it. They belong to no session, so that no session counts
-// them. Whether an attack lasts is judged by the last minute; what is shown of it is counted since the link came up, so that it
+// them. Whether an attack lasts is judged by the last minute; the number shown counts since the link came up, so that it
 // never goes down.
 #pragma once
 

@@ -49,31 +49,31 @@ int runPairClient(const QString &program, const std::string &identityFile, Pairi
     settings.decidesRole = true;
     settings.hasPassphrase = passphrase != nullptr;
     const std::string callIt = settings.callIt;
-    PairingPrompt talk(std::move(settings));
-    QObject::connect(&socket, &QLocalSocket::readyRead, &talk, [&] {
+    PairingPrompt prompt(std::move(settings));
+    QObject::connect(&socket, &QLocalSocket::readyRead, &prompt, [&] {
         while (socket.canReadLine()) {
             if (auto status = PairingStatus::fromJson(socket.readLine()))
-                talk.take(std::move(*status));
+                prompt.take(std::move(*status));
         }
     });
-    QObject::connect(&socket, &QLocalSocket::disconnected, &talk, [&] {
+    QObject::connect(&socket, &QLocalSocket::disconnected, &prompt, [&] {
         complain(program, "the agent ended");
         QCoreApplication::exit(kNotReached);
     });
-    QObject::connect(&talk, &PairingPrompt::confirmed, &socket, [&](const PairingPrompt::Answer &answer) {
+    QObject::connect(&prompt, &PairingPrompt::confirmed, &socket, [&](const PairingPrompt::Answer &answer) {
         JsonWriter json;
         json.beginObject().field("do", "confirm").field("public", keys::publicKeyText(answer.key)).field("name", answer.name);
         json.field("role", keys::peerRoleText(answer.role)).field("replace", answer.replace).endObject();
         order(socket, json);
     });
-    QObject::connect(&talk, &PairingPrompt::refused, &socket, [&] { order(socket, "refuse"); });
+    QObject::connect(&prompt, &PairingPrompt::refused, &socket, [&] { order(socket, "refuse"); });
     // Disconnecting closes the window.
     const auto leave = [&](int status) {
-        socket.disconnect(&talk);
+        socket.disconnect(&prompt);
         QCoreApplication::exit(status);
     };
-    QObject::connect(&talk, &PairingPrompt::cancelled, &socket, [&] { leave(kNotReached); });
-    QObject::connect(&talk, &PairingPrompt::finished, &socket, leave);
+    QObject::connect(&prompt, &PairingPrompt::cancelled, &socket, [&] { leave(kNotReached); });
+    QObject::connect(&prompt, &PairingPrompt::finished, &socket, leave);
     StopSignals signals;
     QObject::connect(&signals, &StopSignals::stopRequested, &socket, [&] { leave(kNotReached); });
     const auto length = static_cast<std::int32_t>(passphrase ? passphrase->view().size() : 0);

@@ -1,5 +1,5 @@
 // Lists the recordings of a folder for the window: first their names, then what each contains, the newest first. A thread for
-// files reads them, one after the other; what was read of a file is kept while its size and time stay the same, in a cache also
+// files reads them, one after the other; the result for a file is kept while its size and time stay the same, in a cache also
 // over the starts of the program. Lives on the GUI thread.
 #pragma once
 

@@ -34,7 +34,7 @@ void PeerPath::moveTo(const Path &path, TimePoint now, std::uint64_t stamp)
         endTrial();
     } else if (!m_onTrial && path.carrier != Carrier::Serial) { // The former end of a reconnected stream is gone.
         m_onTrial = true;
-        // Otherwise whoever repeats a first message in the name of another address directs the session's records there.
+        // Otherwise an attacker who repeats a first message in the name of another address directs the session's records there.
         if (m_heard || weakened(Weakness::ReturnToUnheard))
             m_former = m_current;
     }

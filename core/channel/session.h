@@ -60,7 +60,7 @@ public:
     TimePoint deadline() const;
     TimePoint lastReceived() const { return m_lastReceived; }
     /// From then on the session is over. Only echoes in reports keep it alive: without them the two clocks cannot be compared
-    /// any more, and who withholds reports alone would leave a session in which no command is fresh.
+    /// any more. Otherwise an attacker who withholds nothing but reports would leave a session in which no command is fresh.
     TimePoint forgetAt() const;
     TimePoint silentFrom() const { return m_lastReceived + m_context.timing.peerSilentAfter; }
     bool silent(TimePoint now) const { return now >= silentFrom(); }

@@ -200,7 +200,7 @@ std::string trendTable(const Results &results)
         return "<p>No suite was measured twice, so that no trend can be tested.</p>\n";
     return "<p>Test whether values rise or fall with the order of the runs, since programs had not warmed up: log(value) = "
            "suite + launch + slope × order by least squares, and Student's t test of the slope, corrected by Holm's method "
-           "over these lines. What differs between launches is no trend, but part of the intervals.</p>\n"
+           "over these lines. A difference between launches is no trend, but part of the intervals.</p>\n"
            "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
         + headOfTable({{"metric", "change for each run", "p corrected", "trend"}}) + rows + "</table>\n";
 }

@@ -51,7 +51,7 @@ std::string memoryTable(const Results &results)
     if (rows.empty())
         return rows;
     return "<p>The resident memory is that of one process through all suites, from its smallest to its largest value at the "
-           "end of a run: its runs are not independent, and suites are not compared by it. What a suite itself takes is the "
+           "end of a run: its runs are not independent, and suites are not compared by it. The memory of a suite itself is the "
            "heap of a session and of one keyed cipher, each measured once in a process of its own.</p>\n"
            "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
         + headOfTable({{"suite", "framing", "station, MB", "agent, MB", "a session, kB", "a keyed cipher, kB"}}) + rows

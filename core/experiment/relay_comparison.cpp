@@ -42,7 +42,7 @@ std::string explanation(const Results &results)
         "measured by its sequence numbers, in the direction of the station. The two may differ by what was in transit at the "
         "edges: the station notices a loss when the next record or frame arrives.";
     if (std::ranges::any_of(results.plan.conditions, [](const Condition &one) { return one.settings.corrupt > 0; }))
-        out += " What the relay damages is missing at the station as well, and is not in the relay's count.";
+        out += " Damaged datagrams are missing at the station as well, and are not in the relay's count.";
     return out + "</p>\n";
 }
 

@@ -383,7 +383,7 @@ bool FileCounterStore::Shared::openFile(std::unique_lock<std::mutex> &lock)
     m_busy = false;
     m_mayCreate = isMissing;
     if (isMissing)
-        stored = StoredCounters(); // as safe as a new file: what was lost with the old one recovers in the same way
+        stored = StoredCounters(); // as safe as a new file: lost counters recover in the same way
     if (!stored)
         return false;
     add(*stored);

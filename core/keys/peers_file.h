@@ -35,7 +35,7 @@ enum class Acquaintance {
 class PeersFile
 {
 public:
-    /// A longer list is refused: what a message of a stranger costs grows with it, and an end has no more sessions.
+    /// A longer list is refused: the cost of a stranger's message grows with it, and an end has no more sessions.
     static constexpr std::size_t kMostPeers = 256;
 
     PeersFile() = default;

@@ -28,7 +28,7 @@ Message messageOf(const engine::Event &event, const engine::EventText &text, con
     return {QDateTime::currentDateTime(), received ? received->systemId : std::uint8_t{}, text.severity, words};
 }
 
-QString wordsOf(const engine::Event &event, const engine::EventText &text)
+QString sentenceOf(const engine::Event &event, const engine::EventText &text)
 {
     return std::holds_alternative<vehicle::TextReceived>(event) ? text.sentence : text.line();
 }
@@ -119,14 +119,14 @@ void MessagesPanel::handleEvent(const engine::Event &event)
         return;
     const engine::EventText text = engine::eventText(event, m_peers);
     if (!text.isRoutine)
-        append(messageOf(event, text, withRemedy(text, wordsOf(event, text))));
+        append(messageOf(event, text, withRemedy(text, sentenceOf(event, text))));
 }
 
 void MessagesPanel::handleReplayEvent(const engine::Event &event)
 {
     const engine::EventText text = engine::eventText(event, {});
     if (!text.isRoutine)
-        append(messageOf(event, text, tr("Replay: %1").arg(wordsOf(event, text))));
+        append(messageOf(event, text, tr("Replay: %1").arg(sentenceOf(event, text))));
 }
 
 /// Under a flood of refused frames the station reports once a second: the line of the first report counts them, so that it does
@@ -155,7 +155,7 @@ bool MessagesPanel::countRefusal(const engine::Event &event)
     line.frames = *frames += goesOn ? line.frames : 0;
     line.last = now;
     const engine::EventText text = engine::eventText(sum, m_peers);
-    const Message message = messageOf(sum, text, withRemedy(text, wordsOf(sum, text)));
+    const Message message = messageOf(sum, text, withRemedy(text, sentenceOf(sum, text)));
     if (!goesOn || !m_model.replace(line.number, message))
         line.number = append(message);
     return true;

@@ -11,7 +11,7 @@ namespace skyseal::ui {
 
 namespace {
 
-struct Words
+struct Label
 {
     std::string_view name; ///< of the state field
     const char *title, *caption;
@@ -19,14 +19,14 @@ struct Words
     int decimals = -1;                ///< < 0: those of the unit
 };
 
-/// The translations' context, with the words of the derived quantities.
+/// The translations' context, with the labels of the derived quantities.
 struct ValueSourceText
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::ValueSource)
 
 public:
     // clang-format off
-    static constexpr Words kWords[] = {
+    static constexpr Label kLabels[] = {
         {"sysid", QT_TR_NOOP("MAVLink system ID"), QT_TR_NOOP("system")},
         {"mode", QT_TR_NOOP("Flight mode"), QT_TR_NOOP("mode")},
         {"armed", QT_TR_NOOP("Armed"), QT_TR_NOOP("armed")},
@@ -65,10 +65,10 @@ public:
     // clang-format on
 };
 
-const Words *wordsOf(const vehicle::StateField &state)
+const Label *labelOf(const vehicle::StateField &state)
 {
-    const auto *found = std::ranges::find(ValueSourceText::kWords, state.name, &Words::name);
-    return found == std::end(ValueSourceText::kWords) ? nullptr : found;
+    const auto *found = std::ranges::find(ValueSourceText::kLabels, state.name, &Label::name);
+    return found == std::end(ValueSourceText::kLabels) ? nullptr : found;
 }
 
 bool isText(const mavlink::FieldInfo &field)
@@ -113,14 +113,14 @@ QString ValueSource::id() const
 
 QString ValueSource::title() const
 {
-    const Words *words = state ? wordsOf(*state) : nullptr;
-    return words ? ValueSourceText::tr(words->title) : id();
+    const Label *label = state ? labelOf(*state) : nullptr;
+    return label ? ValueSourceText::tr(label->title) : id();
 }
 
 QString ValueSource::caption() const
 {
-    const Words *words = state ? wordsOf(*state) : nullptr;
-    return words ? ValueSourceText::tr(words->caption) : id().section(QLatin1Char('.'), -1);
+    const Label *label = state ? labelOf(*state) : nullptr;
+    return label ? ValueSourceText::tr(label->caption) : id().section(QLatin1Char('.'), -1);
 }
 
 QString ValueSource::description() const
@@ -145,11 +145,11 @@ ValueUnit ValueSource::unit() const
     if (!state)
         return valueUnit(field->units, !isFloating(*field));
     ValueUnit unit = valueUnit(state->unit, state->kind != vehicle::StateField::Kind::Number);
-    if (const Words *words = wordsOf(*state)) {
-        if (words->measure != Measure::Plain)
-            unit.measure = words->measure;
-        if (words->decimals >= 0)
-            unit.decimals = words->decimals;
+    if (const Label *label = labelOf(*state)) {
+        if (label->measure != Measure::Plain)
+            unit.measure = label->measure;
+        if (label->decimals >= 0)
+            unit.decimals = label->decimals;
     }
     return unit;
 }

@@ -1,5 +1,6 @@
 // The menu of the map: commands for the place that was clicked, or without the menu for the one that is pointed at. Each is
-// asked once, while the map marks the place; what makes no sense now is disabled with its reason. Lives on the GUI thread.
+// asked once, while the map marks the place; an entry that makes no sense now is disabled with its reason. Lives on the GUI
+// thread.
 #pragma once
 
 #include "ui/window/menu_table.h"

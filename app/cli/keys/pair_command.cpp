@@ -88,32 +88,32 @@ int pairWithAgent(const QStringList &arguments)
     engine::Station &engine = **station;
     settings.hasPassphrase = *typed != nullptr;
     const std::string callIt = settings.callIt;
-    PairingPrompt talk(std::move(settings));
+    PairingPrompt prompt(std::move(settings));
     Decision decision;
-    QObject::connect(&engine, &engine::Station::pairing, &talk, [&](const channel::PairingEvent &event) {
+    QObject::connect(&engine, &engine::Station::pairing, &prompt, [&](const channel::PairingEvent &event) {
         if (const auto *paired = std::get_if<channel::Paired>(&event)) {
-            talk.take(keep(peersFile, paired->peer, decision));
+            prompt.take(keep(peersFile, paired->peer, decision));
             return;
         }
         const auto known = keys::PeersFile::loadOrEmpty(peersFile);
         if (auto status = statusOf(event, known ? *known : keys::PeersFile(), callIt))
-            talk.take(std::move(*status));
+            prompt.take(std::move(*status));
     });
-    QObject::connect(&engine, &engine::Station::eventOccurred, &talk, [&](const engine::Event &event) {
+    QObject::connect(&engine, &engine::Station::eventOccurred, &prompt, [&](const engine::Event &event) {
         const auto *changed = std::get_if<engine::LinkChanged>(&event);
         if (changed && (changed->link.phase == engine::LinkPhase::Failed || changed->link.addressInUse)) {
             complain(name, changed->link.url + ": " + changed->link.problem.text());
             QCoreApplication::exit(kCannotOpen);
         }
     });
-    QObject::connect(&talk, &PairingPrompt::confirmed, &engine, [&](const PairingPrompt::Answer &answer) {
+    QObject::connect(&prompt, &PairingPrompt::confirmed, &engine, [&](const PairingPrompt::Answer &answer) {
         decision = {answer.name, answer.replace};
         engine.confirmPairing(answer.key);
     });
-    QObject::connect(&talk, &PairingPrompt::refused, &engine, [&] { engine.refusePairing(); });
-    QObject::connect(&talk, &PairingPrompt::cancelled, &engine, [&] { engine.cancelPairing(); });
+    QObject::connect(&prompt, &PairingPrompt::refused, &engine, [&] { engine.refusePairing(); });
+    QObject::connect(&prompt, &PairingPrompt::cancelled, &engine, [&] { engine.cancelPairing(); });
     // The last messages must reach the agent before the program exits.
-    QObject::connect(&talk, &PairingPrompt::finished, &engine, [&](int status) {
+    QObject::connect(&prompt, &PairingPrompt::finished, &engine, [&](int status) {
         QObject::connect(&engine, &engine::Station::stopped, &engine, [status] { QCoreApplication::exit(status); });
         QTimer::singleShot(status == kDone ? kLastText : std::chrono::milliseconds(0), &engine, [&] { engine.stop(); });
     });
@@ -125,7 +125,7 @@ int pairWithAgent(const QStringList &arguments)
     open.state = PairingStatus::State::Open;
     open.key = *engine.publicKey();
     open.seconds = static_cast<int>(std::chrono::duration_cast<std::chrono::seconds>(channel::kPairingWindow).count());
-    talk.take(open);
+    prompt.take(open);
     return QCoreApplication::exec();
 }
 

@@ -1,4 +1,4 @@
-// FILE.part: what has arrived of FILE, so that a download that is broken off goes on from there, also if the program is killed.
+// FILE.part: the received part of FILE, from which an interrupted download continues, also after the program was killed.
 #pragma once
 
 #include "core/vehicle/kept_part.h"
