@@ -18,8 +18,8 @@ target_compile_definitions(skyseal_options INTERFACE
 include(SkysealHardening)
 
 # moc reads every header that a file includes, over a second for a test, although it needs none here: what it generates code for
-# is in the file itself. Without include paths it finds none, and a changed header runs no moc again. So it does not wait for the
-# libraries of its target either, as it would by AUTOGEN_ORIGIN_DEPENDS: the compilation of a program's main() waits for it.
+# is in the file itself. Without include paths it finds none, and a changed header runs no moc again. By default it would wait until
+# the libraries of its target are built (AUTOGEN_ORIGIN_DEPENDS), and so would the compilation of the target's own files.
 get_target_property(skyseal_moc Qt6::moc LOCATION)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/moc.in ${CMAKE_BINARY_DIR}/moc @ONLY
   FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)

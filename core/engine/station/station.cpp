@@ -13,6 +13,7 @@
 #include <QtCore/QTimer>
 
 #include <functional>
+#include <utility>
 #include <variant>
 
 namespace skyseal::engine {
