@@ -122,12 +122,7 @@ class AccessibleNamesTest : public QObject, private WindowRig
     Q_OBJECT
 
 private Q_SLOTS:
-    void init()
-    {
-        ProgramFacts facts;
-        facts.demoAvailable = true;
-        setUp(facts);
-    }
+    void init() { setUpWithDemo(); }
     void cleanup() { tearDown(); }
 
     void windowHasNames_data() { addWindowStates(); }

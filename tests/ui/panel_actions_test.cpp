@@ -103,12 +103,7 @@ class PanelActionsTest : public QObject, private WindowRig
     Q_OBJECT
 
 private Q_SLOTS:
-    void init()
-    {
-        ProgramFacts facts;
-        facts.demoAvailable = true;
-        setUp(facts);
-    }
+    void init() { setUpWithDemo(); }
     void cleanup() { tearDown(); }
 
     void everyButtonIsAnAction_data() { addWindowStates(); }

@@ -32,12 +32,7 @@ class ShortcutsTest : public QObject, private WindowRig
     Q_OBJECT
 
 private Q_SLOTS:
-    void init()
-    {
-        ProgramFacts facts;
-        facts.demoAvailable = true;
-        setUp(facts);
-    }
+    void init() { setUpWithDemo(); }
     void cleanup() { tearDown(); }
 
     void keysThatOthersNeedAreRefused_data()

@@ -31,12 +31,7 @@ class SourcesTest : public QObject, private WindowRig
     Q_OBJECT
 
 private Q_SLOTS:
-    void init()
-    {
-        ProgramFacts facts;
-        facts.demoAvailable = true;
-        setUp(facts);
-    }
+    void init() { setUpWithDemo(); }
     void cleanup() { tearDown(); }
 
     void demoIsRefusedWhileAVehicleIsThere()

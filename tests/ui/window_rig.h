@@ -26,6 +26,13 @@ protected:
         m_facts = facts;
         open();
     }
+    /// Of a desktop with the programs of the demo.
+    void setUpWithDemo()
+    {
+        ProgramFacts facts;
+        facts.demoAvailable = true;
+        setUp(facts);
+    }
 
     void tearDown()
     {

@@ -50,12 +50,7 @@ class WindowStatesTest : public QObject, private WindowRig
     Q_OBJECT
 
 private Q_SLOTS:
-    void init()
-    {
-        ProgramFacts facts;
-        facts.demoAvailable = true;
-        setUp(facts);
-    }
+    void init() { setUpWithDemo(); }
     void cleanup() { tearDown(); }
 
     void emptyStateShowsInstructions()
