@@ -3,13 +3,13 @@
 #include "core/engine/agent/agent_receiver.h"
 #include "core/link/address_text.h"
 #include "tests/channel/identity.h"
-#include "tests/channel/pair.h"
 #include "tests/crypto/seeded_random.h"
 #include "tests/support/clear_frames.h"
 #include "tests/support/command_long.h"
 #include "tests/support/heartbeat.h"
 #include "tests/support/idle_link.h"
 #include "tests/support/test_runner.h"
+#include "tests/support/volatile_counters.h"
 
 #include <QtTest/QTest>
 
@@ -65,7 +65,7 @@ struct Rig final : private link::LinkListener, private AgentReceiver::EventHandl
     static constexpr channel::SessionId kSession{1};
 
     SeededRandom random{1};
-    MemoryCounterStore counterStore;
+    VolatileCounters counterStore;
     const channel::Peer pilot{.key = publicKeyOf(*newIdentity(2)), .name = "pilot", .systemIds = {kPilotsSystem}};
     AgentConfig config;
     IdleLink vehicle{kVehicleUrl, kVehicleLink}, ground{kGroundUrl, groundLink(0)};

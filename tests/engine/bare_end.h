@@ -3,7 +3,6 @@
 #pragma once
 
 #include "core/base/clock.h"
-#include "core/channel/counter_store.h"
 #include "core/channel/policy.h"
 #include "core/channel/role.h"
 #include "core/channel/session_id.h"
@@ -12,9 +11,9 @@
 #include "core/engine/common/secret_files.h"
 #include "tests/channel/identity.h"
 #include "tests/support/bare_socket.h"
+#include "tests/support/volatile_counters.h"
 
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 
@@ -23,23 +22,6 @@ class Endpoint;
 }
 
 namespace skyseal::test {
-
-/// Counters in memory.
-class VolatileCounters final : public channel::CounterStore
-{
-public:
-    std::optional<std::uint64_t> next() override { return ++m_own; }
-    std::uint64_t lastSeen(const channel::PublicKey &peer) override { return m_seen[peer]; }
-    bool remember(const channel::PublicKey &peer, std::uint64_t counter) override
-    {
-        m_seen[peer] = counter;
-        return true;
-    }
-
-private:
-    std::uint64_t m_own = 0;
-    std::map<channel::PublicKey, std::uint64_t> m_seen;
-};
 
 /// Two ends that know each other's keys; no files.
 struct Introduced
