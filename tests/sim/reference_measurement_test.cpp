@@ -47,8 +47,8 @@ public:
     bool run(double seconds) override
     {
         // On a busy machine telemetry from before the vehicle has received the request waits here, more than the time to run.
-        while (m_socket.waitForReadyRead(0))
-            ;
+        if (!eventually([this] { return !m_socket.waitForReadyRead(0); }))
+            return false;
         const double until = m_time + seconds;
         return eventually([&] { return m_time >= until; });
     }
