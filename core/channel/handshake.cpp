@@ -17,24 +17,14 @@ private:
         's', 'k', 'y', 's', 'e', 'a', 'l', ' ', 'c', 'h', 'a', 'n', 'n', 'e', 'l', ' ', 'v', '0' + kProtocolVersion, 0};
 };
 
-std::vector<Key32> presharedKeyOf(const Peer *peer)
+Key32 presharedKeyOf(const Peer &peer)
 {
-    std::vector<Key32> keys;
-    keys.push_back(peer && peer->presharedKey ? peer->presharedKey->clone() : Key32());
-    return keys;
+    return peer.presharedKey ? peer.presharedKey->clone() : Key32();
 }
 
-/// `peer` is null for a responder, which learns its peer from the first message. The prologue must outlive the config.
-noise::HandshakeConfig configFor(noise::Party role, const Prologue &prologue, const crypto::X25519KeyPair &identity,
-                                 const Peer *peer)
-{
-    noise::HandshakeConfig config;
-    config.role = role;
-    config.prologue = prologue.view();
-    config.localStatic = identity.clone();
-    config.psks = presharedKeyOf(peer);
-    return config;
-}
+static_assert(kFirstNoiseLength == noise::kFirstOverhead + FirstPayload::kLength);
+static_assert(kAnswerNoiseLength == noise::kSecondOverhead + AnswerPayload::kLength);
+static_assert(kNumberNoiseLength == noise::kSecondOverhead + NumberPayload::kLength);
 
 void writeHead(MutableByteView message, HandshakeMessage kind, ConnectionId to)
 {
@@ -48,18 +38,11 @@ void writeHead(MutableByteView message, HandshakeMessage kind, ConnectionId to)
 std::optional<Initiator> Initiator::begin(const crypto::X25519KeyPair &identity, const Peer &peer, FirstPayload payload,
                                           RandomSource &random, Carrier carrier)
 {
-    const Prologue prologue(carrier);
-    auto config = configFor(noise::Party::Initiator, prologue, identity, &peer);
-    config.remoteStatic = peer.key;
-    auto noise = noise::HandshakeState::initialize(std::move(config));
-    if (!noise)
-        return std::nullopt;
-
-    Initiator out(std::move(*noise), std::move(payload), identity.publicKey);
+    auto noise = noise::HandshakeState::initiator(Prologue(carrier).view(), identity.clone(), peer.key);
+    noise.setPsk(presharedKeyOf(peer));
+    Initiator out(std::move(noise), std::move(payload), identity.publicKey);
     out.m_message[0] = firstByte(HandshakeMessage::First);
-    const auto written = out.m_noise.writeMessage(out.m_payload.write(),
-                                                  MutableByteView(out.m_message).subspan(1, kFirstNoiseLength), random);
-    if (!written || *written != kFirstNoiseLength)
+    if (!out.m_noise.writeMessage(out.m_payload.write(), MutableByteView(out.m_message).subspan(1, kFirstNoiseLength), random))
         return std::nullopt;
     Mac1(peer.key).sign(out.m_message);
     return out;
@@ -70,11 +53,10 @@ Result<Agreement, RefusalReason> Initiator::readAnswer(ByteView datagram)
     if (datagram.size() != kAnswerLength || !m_answerMac.verify(datagram))
         return tl::unexpected(RefusalReason::WrongKey);
     std::array<std::uint8_t, AnswerPayload::kLength> plain;
-    const auto length = m_noise.readMessage(datagram.subspan(3, kAnswerNoiseLength), plain);
-    if (!length)
+    if (!m_noise.readMessage(datagram.subspan(3, kAnswerNoiseLength), plain))
         return tl::unexpected(RefusalReason::WrongKey);
 
-    const auto answer = AnswerPayload::read(ByteView(plain).first(*length));
+    const auto answer = AnswerPayload::read(plain);
     if (!answer)
         return tl::unexpected(RefusalReason::OfferTampered);
     if (chooseSuite(m_payload.offer, answer->offer) != answer->chosen && !weakened(Weakness::NoOfferRecheck))
@@ -97,20 +79,15 @@ std::optional<std::uint64_t> Initiator::readNumber(ByteView datagram)
 
 Result<Responder, RefusalReason> Responder::read(const crypto::X25519KeyPair &identity, ByteView datagram, Carrier carrier)
 {
-    const Prologue prologue(carrier);
-    auto noise = noise::HandshakeState::initialize(configFor(noise::Party::Responder, prologue, identity, nullptr));
-    if (!noise)
-        return tl::unexpected(RefusalReason::WrongKey);
+    auto noise = noise::HandshakeState::responder(Prologue(carrier).view(), identity.clone());
     std::array<std::uint8_t, FirstPayload::kLength> plain;
-    const auto length = noise->readMessage(datagram.subspan(1, kFirstNoiseLength), plain);
-    if (!length)
+    if (!noise.readMessage(datagram.subspan(1, kFirstNoiseLength), plain))
         return tl::unexpected(RefusalReason::WrongKey);
-    const auto payload = FirstPayload::read(ByteView(plain).first(*length));
-    const auto &peer = noise->remoteStatic();
-    if (!payload || !peer)
+    const auto payload = FirstPayload::read(plain);
+    if (!payload)
         return tl::unexpected(RefusalReason::WrongKey);
-    const PublicKey key = *peer;
-    return Responder(std::move(*noise), key, *payload);
+    const PublicKey peer = *noise.remoteStatic();
+    return Responder(std::move(noise), peer, *payload);
 }
 
 bool Responder::hasCommonSuite(const SuiteOffer &offer) const
@@ -121,7 +98,7 @@ bool Responder::hasCommonSuite(const SuiteOffer &offer) const
 Result<Responder::Answer, RefusalReason> Responder::answer(const Peer &known, ConnectionId ours, const SuiteOffer &offer,
                                                            RandomSource &random) &&
 {
-    m_noise.setPsks(presharedKeyOf(&known));
+    m_noise.setPsk(presharedKeyOf(known));
     const auto suite = chooseSuite(m_payload.offer, offer);
     if (!suite)
         return tl::unexpected(RefusalReason::NoCommonSuite);
@@ -129,8 +106,7 @@ Result<Responder::Answer, RefusalReason> Responder::answer(const Peer &known, Co
     AnswerMessage message{};
     writeHead(message, HandshakeMessage::Answer, m_payload.connection);
     const AnswerPayload payload{ours, offer, *suite};
-    const auto written = m_noise.writeMessage(payload.write(), MutableByteView(message).subspan(3, kAnswerNoiseLength), random);
-    if (!written || *written != kAnswerNoiseLength)
+    if (!m_noise.writeMessage(payload.write(), MutableByteView(message).subspan(3, kAnswerNoiseLength), random))
         return tl::unexpected(RefusalReason::WrongKey);
     Mac1(m_peer).sign(message);
 
@@ -144,7 +120,7 @@ Result<Responder::Answer, RefusalReason> Responder::answer(const Peer &known, Co
 
 std::optional<NumberMessage> Responder::writeNumber(const Peer &known, std::uint64_t lastSeen, RandomSource &random) &&
 {
-    m_noise.setPsks(presharedKeyOf(&known));
+    m_noise.setPsk(presharedKeyOf(known));
     NumberMessage message{};
     writeHead(message, HandshakeMessage::Cookie, m_payload.connection);
     if (!m_noise.writeMessage(NumberPayload{lastSeen}.write(), MutableByteView(message).subspan(3, kNumberNoiseLength), random))

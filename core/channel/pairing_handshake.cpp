@@ -159,7 +159,7 @@ Result<PairingOpening, OpeningError> PairingHandshake::takeOpening(ByteView data
 {
     PairingOpening::Bytes bytes;
     m_receive.setNonce(kOpeningNumber);
-    if (!m_receive.hasKey() || !isOpening(datagram) || sealedPairing(datagram) != m_id
+    if (!isOpening(datagram) || sealedPairing(datagram) != m_id
         || !m_receive.decryptWithAd(datagram.first(kSealedHead), datagram.subspan(kSealedHead), bytes))
         return tl::unexpected(OpeningError::Unreadable);
     if (m_role == Role::Station && commitmentTo(bytes) != m_promised && !weakened(Weakness::NoCommitment))

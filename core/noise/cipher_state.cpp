@@ -1,15 +1,15 @@
 #include "core/noise/cipher_state.h"
 
 #include "core/base/byte_writer.h"
-#include "core/base/weakness.h"
 
 #include <sodium.h>
 
 #include <array>
-#include <cstring>
 #include <limits>
 
 namespace skyseal::noise {
+
+using Done = Result<void, NoiseError>;
 
 static constexpr std::uint64_t kReservedNonce = std::numeric_limits<std::uint64_t>::max();
 
@@ -26,63 +26,54 @@ static std::array<std::uint8_t, 12> nonceBytes(std::uint64_t n)
 CipherState CipherState::clone() const
 {
     CipherState copy;
-    copy.m_key = m_key.clone();
-    copy.m_nonce = m_nonce;
-    copy.m_hasKey = m_hasKey;
+    if (m_k)
+        copy.m_k = m_k->clone();
+    copy.m_n = m_n;
     return copy;
 }
 
 void CipherState::initializeKey(Key32 &&key)
 {
-    m_key = std::move(key);
-    m_nonce = 0;
-    m_hasKey = true;
+    m_k = std::move(key);
+    m_n = 0;
 }
 
-Result<std::size_t, NoiseError> CipherState::encryptWithAd(ByteView associatedData, ByteView plaintext, MutableByteView out)
+Done CipherState::encryptWithAd(ByteView associatedData, ByteView plaintext, MutableByteView out)
 {
-    if (out.size() < plaintext.size() + overhead())
+    if (out.size() < plaintext.size() + kTagLength)
         return tl::unexpected(NoiseError::NoRoom);
-    if (!m_hasKey) {
-        if (!plaintext.empty())
-            std::memmove(out.data(), plaintext.data(), plaintext.size());
-        return plaintext.size();
-    }
-    if (m_nonce == kReservedNonce)
+    if (!m_k)
+        return tl::unexpected(NoiseError::MissingKey);
+    if (m_n == kReservedNonce)
         return tl::unexpected(NoiseError::NonceExhausted);
-    const auto nonce = nonceBytes(m_nonce);
+    const auto nonce = nonceBytes(m_n);
     crypto_aead_chacha20poly1305_ietf_encrypt_detached(out.data(), out.data() + plaintext.size(), nullptr, plaintext.data(),
                                                        plaintext.size(), associatedData.data(), associatedData.size(), nullptr,
-                                                       nonce.data(), m_key.view().data());
-    ++m_nonce;
-    return plaintext.size() + kTagLength;
+                                                       nonce.data(), m_k->view().data());
+    ++m_n;
+    return {};
 }
 
-Result<std::size_t, NoiseError> CipherState::decryptWithAd(ByteView associatedData, ByteView ciphertext, MutableByteView out)
+Done CipherState::decryptWithAd(ByteView associatedData, ByteView ciphertext, MutableByteView out)
 {
-    if (ciphertext.size() < overhead())
+    if (ciphertext.size() < kTagLength)
         return tl::unexpected(NoiseError::Truncated);
-    const std::size_t size = ciphertext.size() - overhead();
+    const std::size_t size = ciphertext.size() - kTagLength;
     if (out.size() < size)
         return tl::unexpected(NoiseError::NoRoom);
-    if (!m_hasKey) {
-        if (size > 0)
-            std::memmove(out.data(), ciphertext.data(), size);
-        return size;
-    }
-    if (m_nonce == kReservedNonce)
+    if (!m_k)
+        return tl::unexpected(NoiseError::MissingKey);
+    if (m_n == kReservedNonce)
         return tl::unexpected(NoiseError::NonceExhausted);
-    const auto nonce = nonceBytes(m_nonce);
+    const auto nonce = nonceBytes(m_n);
     // libsodium verifies first and writes only zeros when the tag is wrong.
-    if (weakened(Weakness::NoHandshakeTag))
-        crypto_stream_chacha20_ietf_xor_ic(out.data(), ciphertext.data(), size, nonce.data(), 1, m_key.view().data());
-    else if (crypto_aead_chacha20poly1305_ietf_decrypt_detached(out.data(), nullptr, ciphertext.data(), size,
-                                                                ciphertext.data() + size, associatedData.data(),
-                                                                associatedData.size(), nonce.data(), m_key.view().data())
-             != 0)
+    if (crypto_aead_chacha20poly1305_ietf_decrypt_detached(out.data(), nullptr, ciphertext.data(), size,
+                                                           ciphertext.data() + size, associatedData.data(),
+                                                           associatedData.size(), nonce.data(), m_k->view().data())
+        != 0)
         return tl::unexpected(NoiseError::DecryptionFailed);
-    ++m_nonce;
-    return size;
+    ++m_n;
+    return {};
 }
 
 } // namespace skyseal::noise

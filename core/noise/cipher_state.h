@@ -1,4 +1,4 @@
-// CipherState of the Noise specification (revision 34, 5.1) with ChaChaPoly: a key and the nonce of its next message.
+// CipherState of the Noise specification (revision 34, 5.1) with ChaChaPoly: a key k and the nonce n of its next message.
 #pragma once
 
 #include "core/base/bytes.h"
@@ -6,11 +6,15 @@
 #include "core/base/secret_bytes.h"
 #include "core/noise/noise_error.h"
 
+#include <optional>
+
 namespace skyseal::noise {
 
 /// Bytes by which a ciphertext is longer than its plaintext.
 inline constexpr std::size_t kTagLength = 16;
 
+/// Without a key, both directions fail with MissingKey: the specification copies the plaintext instead, but in this handshake
+/// every payload and static key has a key. A call that fails leaves the nonce unchanged.
 class CipherState
 {
 public:
@@ -18,23 +22,17 @@ public:
     CipherState clone() const;
 
     void initializeKey(Key32 &&key);
-    bool hasKey() const { return m_hasKey; }
-    void setNonce(std::uint64_t nonce) { m_nonce = nonce; }
-    std::uint64_t nonce() const { return m_nonce; }
-    /// Bytes that encryption adds: 16, or 0 without a key.
-    std::size_t overhead() const { return m_hasKey ? kTagLength : 0; }
+    void setNonce(std::uint64_t nonce) { m_n = nonce; }
 
-    /// Writes plaintext + `overhead()` bytes to `out` and returns their number. Without a key the plaintext is copied.
-    Result<std::size_t, NoiseError> encryptWithAd(ByteView associatedData, ByteView plaintext, MutableByteView out);
+    /// Writes the ciphertext to the first plaintext + 16 bytes of `out`.
+    Result<void, NoiseError> encryptWithAd(ByteView associatedData, ByteView plaintext, MutableByteView out);
 
-    /// Writes ciphertext - `overhead()` bytes to `out` and returns their number. On failure the nonce is unchanged and `out`
-    /// contains no plaintext.
-    Result<std::size_t, NoiseError> decryptWithAd(ByteView associatedData, ByteView ciphertext, MutableByteView out);
+    /// Writes the plaintext to the first ciphertext - 16 bytes of `out`, which contains no plaintext after a failure.
+    Result<void, NoiseError> decryptWithAd(ByteView associatedData, ByteView ciphertext, MutableByteView out);
 
 private:
-    Key32 m_key;
-    std::uint64_t m_nonce = 0;
-    bool m_hasKey = false;
+    std::optional<Key32> m_k;
+    std::uint64_t m_n = 0;
 };
 
 } // namespace skyseal::noise

@@ -1,34 +1,31 @@
-// HandshakeState of the Noise specification (revision 34, 5.3): runs the messages of a pattern, one call each, and ends
-// with the transport secrets. No I/O, no clock; randomness is passed in. Not thread-safe.
+// HandshakeState of the Noise specification (revision 34, 5.3) for the one protocol of the secure channel,
+// Noise_IKpsk2_25519_ChaChaPoly_BLAKE2b. The initiator knows the responder's static key in advance:
+//
+//     <- s
+//     ...
+//     -> e, es, s, ss
+//     <- e, ee, se, psk
+//
+// No I/O, no clock; randomness is passed in. Not thread-safe.
 #pragma once
 
 #include "core/base/random_source.h"
 #include "core/crypto/x25519.h"
-#include "core/noise/handshake_pattern.h"
 #include "core/noise/symmetric_state.h"
 
 #include <optional>
-#include <vector>
+#include <utility>
 
 namespace skyseal::noise {
 
 using crypto::PublicKey;
 using crypto::X25519KeyPair;
 
-enum class Party : std::uint8_t { Initiator, Responder };
-
 inline constexpr std::size_t kMaxMessageLength = 65535;
-
-/// The inputs of a handshake. `prologue` is only read by initialize().
-struct HandshakeConfig
-{
-    Party role = Party::Initiator;
-    std::string_view pattern = kKnownPeers;
-    ByteView prologue; ///< data both ends must agree on; if it differs, the first encrypted message fails
-    std::optional<X25519KeyPair> localStatic;
-    std::optional<PublicKey> remoteStatic;
-    std::vector<Key32> psks; ///< in the order of the pattern's psk tokens; may be given later, see `setPsks`
-};
+/// Bytes of the messages in addition to their payloads: e, s with its tag, and the payload's tag; e and the payload's tag.
+inline constexpr std::size_t kFirstOverhead = sizeof(PublicKey) + sizeof(PublicKey) + kTagLength + kTagLength;
+inline constexpr std::size_t kSecondOverhead = sizeof(PublicKey) + kTagLength;
+static_assert(kFirstOverhead == 96 && kSecondOverhead == 48);
 
 /// The result of a finished handshake at this end: our `send` is the peer's `receive`.
 struct TransportSecrets
@@ -38,60 +35,64 @@ struct TransportSecrets
     crypto::Hash64 handshakeHash{}; ///< identifies the session uniquely at both ends (11.2)
 };
 
-/// A call that fails leaves the handshake unchanged, so that a forged message costs nothing but the time to reject it.
+/// One end of a handshake. The initiator writes the first message and reads the second one, the responder the reverse. A call
+/// that fails leaves the handshake unchanged, so that a forged message costs nothing but the time to reject it.
 class HandshakeState
 {
 public:
-    static Result<HandshakeState, NoiseError> initialize(HandshakeConfig &&config);
+    /// `prologue`: data that both ends must agree on, otherwise the first message is rejected. `s`: the own static key pair.
+    /// `rs`: the responder's static key.
+    static HandshakeState initiator(ByteView prologue, X25519KeyPair &&s, const PublicKey &rs);
+    static HandshakeState responder(ByteView prologue, X25519KeyPair &&s);
 
-    HandshakeState(HandshakeState &&) noexcept = default;
-    HandshakeState &operator=(HandshakeState &&) noexcept = default;
+    /// Sets or replaces the pre-shared key. The second message fails with MissingKey without one; a responder learns only from
+    /// the first message which peer's key applies.
+    void setPsk(Key32 &&psk) { m_psk = std::move(psk); }
 
-    bool isComplete() const { return m_messageIndex >= m_pattern.messages.size(); }
-    bool isMyTurnToWrite() const;
-    /// Bytes of the next message, ours or the peer's, in addition to its payload. 0 when complete.
-    std::size_t nextOverhead() const;
+    /// Writes this end's message to the first bytes of `out`: payload + `kFirstOverhead`, or `kSecondOverhead` as responder.
+    Result<void, NoiseError> writeMessage(ByteView payload, MutableByteView out, RandomSource &random);
 
-    /// Replaces the pre-shared keys: a responder learns only from the first message which peer's keys apply.
-    void setPsks(std::vector<Key32> &&psks) { m_psks = std::move(psks); }
+    /// Reads the peer's message and writes its payload to the first bytes of `payloadOut`: message - `kSecondOverhead`, or
+    /// `kFirstOverhead` as responder. The buffers must not overlap. Safe for any bytes.
+    Result<void, NoiseError> readMessage(ByteView message, MutableByteView payloadOut);
 
-    /// Writes the next message to `out`, which needs payload + `nextOverhead()` bytes, and returns its length.
-    Result<std::size_t, NoiseError> writeMessage(ByteView payload, MutableByteView out, RandomSource &random);
+    /// The peer's static key; a responder has it after the first message. That message may be a replay, and the holder of the
+    /// responder's static key can forge it (7.7).
+    const std::optional<PublicKey> &remoteStatic() const { return m_rs; }
 
-    /// Reads the peer's next message, writes its payload to `payloadOut`, which needs message - `nextOverhead()` bytes, and
-    /// returns its length. The buffers must not overlap. Safe for any bytes.
-    Result<std::size_t, NoiseError> readMessage(ByteView message, MutableByteView payloadOut);
-
-    /// The peer's static key once it is known. How far it is authenticated depends on the messages so far (7.7).
-    const std::optional<PublicKey> &remoteStatic() const { return m_keys.remoteStatic; }
-    const crypto::Hash64 &handshakeHash() const { return m_symmetric.handshakeHash(); }
-
-    /// Ends a complete handshake. The state is wiped, even when this fails.
+    /// Ends a handshake after its second message; Unfinished before. The state is wiped, even when this fails.
     Result<TransportSecrets, NoiseError> finish() &&;
 
 private:
-    /// The four key variables of 5.3 that messages change, with the static pair they are used with.
-    struct Keys
+    /// The number of messages written and read. A state that was moved from has wiped keys, and counts as over.
+    struct MessageCount
     {
-        std::optional<X25519KeyPair> localStatic;
-        std::optional<X25519KeyPair> localEphemeral;
-        std::optional<PublicKey> remoteStatic;
-        std::optional<PublicKey> remoteEphemeral;
+        MessageCount() = default;
+        MessageCount(MessageCount &&other) noexcept : value(std::exchange(other.value, kOver)) {}
+        MessageCount &operator=(MessageCount &&other) noexcept
+        {
+            value = std::exchange(other.value, kOver);
+            return *this;
+        }
+
+        static constexpr unsigned kOver = 3;
+        unsigned value = 0;
     };
-    struct Attempt;
 
-    HandshakeState() = default;
-    Result<void, NoiseError> mixPreMessages();
-    Attempt begin() const;
-    void commit(Attempt &&attempt);
+    HandshakeState(bool initiator, ByteView prologue, X25519KeyPair &&s, const std::optional<PublicKey> &rs);
+    Result<void, NoiseError> writeFirst(ByteView payload, MutableByteView out, RandomSource &random);
+    Result<void, NoiseError> readFirst(ByteView message, MutableByteView payloadOut);
+    Result<void, NoiseError> writeSecond(ByteView payload, MutableByteView out, RandomSource &random);
+    Result<void, NoiseError> readSecond(ByteView message, MutableByteView payloadOut);
 
-    HandshakePattern m_pattern;
-    Party m_role = Party::Initiator;
-    std::size_t m_messageIndex = 0;
-    std::size_t m_pskIndex = 0;
-    std::vector<Key32> m_psks;
+    bool m_initiator;
+    MessageCount m_messages;
     SymmetricState m_symmetric;
-    Keys m_keys;
+    X25519KeyPair m_s;
+    X25519KeyPair m_e; ///< the initiator's, from its message on
+    std::optional<PublicKey> m_rs;
+    PublicKey m_re{}; ///< at the responder, from the first message on
+    std::optional<Key32> m_psk;
 };
 
 } // namespace skyseal::noise

@@ -6,8 +6,7 @@
 namespace skyseal::noise {
 
 enum class NoiseError : std::uint8_t {
-    UnknownPattern,   ///< no such handshake pattern or modifier
-    MissingKey,       ///< the pattern needs a static key, a remote static key or a psk that is missing
+    MissingKey,       ///< a cipher without a key, or the second message without a psk
     OutOfTurn,        ///< it is the other side's turn, or the handshake is complete
     Unfinished,       ///< `finish` before the last message
     TooLong,          ///< the message would exceed 65535 bytes

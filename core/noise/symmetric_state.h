@@ -1,11 +1,10 @@
-// SymmetricState of the Noise specification (revision 34, 5.2) with BLAKE2b: the chaining key, the hash of all
-// messages so far, and the cipher derived from them.
+// SymmetricState of the Noise specification (revision 34, 5.2) with BLAKE2b: the chaining key ck, the hash h of all messages so
+// far, and the cipher derived from them.
 #pragma once
 
 #include "core/crypto/hash.h"
 #include "core/noise/cipher_state.h"
 
-#include <string_view>
 #include <utility>
 
 namespace skyseal::noise {
@@ -13,27 +12,25 @@ namespace skyseal::noise {
 class SymmetricState
 {
 public:
-    /// `protocolName` in full, for instance "Noise_IKpsk2_25519_ChaChaPoly_BLAKE2b".
-    void initializeSymmetric(std::string_view protocolName);
+    /// InitializeSymmetric("Noise_IKpsk2_25519_ChaChaPoly_BLAKE2b").
+    SymmetricState();
     SymmetricState clone() const;
 
     void mixKey(ByteView inputKeyMaterial);
     void mixHash(ByteView data);
     void mixKeyAndHash(ByteView inputKeyMaterial);
-    const crypto::Hash64 &handshakeHash() const { return m_hash; }
+    const crypto::Hash64 &handshakeHash() const { return m_h; }
 
-    Result<std::size_t, NoiseError> encryptAndHash(ByteView plaintext, MutableByteView out);
-    Result<std::size_t, NoiseError> decryptAndHash(ByteView ciphertext, MutableByteView out);
-
-    bool hasKey() const { return m_cipher.hasKey(); }
-    std::size_t overhead() const { return m_cipher.overhead(); }
+    /// Both fail as CipherState does, and change nothing then.
+    Result<void, NoiseError> encryptAndHash(ByteView plaintext, MutableByteView out);
+    Result<void, NoiseError> decryptAndHash(ByteView ciphertext, MutableByteView out);
 
     /// The two transport keys: the initiator's sending key, then the responder's.
     std::pair<Key32, Key32> split() const;
 
 private:
-    crypto::Hash64 m_hash{};
-    SecretBytes<crypto::kBlake2bLength> m_chainingKey;
+    crypto::Hash64 m_h{};
+    SecretBytes<crypto::kBlake2bLength> m_ck;
     CipherState m_cipher;
 };
 

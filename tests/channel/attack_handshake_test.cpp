@@ -56,16 +56,6 @@ template<std::size_t N> std::array<std::uint8_t, N> flipped(std::array<std::uint
     return bytes;
 }
 
-noise::HandshakeConfig noiseConfig(noise::Party role, const X25519KeyPair &own, ByteView prologue)
-{
-    noise::HandshakeConfig config;
-    config.role = role;
-    config.prologue = prologue;
-    config.localStatic = own.clone();
-    config.psks.emplace_back();
-    return config;
-}
-
 /// A station's first record of a session with these keys: one frame.
 Bytes recordUnder(const RevealedSession &session, ConnectionId connection)
 {
@@ -311,15 +301,16 @@ void AttackHandshakeTest::suiteOutsideTheOffers()
     // An agent, or an attacker in its place, chooses a suite that does not follow from the two offers.
     for (const auto &suite : crypto::suites()) {
         auto initiator = begin();
-        auto state = noise::HandshakeState::initialize(noiseConfig(noise::Party::Responder, m_agent, asBytes(kPrologueText)));
+        auto state = noise::HandshakeState::responder(asBytes(kPrologueText), m_agent.clone());
+        state.setPsk(Key32());
         std::array<std::uint8_t, FirstPayload::kLength> payload;
-        QVERIFY(state->readMessage(ByteView(initiator.message()).subspan(1, kFirstNoiseLength), payload));
+        QVERIFY(state.readMessage(ByteView(initiator.message()).subspan(1, kFirstNoiseLength), payload));
         AnswerMessage message{};
         message[0] = firstByte(HandshakeMessage::Answer);
         message[1] = 0x34;
         message[2] = 0x12;
         const auto said = AnswerPayload{ConnectionId{2}, m_offer, suite.id}.write();
-        QVERIFY(state->writeMessage(said, MutableByteView(message).subspan(3, kAnswerNoiseLength), m_random));
+        QVERIFY(state.writeMessage(said, MutableByteView(message).subspan(3, kAnswerNoiseLength), m_random));
         Mac1(m_station.publicKey).sign(message);
         const auto agreement = initiator.readAnswer(message);
         HOLDS(agreement.has_value() == (suite.id == SuiteId::ChaCha20Poly1305), "no other choice is taken");
@@ -333,13 +324,11 @@ void AttackHandshakeTest::otherVersionOrCarrier()
     for (const char *text :
          {"skyseal channel v2\x01", "skyseal channel v1\x02", "skyseal channel v1\x03", "skyseal channel v1\x01"}) {
         const std::string prologue(text);
-        auto config = noiseConfig(noise::Party::Initiator, m_station, asBytes(prologue));
-        config.remoteStatic = m_agent.publicKey;
-        auto state = noise::HandshakeState::initialize(std::move(config));
+        auto state = noise::HandshakeState::initiator(asBytes(prologue), m_station.clone(), m_agent.publicKey);
         FirstMessage message{};
         message[0] = firstByte(HandshakeMessage::First);
         const auto payload = FirstPayload{ConnectionId{1}, m_offer, 1}.write();
-        QVERIFY(state->writeMessage(payload, MutableByteView(message).subspan(1, kFirstNoiseLength), m_random));
+        QVERIFY(state.writeMessage(payload, MutableByteView(message).subspan(1, kFirstNoiseLength), m_random));
         Mac1(m_agent.publicKey).sign(message);
         HOLDS(Responder::read(m_agent, message).has_value() == (prologue == kPrologueText),
               "no message of another version or carrier is read");

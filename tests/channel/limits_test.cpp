@@ -171,19 +171,15 @@ void LimitsTest::agentThatChoosesAnUnknownSuite()
         const Peer known{agent.publicKey, "agent", {}, {}, {}};
         auto initiator = Initiator::begin(station, known, {ConnectionId{1}, offer, 1}, random);
         const std::string prologue("skyseal channel v1\x01");
-        noise::HandshakeConfig config;
-        config.role = noise::Party::Responder;
-        config.prologue = asBytes(prologue);
-        config.localStatic = agent.clone();
-        config.psks.emplace_back();
-        auto state = noise::HandshakeState::initialize(std::move(config));
+        auto state = noise::HandshakeState::responder(asBytes(prologue), agent.clone());
+        state.setPsk(Key32());
         std::array<std::uint8_t, FirstPayload::kLength> asked;
-        QVERIFY(state->readMessage(ByteView(initiator->message()).subspan(1, kFirstNoiseLength), asked));
+        QVERIFY(state.readMessage(ByteView(initiator->message()).subspan(1, kFirstNoiseLength), asked));
         auto payload = AnswerPayload{ConnectionId{2}, offer, SuiteId::ChaCha20Poly1305}.write();
         payload.back() = static_cast<std::uint8_t>(suite);
         AnswerMessage message{};
         message[0] = firstByte(HandshakeMessage::Answer);
-        QVERIFY(state->writeMessage(payload, MutableByteView(message).subspan(3, kAnswerNoiseLength), random));
+        QVERIFY(state.writeMessage(payload, MutableByteView(message).subspan(3, kAnswerNoiseLength), random));
         Mac1(station.publicKey).sign(message);
         QCOMPARE(initiator->readAnswer(message).error(), RefusalReason::OfferTampered);
     }

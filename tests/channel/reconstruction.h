@@ -57,7 +57,6 @@ public:
     std::optional<RevealedSession> withGuess(const std::optional<Key32> &guess, const Key32 &psk = Key32())
     {
         noise::SymmetricState state;
-        state.initializeSymmetric("Noise_IKpsk2_25519_ChaChaPoly_BLAKE2b");
         state.mixHash(asBytes(kPrologueText));
         state.mixHash(m_agent.publicKey);
         const ByteView e = m_first.subspan(1, 32), s = m_first.subspan(33, 48), payload = m_first.subspan(81, 30);

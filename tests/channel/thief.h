@@ -14,7 +14,6 @@ public:
           RandomSource &random)
         : m_agent(std::move(agent)), m_station(station), m_ephemeral(crypto::X25519KeyPair::generate(random))
     {
-        m_state.initializeSymmetric("Noise_IKpsk2_25519_ChaChaPoly_BLAKE2b");
         m_state.mixHash(asBytes(kPrologueText));
         m_state.mixHash(m_agent.publicKey);
         const MutableByteView out(m_message);

@@ -142,14 +142,10 @@ private:
     {
         std::string prologue("skyseal channel v1");
         prologue.push_back(static_cast<char>(m_path.carrier));
-        noise::HandshakeConfig out;
-        out.role = m_agentIsHere ? noise::Party::Initiator : noise::Party::Responder;
-        out.prologue = asBytes(prologue);
-        out.localStatic = (m_agentIsHere ? m_keys.station : m_keys.agent)->clone();
-        if (m_agentIsHere)
-            out.remoteStatic = m_own.publicKey;
-        out.psks.push_back(m_keys.preshared->clone());
-        return std::move(*noise::HandshakeState::initialize(std::move(out)));
+        auto out = m_agentIsHere ? noise::HandshakeState::initiator(asBytes(prologue), m_keys.station->clone(), m_own.publicKey)
+                                 : noise::HandshakeState::responder(asBytes(prologue), m_keys.agent->clone());
+        out.setPsk(m_keys.preshared->clone());
+        return out;
     }
 
     /// A first message, or an answer or number to one, with this payload.
@@ -169,7 +165,7 @@ private:
             head = 3;
         }
         const std::size_t room = datagram.size() - head - kMacLength;
-        Bytes payload(room - noise.nextOverhead());
+        Bytes payload(room - (m_agentIsHere ? noise::kFirstOverhead : noise::kSecondOverhead));
         std::copy_n(bytes.begin(), std::min(bytes.size(), payload.size()), payload.begin());
         must(noise.writeMessage(payload, MutableByteView(datagram).subspan(head, room), m_random).has_value());
         Mac1(m_own.publicKey).sign(datagram);
