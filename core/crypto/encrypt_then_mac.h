@@ -3,7 +3,6 @@
 #pragma once
 
 #include "core/base/declassified.h"
-#include "core/base/weakness.h"
 #include "core/crypto/hmac_sha256.h"
 #include "core/crypto/record_keys.h"
 
@@ -53,24 +52,16 @@ public:
 
     explicit RecordMac(const Key32 &key) : m_hmac(key.view()) {}
 
-    Tag tag(std::uint64_t counter, ByteView associatedData, ByteView ciphertext) const
+    bool ready() const { return m_hmac.ready(); }
+
+    /// nullopt if the library fails.
+    std::optional<Tag> tag(std::uint64_t counter, ByteView associatedData, ByteView ciphertext)
     {
-        // The head is composed in the block that is hashed, in as few stores as possible: each copy, and each load that is
-        // wider than a pending store, costs time.
-        constexpr std::size_t kHead = 12, kWord = 8;
-        HmacSha256::Block block;
+        std::array<std::uint8_t, 12> head;
+        storeLittleEndian64(head.data(), counter);
+        storeLittleEndian32(head.data() + sizeof counter, static_cast<std::uint32_t>(associatedData.size()));
         Tag out;
-        storeLittleEndian64(block.data(), counter);
-        storeLittleEndian32(block.data() + kWord, static_cast<std::uint32_t>(associatedData.size()));
-        if (associatedData.size() < kWord || associatedData.size() > block.size() / 2) {
-            m_hmac.compute(out, {ByteView(block).first(kHead), associatedData, ciphertext});
-            return out;
-        }
-        std::memcpy(block.data() + kHead, associatedData.data(), kWord);
-        for (std::size_t i = kWord; i < associatedData.size(); ++i)
-            block[kHead + i] = associatedData[i];
-        m_hmac.compute(out, block, kHead + associatedData.size(), ciphertext);
-        return out;
+        return m_hmac.compute(out, {head, associatedData, ciphertext}) ? std::optional(out) : std::nullopt;
     }
 
 private:
@@ -86,7 +77,7 @@ public:
     template<SuiteId suite> static std::unique_ptr<RecordCipher> make(const RecordKeys &keys)
     {
         auto cipher = std::make_unique<EncryptThenMac>(suite, keys);
-        return cipher->m_body.ready() ? std::move(cipher) : nullptr;
+        return cipher->m_body.ready() && cipher->m_mac.ready() ? std::move(cipher) : nullptr;
     }
 
     SuiteId suite() const override { return m_suite; }
@@ -107,10 +98,10 @@ public:
         const MutableByteView body = out.first(bodySize);
         if (!m_body.encrypt(counter, plaintext, body))
             return 0;
-        if (weakened(Weakness::NoEncryption))
-            std::memcpy(body.data(), plaintext.data(), plaintext.size());
-        const RecordMac::Tag tag = m_mac.tag(counter, associatedData, body);
-        std::memcpy(out.data() + bodySize, tag.data(), tag.size());
+        const auto tag = m_mac.tag(counter, associatedData, body);
+        if (!tag)
+            return 0;
+        std::memcpy(out.data() + bodySize, tag->data(), tag->size());
         return bodySize + RecordMac::kLength;
     }
 
@@ -119,11 +110,9 @@ public:
         if (sealed.size() < RecordMac::kLength)
             return std::nullopt;
         const MutableByteView body = sealed.first(sealed.size() - RecordMac::kLength);
-        const RecordMac::Tag tag = m_mac.tag(counter, associatedData, body);
-        if (declassified(crypto_verify_16(tag.data(), body.data() + body.size())) != 0 && !weakened(Weakness::NoTagCheck))
+        const auto tag = m_mac.tag(counter, associatedData, body);
+        if (!tag || declassified(crypto_verify_16(tag->data(), body.data() + body.size())) != 0)
             return std::nullopt;
-        if (weakened(Weakness::NoEncryption))
-            return body;
         const std::optional<std::size_t> length = m_body.decrypt(counter, body);
         if (!length)
             return std::nullopt;

@@ -20,8 +20,7 @@ using EvpCipher = std::unique_ptr<EVP_CIPHER, EvpDeleter>;
 
 enum class EvpDirection { Encrypt, Decrypt };
 
-/// A context keyed for one direction, without padding; null if OpenSSL refuses. Padding is switched off only for block modes:
-/// OpenSSL sets an explicit padding option again with every IV, which costs time.
+/// A context keyed for one direction; null if OpenSSL refuses.
 inline EvpContext makeEvpContext(const EVP_CIPHER *cipher, const std::uint8_t *key, EvpDirection direction)
 {
     const LockedAllocations locked;
@@ -30,8 +29,6 @@ inline EvpContext makeEvpContext(const EVP_CIPHER *cipher, const std::uint8_t *k
         return nullptr;
     if (EVP_CipherInit_ex2(context.get(), cipher, key, nullptr, direction == EvpDirection::Encrypt ? 1 : 0, nullptr) != 1)
         return nullptr;
-    if (EVP_CIPHER_get_block_size(cipher) > 1)
-        EVP_CIPHER_CTX_set_padding(context.get(), 0);
     return context;
 }
 

@@ -18,7 +18,7 @@ public:
     template<SuiteId suite> static std::unique_ptr<InlineCipher> make(const RecordKeys &keys)
     {
         auto cipher = std::make_unique<InlineThenMac>(suite, keys);
-        return cipher->m_body.ready() ? std::move(cipher) : nullptr;
+        return cipher->m_body.ready() && cipher->m_mac.ready() ? std::move(cipher) : nullptr;
     }
 
     SuiteId suite() const override { return m_suite; }
@@ -32,17 +32,19 @@ public:
 
     bool open(std::uint64_t counter, ByteView associatedData, MutableByteView body, const Tag &tag) override
     {
-        const Tag right = shortTag(counter, associatedData, body);
-        const bool good = declassified(sodium_memcmp(right.data(), tag.data(), tag.size())) == 0;
-        return (good || weakened(Weakness::NoTagCheck)) && m_body.decrypt(counter, body).has_value();
+        const auto right = shortTag(counter, associatedData, body);
+        const bool good = right && declassified(sodium_memcmp(right->data(), tag.data(), tag.size())) == 0;
+        return good && m_body.decrypt(counter, body).has_value();
     }
 
 private:
-    Tag shortTag(std::uint64_t counter, ByteView associatedData, ByteView body) const
+    std::optional<Tag> shortTag(std::uint64_t counter, ByteView associatedData, ByteView body)
     {
-        const RecordMac::Tag whole = m_mac.tag(counter, associatedData, body);
+        const auto whole = m_mac.tag(counter, associatedData, body);
+        if (!whole)
+            return std::nullopt;
         Tag out;
-        std::memcpy(out.data(), whole.data(), out.size());
+        std::memcpy(out.data(), whole->data(), out.size());
         return out;
     }
 

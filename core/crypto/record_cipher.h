@@ -1,4 +1,4 @@
-// Seals and opens the records of one direction of one epoch. Keyed once; neither call allocates.
+// Seals and opens the records of one direction of one epoch. Keyed once; neither call allocates (hmac_sha256.h: OpenSSL).
 //
 // Keys: K(use) = HKDF-Expand-SHA256(direction secret, "skyseal v1 record " + suite name + " " + use, length), with the
 // suite names of suite.h, without a terminator (RFC 5869). A shorter key is a prefix of the longer output. Lengths:

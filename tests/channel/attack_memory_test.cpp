@@ -2,7 +2,6 @@
 // same seed, every secret of the beginning of a session and hands them over masked. This process searches its own memory for
 // them, during the first epoch and after it.
 #include "attack.h"
-#include "core/crypto/hmac_sha256.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/record_keys.h"
 #include "inline_pair.h"
@@ -17,6 +16,7 @@
 #include <memory>
 #include <new>
 
+#include <sodium.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
 
@@ -49,12 +49,13 @@ void writeSessionSecrets(const WriteSecret &write, const Pair &pair, const Tap &
     write("agent's-ephemeral", ByteView(agents.secret.view()).subspan(1, 30), false);
     // The two hash states that HMAC derives from a key are as secret as the key.
     const auto writeStates = [&](const char *name, const Key32 &key, bool lives) {
-        const crypto::HmacSha256 hmac(key.view());
-        static_assert(sizeof hmac == 64);
-        std::array<std::uint8_t, sizeof hmac> states;
-        std::memcpy(states.data(), static_cast<const void *>(&hmac), states.size());
-        write((QByteArray(name) + "-inner").constData(), ByteView(states).first(32), lives);
-        write((QByteArray(name) + "-outer").constData(), ByteView(states).last(32), lives);
+        crypto_auth_hmacsha256_state hmac; // libsodium's, since OpenSSL shows nobody its own
+        crypto_auth_hmacsha256_init(&hmac, key.view().data(), key.size());
+        const auto bytesOf = [](const std::uint32_t(&state)[8]) {
+            return ByteView(reinterpret_cast<const std::uint8_t *>(state), sizeof state);
+        };
+        write((QByteArray(name) + "-inner").constData(), bytesOf(hmac.ictx.state), lives);
+        write((QByteArray(name) + "-outer").constData(), bytesOf(hmac.octx.state), lives);
     };
     write("shared-secret", shared->view(), false);
     write("transport-key-1", session.initiators.view(), false);
@@ -73,7 +74,7 @@ void writeSessionSecrets(const WriteSecret &write, const Pair &pair, const Tap &
             const bool hasMac = !crypto::suiteInfo(suite).isAead();
             const auto keys = crypto::RecordKeys::derive(*direction, suite, framing);
             const QByteArray name(framing.data(), static_cast<int>(framing.size()));
-            write((name + "-mac-key").constData(), keys.mac.view(), false); // only what HMAC makes of it is kept
+            write((name + "-mac-key").constData(), keys.mac.view(), hasMac);
             writeStates((name + "-mac").constData(), keys.mac, hasMac);
             write((name + "-key").constData(), keys.key.view(), true);
             write((name + "-iv").constData(), ByteView(keys.iv.view()).first(12), true); // of a key, where it is one

@@ -101,6 +101,7 @@ void PrimitiveVectorsTest::sp800_38a()
             const Bytes in = vector.bytes(encrypt ? "plaintext" : "ciphertext");
             const EvpContext context = makeEvpContext(cipher.get(), vector.bytes("key").data(), direction);
             QVERIFY(context);
+            EVP_CIPHER_CTX_set_padding(context.get(), 0);
             Bytes out(in.size());
             int written = 0;
             for (int again = 0; again < 2; ++again) { // setting the IV alone restarts a context
@@ -211,12 +212,12 @@ void PrimitiveVectorsTest::rfc4231()
     const auto vectors = readVectors("rfc4231.txt");
     QCOMPARE(vectors.size(), std::size_t(7));
     for (const Vector &vector : vectors) {
-        const HmacSha256 hmac(vector.bytes("key"));
+        HmacSha256 hmac(vector.bytes("key"));
         const Bytes message = vector.bytes("message");
-        // For every split into parts, and repeatedly from the same states.
+        // For every split into parts, and repeatedly under the same key.
         for (std::size_t cut = 0; cut <= message.size(); ++cut) {
             Bytes tag(vector.bytes("tag").size());
-            hmac.compute(tag, {ByteView(message).first(cut), ByteView(), ByteView(message).subspan(cut)});
+            QVERIFY(hmac.compute(tag, {ByteView(message).first(cut), ByteView(), ByteView(message).subspan(cut)}));
             QCOMPARE(toHex(tag), vector.text("tag"));
         }
     }

@@ -13,15 +13,14 @@ class Rc4Body : public SameLength
 public:
     explicit Rc4Body(const RecordKeys &keys) : m_keys(keys.key.view()) {}
 
-    bool ready() const { return m_stream.ready(); }
+    bool ready() const { return m_keys.ready() && m_stream.ready(); }
 
     bool encrypt(std::uint64_t counter, ByteView plaintext, MutableByteView out)
     {
         std::array<std::uint8_t, 8> message;
         storeLittleEndian64(message.data(), counter);
         Key32 key;
-        m_keys.compute(key.mutableView(), {message});
-        return m_stream.crypt(key, plaintext, out.data());
+        return m_keys.compute(key.mutableView(), {message}) && m_stream.crypt(key, plaintext, out.data());
     }
 
     std::optional<std::size_t> decrypt(std::uint64_t counter, MutableByteView body)
