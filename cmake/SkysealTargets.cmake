@@ -53,10 +53,20 @@ endif()
 
 # Headers that change often and that many files need. A change of one compiles the groups of its users (below) and no others.
 set(skyseal_wide_headers core/base/secret_bytes.h core/channel/endpoint.h core/engine/station/snapshot.h)
-# Headers that the weakened twins (tests/weakened) compile in another way.
-set(skyseal_weakened_headers core/base/declassified.h core/base/weakness.h)
+# Files that patches of tests/weakened change; the weakened twins compile copies of them.
+set(skyseal_patched_files)
+if(SKYSEAL_PROOFS)
+  file(GLOB skyseal_weakness_patches CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/weakened/patches/*.patch)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${skyseal_weakness_patches})
+  foreach(patch IN LISTS skyseal_weakness_patches)
+    file(STRINGS ${patch} lines REGEX "^[+][+][+] b/")
+    list(TRANSFORM lines REPLACE "^[+][+][+] b/" "")
+    list(APPEND skyseal_patched_files ${lines})
+  endforeach()
+  list(REMOVE_DUPLICATES skyseal_patched_files)
+endif()
 
-# skyseal_notable_includes(FILE OUT): which of those headers FILE includes, also by other headers; none if it is still to be
+# skyseal_notable_includes(FILE OUT): which of these files FILE is or includes, also by other headers; none if it is still to be
 # generated.
 function(skyseal_notable_includes file out)
   if(NOT EXISTS ${file})
@@ -67,11 +77,15 @@ function(skyseal_notable_includes file out)
   get_property(known GLOBAL PROPERTY "skyseal_notable_includes ${file}" SET)
   if(NOT known)
     set_property(GLOBAL PROPERTY "skyseal_notable_includes ${file}" "") # for headers that include each other
+    cmake_path(RELATIVE_PATH file BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE name)
+    if(name IN_LIST skyseal_patched_files)
+      list(APPEND found ${name})
+    endif()
     cmake_path(GET file PARENT_PATH folder)
     file(STRINGS ${file} lines REGEX "^#include \"")
     foreach(line IN LISTS lines)
       string(REGEX REPLACE "^#include \"(.*)\".*" "\\1" header ${line})
-      if(header IN_LIST skyseal_wide_headers OR header IN_LIST skyseal_weakened_headers)
+      if(header IN_LIST skyseal_wide_headers)
         list(APPEND found ${header})
       endif()
       foreach(place ${PROJECT_SOURCE_DIR} ${folder})
@@ -90,8 +104,8 @@ function(skyseal_notable_includes file out)
 endfunction()
 
 # skyseal_group(FILE TARGET OUT): with which others of TARGET FILE, a whole path, is compiled. With SKYSEAL_PROOFS the files that
-# include a weakness and the attack tests have groups of their own, since the weakened twins compile the former again and take
-# the objects of the latter. WHOLE: about 24 files in a group. GROUPS: the users of the same wide headers are one; those of none
+# are or include a patched one and the attack tests have groups of their own, since the weakened twins compile the former again and
+# take the objects of the latter. WHOLE: about 24 files in a group. GROUPS: the users of the same wide headers are one; those of none
 # are in eight in the tests and the window, and in three elsewhere. A target of a few files (SKYSEAL_SMALL) has one such group.
 function(skyseal_group file target out)
   cmake_path(GET file FILENAME name)
@@ -103,7 +117,7 @@ function(skyseal_group file target out)
   endif()
   skyseal_notable_includes(${file} headers)
   foreach(header IN LISTS headers)
-    if(NOT header IN_LIST skyseal_weakened_headers)
+    if(NOT header IN_LIST skyseal_patched_files)
       if(SKYSEAL_UNITY STREQUAL "GROUPS")
         cmake_path(GET header STEM stem)
         list(APPEND group ${stem})

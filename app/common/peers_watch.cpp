@@ -2,7 +2,6 @@
 
 #include "app/common/output.h"
 #include "core/base/json_writer.h"
-#include "core/base/weakness.h"
 
 #include <QtCore/QFileInfo>
 
@@ -133,8 +132,7 @@ PeersWatch::PeersWatch(const std::string &file, Read read, Apply apply, Clock cl
     connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, &PeersWatch::look);
     connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, &PeersWatch::look);
     keepWatching();
-    if (!weakened(Weakness::NotifiedOnly))
-        m_everySecond.start(kLookEvery);
+    m_everySecond.start(kLookEvery);
     look();
 }
 

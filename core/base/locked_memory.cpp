@@ -1,7 +1,5 @@
 #include "core/base/locked_memory.h"
 
-#include "core/base/weakness.h"
-
 #include <atomic>
 #include <cerrno>
 #include <cstdint>
@@ -26,8 +24,6 @@ void reportOnce(int error)
 
 void lockPages(const void *begin, std::size_t size) noexcept
 {
-    if (weakened(Weakness::NoMemoryLock))
-        return;
     static const auto pageSize = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
     const std::uintptr_t offset = reinterpret_cast<std::uintptr_t>(begin) % pageSize;
     // Not sodium_mlock(): its counterpart would also unlock the other keys of the page.

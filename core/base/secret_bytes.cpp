@@ -1,15 +1,12 @@
 #include "core/base/secret_bytes.h"
 
-#include "core/base/weakness.h"
-
 #include <sodium.h>
 
 namespace skyseal {
 
 void wipeSecret(void *bytes, std::size_t size) noexcept
 {
-    if (!weakened(Weakness::NoWipe))
-        sodium_memzero(bytes, size);
+    sodium_memzero(bytes, size);
 }
 
 bool equalSecrets(const void *a, const void *b, std::size_t size) noexcept

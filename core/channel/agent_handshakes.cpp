@@ -1,7 +1,5 @@
 #include "core/channel/agent_handshakes.h"
 
-#include "core/base/weakness.h"
-
 #include <algorithm>
 
 namespace skyseal::channel {
@@ -46,8 +44,6 @@ bool AgentHandshakes::handleFirst(TimePoint now, const Path &from, ByteView data
         // A copy: our answer may have been lost. Send the same one again, without a computation.
         if (std::equal(content.begin(), content.end(), answered.first.begin())) {
             m_core.context.outgoing.push(from, answered.answer);
-            if (weakened(Weakness::AnswerTwice))
-                m_core.context.outgoing.push(from, answered.answer);
             return false;
         }
     }
@@ -64,7 +60,7 @@ bool AgentHandshakes::handleFirst(TimePoint now, const Path &from, ByteView data
     // with our own key, who can forge first messages, must not be able to use up the station's counters. For the same reason
     // the counters of unconfirmed answers do not count here.
     const std::uint64_t counter = responder->payload().counter;
-    if (counter <= m_core.counters.lastSeen(key) && !weakened(Weakness::AcceptLowerCounter)) {
+    if (counter <= m_core.counters.lastSeen(key)) {
         sendNumber(now, from, *peer, std::move(*responder));
         return refuse(now, from, RefusalReason::ReplayedHandshake, key);
     }
@@ -101,12 +97,8 @@ bool AgentHandshakes::handleFirst(TimePoint now, const Path &from, ByteView data
     Answered answered{key, counter, session->id(), now + kAnswerKept, {}, answer->message};
     std::copy(datagram.begin(), datagram.end(), answered.first.begin());
     m_answered.push_back(answered);
-    auto &entry = m_core.table.put(std::move(session), false, now);
+    m_core.table.put(std::move(session), false, now);
     m_core.context.outgoing.push(from, answer->message);
-    if (weakened(Weakness::AnswerTwice))
-        m_core.context.outgoing.push(from, answer->message);
-    if (weakened(Weakness::NoConfirmation))
-        return confirm(now, entry);
     return true;
 }
 
@@ -197,9 +189,7 @@ bool AgentHandshakes::refuse(TimePoint now, const Path &from, RefusalReason reas
 
 bool AgentHandshakes::mayCompute(TimePoint now, const Path &from, ByteView datagram, bool proven)
 {
-    if (weakened(Weakness::NoRateLimit))
-        return true;
-    if (proven || !m_limit.underLoad(now) || weakened(Weakness::NoCookie))
+    if (proven || !m_limit.underLoad(now))
         return m_limit.admit(now, from, !proven ? Standing::Claimed : expects(from) ? Standing::Expected : Standing::Proven);
     // Cookies may use half of the queue only.
     if (m_core.context.outgoing.size() < DatagramQueue::kSlots / 2)

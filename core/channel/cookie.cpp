@@ -1,6 +1,5 @@
 #include "core/channel/cookie.h"
 
-#include "core/base/weakness.h"
 #include "core/crypto/hash.h"
 
 #include <sodium.h>
@@ -102,7 +101,7 @@ bool cookieHasForm(ByteView datagram)
     if (datagram.size() != kCookieLength || datagram[0] != firstByte(HandshakeMessage::Cookie))
         return false;
     const ByteView padding = datagram.subspan(1 + kNonceLength + kSealedLength);
-    return sodium_is_zero(padding.data(), padding.size()) == 1 || weakened(Weakness::NoForm);
+    return sodium_is_zero(padding.data(), padding.size()) == 1;
 }
 
 std::optional<Cookie> openCookie(const PublicKey &agent, ByteView mac1, ByteView datagram)

@@ -1,7 +1,5 @@
 #include "core/channel/endpoint_core.h"
 
-#include "core/base/weakness.h"
-
 #include <algorithm>
 
 namespace skyseal::channel {
@@ -47,15 +45,11 @@ void EndpointCore::updateOffer()
 const Peer *EndpointCore::peer(const PublicKey &key) const
 {
     const auto found = std::find_if(config.peers.begin(), config.peers.end(), [&](const Peer &p) { return p.key == key; });
-    if (found == config.peers.end() && !config.peers.empty() && weakened(Weakness::NoPinning))
-        return &config.peers.front();
     return found == config.peers.end() ? nullptr : &*found;
 }
 
 void EndpointCore::notifyRefused(TimePoint now, const Path &path, RefusalReason reason, const PublicKey &key)
 {
-    if (weakened(Weakness::NotifyEverything))
-        return context.events.push_back(HandshakeRefused{path, reason, key});
     // A station shows each agent that it does not know.
     const bool isUnknownAgent = config.role == Role::Station && reason == RefusalReason::UnknownPeer;
     if (isCausedByStrangers(reason) && !isUnknownAgent) {
@@ -64,7 +58,7 @@ void EndpointCore::notifyRefused(TimePoint now, const Path &path, RefusalReason 
         return;
     }
     std::optional<Notified> *slot = nullptr;
-    for (auto &notified : isUnknownAgent && !weakened(Weakness::SharedNotices) ? m_unknownAgents : m_otherRefusals) {
+    for (auto &notified : isUnknownAgent ? m_unknownAgents : m_otherRefusals) {
         const bool current = notified && now < notified->at + kRefusalPause;
         if (current && notified->path == path)
             return;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "core/base/random_source.h"
-#include "core/base/weakness.h"
 #include "core/channel/key_chain.h"
 #include "core/channel/token_bucket.h"
 #include "core/crypto/x25519.h"
@@ -21,7 +20,7 @@ public:
     void drop() { m_proposal.reset(); }
 
     /// Limits the computations that the peer can cause.
-    bool mayCompute(TimePoint now) { return m_computations.take(now, kPerSecond, kAtOnce) || weakened(Weakness::NoRateLimit); }
+    bool mayCompute(TimePoint now) { return m_computations.take(now, kPerSecond, kAtOnce); }
     /// Answers a proposal with a fresh key. Returns nullopt if its key is of small order.
     static std::optional<SwitchSecret> answer(const crypto::PublicKey &proposer, RandomSource &random);
     /// Result of this end's proposal, whose private key stays. Returns nullopt if the answer's key is of small order.

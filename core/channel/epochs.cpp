@@ -1,6 +1,5 @@
 #include "core/channel/epochs.h"
 
-#include "core/base/weakness.h"
 #include "core/channel/counter_sums.h"
 
 namespace skyseal::channel {
@@ -85,8 +84,6 @@ void Epochs::retirePrevious()
             m_history.pop_front();
     }
     m_last = Retired{m_previous->stats(), m_previous->window};
-    if (weakened(Weakness::KeepOldKeys))
-        static_cast<void>(m_previous.release());
     m_previous.reset();
 }
 

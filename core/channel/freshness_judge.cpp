@@ -1,7 +1,5 @@
 #include "core/channel/freshness_judge.h"
 
-#include "core/base/weakness.h"
-
 namespace skyseal::channel {
 
 void FreshnessJudge::addReport(RecordPosition position, std::uint32_t peerStamp)
@@ -20,12 +18,12 @@ std::optional<std::uint32_t> FreshnessJudge::stampBefore(RecordPosition position
 
 Freshness FreshnessJudge::judgeAge(const Arrival &arrival, const PeerClock &peerClock)
 {
-    if (arrival.afterClose && !weakened(Weakness::CommandsAfterClose))
+    if (arrival.afterClose)
         return Freshness::AfterClose;
     const auto peerStamp = arrival.peerStamp ? arrival.peerStamp : stampBefore(arrival.position);
     m_age = peerStamp ? peerClock.age(arrival.now, *peerStamp) : std::nullopt;
     const bool young = !m_limits.age || (m_age && *m_age <= *m_limits.age);
-    return young || weakened(Weakness::NoAgeLimit) ? Freshness::Fresh : Freshness::TooOld;
+    return young ? Freshness::Fresh : Freshness::TooOld;
 }
 
 FreshnessReport FreshnessJudge::report(std::uint64_t stale) const

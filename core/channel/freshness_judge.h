@@ -1,7 +1,6 @@
 // Judges the delay of the records of a session that contain frames (PROTOCOL.md, section 6.1).
 #pragma once
 
-#include "core/base/weakness.h"
 #include "core/channel/arrival_history.h"
 #include "core/channel/freshness.h"
 #include "core/channel/peer_clock.h"
@@ -33,7 +32,7 @@ public:
     /// Judges frames. Without a stamp they count as old as the report before them.
     Freshness judge(const Arrival &arrival, const PeerClock &peerClock)
     {
-        if (m_arrivals.overtaken(arrival.now, arrival.position) && !weakened(Weakness::NoOvertakenLimit))
+        if (m_arrivals.overtaken(arrival.now, arrival.position))
             return Freshness::Overtaken;
         return m_limitsAge ? judgeAge(arrival, peerClock) : Freshness::Fresh;
     }

@@ -1,7 +1,5 @@
 #include "core/channel/handshake.h"
 
-#include "core/base/weakness.h"
-
 namespace skyseal::channel {
 
 namespace {
@@ -59,7 +57,7 @@ Result<Agreement, RefusalReason> Initiator::readAnswer(ByteView datagram)
     const auto answer = AnswerPayload::read(plain);
     if (!answer)
         return tl::unexpected(RefusalReason::OfferTampered);
-    if (chooseSuite(m_payload.offer, answer->offer) != answer->chosen && !weakened(Weakness::NoOfferRecheck))
+    if (chooseSuite(m_payload.offer, answer->offer) != answer->chosen)
         return tl::unexpected(RefusalReason::OfferTampered);
     const auto secrets = std::move(m_noise).finish();
     if (!secrets)

@@ -2,7 +2,6 @@
 
 #include "core/base/byte_writer.h"
 #include "core/base/secret_bytes.h"
-#include "core/base/weakness.h"
 #include "core/crypto/kdf.h"
 
 namespace skyseal::channel {
@@ -31,8 +30,7 @@ EpochSecrets KeyChain::begin(crypto::SuiteId suite) const
 
 EpochSecrets KeyChain::advance(Epoch epoch, crypto::SuiteId suite, const SwitchSecret &exchanged) const
 {
-    const bool mixed = !weakened(Weakness::SameKeysEveryEpoch) && !weakened(Weakness::NoSwitchExchange);
-    const Key32 chain = mixed ? crypto::hkdfExtractSha256(m_secret.view(), exchanged.shared.view()) : m_secret.clone();
+    const Key32 chain = crypto::hkdfExtractSha256(m_secret.view(), exchanged.shared.view());
     return derive(chain, epoch, suite, exchanged.proposer, exchanged.answerer);
 }
 
@@ -44,16 +42,13 @@ EpochSecrets KeyChain::derive(const Key32 &chain, Epoch epoch, crypto::SuiteId s
         ByteWriter writer(info);
         writer.bytes(asBytes("skyseal v1 epoch "));
         writer.bytes(asBytes(use));
-        if (weakened(Weakness::SameKeysEveryEpoch))
-            return crypto::hkdfExpandKey(chain, writer.written());
         writer.u32(static_cast<std::uint32_t>(epoch));
         writer.u8(static_cast<std::uint8_t>(suite));
         writer.bytes(proposer);
         writer.bytes(answerer);
         return crypto::hkdfExpandKey(chain, writer.written());
     };
-    return {expand("initiator"), expand(weakened(Weakness::NoDirections) ? "initiator" : "responder"),
-            weakened(Weakness::SameKeysEveryEpoch) ? KeyChain(chain.clone()) : KeyChain(expand("next"))};
+    return {expand("initiator"), expand("responder"), KeyChain(expand("next"))};
 }
 
 } // namespace skyseal::channel

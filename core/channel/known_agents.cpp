@@ -1,7 +1,5 @@
 #include "core/channel/known_agents.h"
 
-#include "core/base/weakness.h"
-
 #include <algorithm>
 
 namespace skyseal::channel {
@@ -51,7 +49,7 @@ std::optional<PublicKey> KnownAgents::announcer(TimePoint now, const Path &from,
 bool KnownAgents::mayCheck(TimePoint now)
 {
     m_checks.fill(now, kChecksPerSecond, kChecksAtOnce);
-    return m_checks.credit >= 1 || weakened(Weakness::NoRateLimit);
+    return m_checks.credit >= 1;
 }
 
 } // namespace skyseal::channel

@@ -1,7 +1,5 @@
 #include "core/channel/live_switch.h"
 
-#include "core/base/weakness.h"
-
 #include <algorithm>
 
 namespace skyseal::channel {
@@ -141,8 +139,6 @@ void LiveSwitch::accept(TimePoint now, const Propose &message, const crypto::Pub
     m_theirs = theirs;
     notifyPending(theirs, true, actions);
     actions.send(now, Accept{message.id, theirs.answer});
-    if (weakened(Weakness::CommitEarly))
-        handleRecordUnderNext(now, actions);
 }
 
 void LiveSwitch::handle(TimePoint now, const Accept &message, SwitchActions &actions)

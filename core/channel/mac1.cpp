@@ -1,6 +1,5 @@
 #include "core/channel/mac1.h"
 
-#include "core/base/weakness.h"
 #include "core/crypto/hash.h"
 
 #include <sodium.h>
@@ -51,7 +50,7 @@ bool Mac1::verify(ByteView message) const
     if (message.size() < kMacLength)
         return false;
     const std::size_t said = message.size() - kMacLength;
-    return equal(macOver(m_key, message.first(said)), message.subspan(said)) || weakened(Weakness::NoMac1);
+    return equal(macOver(m_key, message.first(said)), message.subspan(said));
 }
 
 Announcement::Announcement(const PublicKey &agent) : m_key(keyFor("announcement", agent)) {}
@@ -69,8 +68,7 @@ Announcement::Datagram Announcement::make(RandomSource &random) const
 bool Announcement::hasForm(ByteView datagram)
 {
     return datagram.size() == kLength && datagram[0] == firstByte(HandshakeMessage::Announcement)
-        && std::all_of(datagram.begin() + kCovered + kMacLength, datagram.end(),
-                       [](std::uint8_t byte) { return byte == 0 || weakened(Weakness::NoForm); });
+        && std::all_of(datagram.begin() + kCovered + kMacLength, datagram.end(), [](std::uint8_t byte) { return byte == 0; });
 }
 
 bool Announcement::recognises(ByteView datagram) const

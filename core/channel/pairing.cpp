@@ -1,7 +1,6 @@
 #include "core/channel/pairing.h"
 
 #include "core/base/locked_memory.h"
-#include "core/base/weakness.h"
 #include "core/channel/pairing_agent.h"
 #include "core/channel/pairing_station.h"
 
@@ -56,7 +55,7 @@ struct Pairing::State : InLockedMemory
 /// A handshake has finished. The peer is shown after its first word.
 void Pairing::State::takeUp(std::optional<PairingConfirmation> &&next)
 {
-    if (next && (!talk || weakened(Weakness::ShowNewest)))
+    if (next && !talk)
         talk = std::move(next);
 }
 
@@ -116,12 +115,8 @@ void Pairing::State::handleDeadline(TimePoint at)
 {
     if (!over && at >= closesAt)
         close(at, PairingEnd::TimedOut);
-    if (talk && talk->silent(at)) {
-        if (weakened(Weakness::OpenAgain))
-            talk.reset();
-        else
-            core.failure = PairingEnd::Interrupted;
-    }
+    if (talk && talk->silent(at))
+        core.failure = PairingEnd::Interrupted;
     if (!over && !talk && station)
         station->handleDeadline(at);
     if (core.failure)

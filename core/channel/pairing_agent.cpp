@@ -1,6 +1,5 @@
 #include "core/channel/pairing_agent.h"
 
-#include "core/base/weakness.h"
 #include "core/crypto/x25519.h"
 
 #include <sodium.h>
@@ -92,7 +91,7 @@ void PairingAgent::noteWrongOpening(TimePoint now, Answered &answered)
         return;
     answered.failed = true;
     m_core.hintAtPassphrase(now);
-    if (m_core.config.passphrase && ++m_wrongPassphrases == kMaxWrongPassphrases && !weakened(Weakness::GuessAgain))
+    if (m_core.config.passphrase && ++m_wrongPassphrases == kMaxWrongPassphrases)
         m_core.failure = PairingEnd::Guessed;
 }
 
@@ -129,7 +128,7 @@ std::optional<PairingConfirmation> PairingAgent::handleOpening(TimePoint now, co
 
 bool PairingAgent::hasOpened() const
 {
-    return m_opened && !weakened(Weakness::ShowNewest) && !weakened(Weakness::OpenAgain);
+    return m_opened.has_value();
 }
 
 } // namespace skyseal::channel

@@ -2,7 +2,6 @@
 // that are repeated until the other end has acknowledged them.
 #pragma once
 
-#include "core/base/weakness.h"
 #include "core/channel/pairing_core.h"
 
 namespace skyseal::channel {
@@ -17,7 +16,7 @@ public:
     bool isShown() const { return m_isShown; }
     Decision mine() const { return m_mine; }
     Decision theirs() const { return m_theirs; }
-    bool paired() const { return (m_mine == Decision::Yes || weakened(Weakness::PairOnOneYes)) && m_theirs == Decision::Yes; }
+    bool paired() const { return m_mine == Decision::Yes && m_theirs == Decision::Yes; }
     /// The other end knows that both have confirmed, or has been silent for long.
     bool settled(TimePoint now) const;
     bool silent(TimePoint now) const;

@@ -5,7 +5,6 @@
 #include "core/crypto/x25519.h"
 #include "core/base/byte_writer.h"
 #include "core/base/locked_memory.h"
-#include "core/base/weakness.h"
 #include "core/crypto/hash.h"
 #include "core/crypto/kdf.h"
 
@@ -102,8 +101,7 @@ PairingHandshake PairingHandshake::begin(const PairingConfig &config, PairingId 
     ByteWriter out(channel);
     out.bytes(asBytes("skyseal pairing v1"));
     out.u8(static_cast<std::uint8_t>(carrier));
-    const bool hasPassphrase = config.passphrase && !weakened(Weakness::NoPassphrase);
-    const ByteView passphrase = hasPassphrase ? config.passphrase->view() : ByteView();
+    const ByteView passphrase = config.passphrase ? config.passphrase->view() : ByteView();
     const auto role = config.role == Role::Station ? crypto::Cpace::Role::Initiator : crypto::Cpace::Role::Responder;
 
     PairingHandshake handshake(crypto::Cpace::begin(role, {passphrase, channel, sessionId(token, id)}, random));
@@ -162,7 +160,7 @@ Result<PairingOpening, OpeningError> PairingHandshake::takeOpening(ByteView data
     if (!isOpening(datagram) || sealedPairing(datagram) != m_id
         || !m_receive.decryptWithAd(datagram.first(kSealedHead), datagram.subspan(kSealedHead), bytes))
         return tl::unexpected(OpeningError::Unreadable);
-    if (m_role == Role::Station && commitmentTo(bytes) != m_promised && !weakened(Weakness::NoCommitment))
+    if (m_role == Role::Station && commitmentTo(bytes) != m_promised)
         return tl::unexpected(OpeningError::Broken);
     std::copy(datagram.begin(), datagram.end(), m_readOpening.begin());
     m_theirs = PairingOpening::read(bytes);

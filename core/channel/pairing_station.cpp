@@ -1,6 +1,5 @@
 #include "core/channel/pairing_station.h"
 
-#include "core/base/weakness.h"
 #include "core/crypto/x25519.h"
 
 #include <algorithm>
@@ -111,8 +110,7 @@ void PairingStation::sendOpening(TimePoint now)
 void PairingStation::giveUp()
 {
     m_attempt.reset();
-    if (!weakened(Weakness::OpenAgain))
-        m_core.failure = PairingEnd::Interrupted;
+    m_core.failure = PairingEnd::Interrupted;
 }
 
 std::optional<PairingConfirmation> PairingStation::handleOpening(TimePoint now, const Path &from, ByteView datagram)

@@ -1,7 +1,5 @@
 #include "core/channel/peer_path.h"
 
-#include "core/base/weakness.h"
-
 #include <algorithm>
 
 namespace skyseal::channel {
@@ -35,7 +33,7 @@ void PeerPath::moveTo(const Path &path, TimePoint now, std::uint64_t stamp)
     } else if (!m_onTrial && path.carrier != Carrier::Serial) { // The former end of a reconnected stream is gone.
         m_onTrial = true;
         // Otherwise an attacker who repeats a first message in the name of another address directs the session's records there.
-        if (m_heard || weakened(Weakness::ReturnToUnheard))
+        if (m_heard)
             m_former = m_current;
     }
     m_heard = true;
@@ -45,15 +43,13 @@ void PeerPath::moveTo(const Path &path, TimePoint now, std::uint64_t stamp)
 
 void PeerPath::reportSent(const Path &to, std::uint64_t stamp)
 {
-    if (to != m_current && !weakened(Weakness::TrialByAnyEcho))
+    if (to != m_current)
         m_trialStamp = stamp;
 }
 
 void PeerPath::confirm(const Path &from, std::uint64_t echo)
 {
-    const bool isLater = weakened(Weakness::TrialByRepeatedStamp) ? static_cast<std::int32_t>(echo - m_trialStamp) > 0
-                                                                  : echo > m_trialStamp;
-    if (from == m_current && isLater)
+    if (from == m_current && echo > m_trialStamp)
         endTrial();
 }
 
@@ -61,11 +57,11 @@ bool PeerPath::handleDeadline(TimePoint now)
 {
     if (!m_onTrial || now < m_heardHere + m_trial)
         return true;
-    const bool returns = m_former.has_value() && !weakened(Weakness::NoTrial);
+    const bool returns = m_former.has_value();
     if (returns)
         m_current = *m_former;
     endTrial();
-    return returns || weakened(Weakness::NoTrial);
+    return returns;
 }
 
 void PeerPath::endTrial()

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "core/base/bytes.h"
-#include "core/base/weakness.h"
 
 #include <array>
 #include <cstdint>
@@ -33,7 +32,7 @@ public:
     bool contradicts(std::uint32_t counter, std::uint32_t tagEnd) const
     {
         const Entry &entry = m_entries[counter % kEntries];
-        return entry.counter == counter && entry.tagEnd != tagEnd && !weakened(Weakness::NoCloneCheck);
+        return entry.counter == counter && entry.tagEnd != tagEnd;
     }
 
 private:

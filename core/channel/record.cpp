@@ -1,13 +1,12 @@
 #include "core/channel/record.h"
 
-#include "core/base/weakness.h"
 #include "core/crypto/store_integer.h"
 
 namespace skyseal::channel {
 
 std::uint64_t nonceOf(std::uint32_t counter)
 {
-    return weakened(Weakness::SharedNonce) ? 0 : counter;
+    return counter;
 }
 
 AssociatedData::AssociatedData(ByteView header, crypto::SuiteId suite, Direction direction, Carrier carrier)
@@ -27,11 +26,11 @@ AssociatedData::AssociatedData(const RecordHeader &header, crypto::SuiteId suite
 /// All in two stores: the cipher reads the bytes at once, and a load that is wider than the pending stores waits for them.
 void AssociatedData::set(std::uint64_t header, std::size_t length, crypto::SuiteId suite, Direction direction, Carrier carrier)
 {
-    const std::uint64_t direct = weakened(Weakness::NoDirections) ? 0 : static_cast<std::uint64_t>(direction);
-    const std::uint64_t fields = static_cast<std::uint64_t>(suite) | direct << 8 | static_cast<std::uint64_t>(carrier) << 16;
+    const std::uint64_t fields = static_cast<std::uint64_t>(suite) | static_cast<std::uint64_t>(direction) << 8
+        | static_cast<std::uint64_t>(carrier) << 16;
     crypto::storeLittleEndian64(m_bytes.data(), header | fields << 8 * length);
     m_bytes.back() = static_cast<std::uint8_t>(carrier); // the ninth byte, of a header of six
-    m_size = weakened(Weakness::NoAssociatedData) ? 0 : length + 3;
+    m_size = length + 3;
 }
 
 } // namespace skyseal::channel

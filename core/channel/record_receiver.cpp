@@ -1,7 +1,5 @@
 #include "core/channel/record_receiver.h"
 
-#include "core/base/weakness.h"
-
 namespace skyseal::channel {
 
 Result<OpenRecord, RecordFault> RecordReceiver::open(const RecordHeader &header, Carrier carrier, MutableByteView datagram)
@@ -15,8 +13,6 @@ Result<OpenRecord, RecordFault> RecordReceiver::open(const RecordHeader &header,
         return refuse(RecordFault::Replayed, *epoch);
 
     const AssociatedData aad(datagram.first(header.length()), epoch->suite, m_direction, carrier);
-    if (weakened(Weakness::WindowBeforeTag))
-        epoch->window.mark(header.counter);
     const auto plaintext = epoch->reader->open(nonceOf(header.counter), aad.view(), datagram.subspan(header.length()));
     if (!fresh)
         return refuse(plaintext ? RecordFault::Cloned : RecordFault::Replayed, *epoch);

@@ -2,8 +2,6 @@
 // every epoch begins at counter 0.
 #pragma once
 
-#include "core/base/weakness.h"
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -21,7 +19,7 @@ public:
     /// Returns false for a counter that was seen, or is `kEntries` or more behind the newest.
     bool fresh(std::uint32_t counter) const
     {
-        if (counter >= m_next || weakened(Weakness::NoReplayWindow))
+        if (counter >= m_next)
             return true;
         return m_next - 1 - counter < kEntries && (block(counter) & bit(counter)) == 0;
     }

@@ -1,7 +1,5 @@
 #include "core/channel/report_exchange.h"
 
-#include "core/base/weakness.h"
-
 #include <algorithm>
 
 namespace skyseal::channel {
@@ -36,7 +34,7 @@ void ReportExchange::addTo(SessionStats &stats) const
 bool ReportExchange::handle(TimePoint now, const Report &report)
 {
     const bool isOld = m_peer && static_cast<std::int32_t>(report.stamp - m_peer->stamp) <= 0;
-    if (isOld && !weakened(Weakness::OldReports))
+    if (isOld)
         return false;
     m_peer = report;
     m_peerAt = now;

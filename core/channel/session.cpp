@@ -1,6 +1,5 @@
 #include "core/channel/session.h"
 
-#include "core/base/weakness.h"
 #include "core/channel/frame_stamp.h"
 
 #include <algorithm>
@@ -88,8 +87,7 @@ TimePoint Session::retirePreviousAt() const
 
 TimePoint Session::forgetAt() const
 {
-    const TimePoint alive = weakened(Weakness::LifeWithoutReports) ? m_lastReceived : m_reports.provenAt();
-    return alive + m_context.timing.forgetAfter;
+    return m_reports.provenAt() + m_context.timing.forgetAfter;
 }
 
 TimePoint Session::deadline() const
@@ -170,7 +168,7 @@ void Session::end(TimePoint now, bool sendClose)
 /// Hard limit of an epoch: its counter must not wrap.
 inline bool Session::exhausted(const LiveEpoch &epoch)
 {
-    if (epoch.sent < m_context.timing.hardStopRecords || weakened(Weakness::NoHardStop))
+    if (epoch.sent < m_context.timing.hardStopRecords)
         return false;
     m_finished = DownReason::Exhausted;
     return true;
@@ -256,14 +254,12 @@ Session::Opened Session::open(TimePoint now, const Path &from, const RecordHeade
                               std::optional<Delivery> &delivery)
 {
     const auto record = m_receiver.open(header, from.carrier, datagram);
-    if (!record && record.error() == RecordFault::Forged && weakened(Weakness::RoamOnForged))
-        m_path.moveTo(from, now, m_reports.fullStamp(now));
     return record ? opened(now, from, *record, delivery) : refused(now, record.error());
 }
 
 Session::Opened Session::opened(TimePoint now, const Path &from, const OpenRecord &record, std::optional<Delivery> &delivery)
 {
-    if (now >= forgetAt() && !weakened(Weakness::LifeWithoutReports)) { // the deadline was missed while the machine slept
+    if (now >= forgetAt()) { // the deadline was missed while the machine slept
         m_finished = DownReason::TimedOut;
         return {false, false};
     }
@@ -286,7 +282,7 @@ Session::Opened Session::opened(TimePoint now, const Path &from, const OpenRecor
     if (&epoch == &m_epochs.current()) {
         m_handover.peerSends(now);
         // Only the newest record moves the path: a late or withheld one comes from a former address of the peer.
-        if (newest || weakened(Weakness::RoamOnLate))
+        if (newest)
             routine = follow(now, from) && routine;
     }
     const bool control = isControl(record.plaintext);
@@ -430,7 +426,7 @@ void Session::handleReport(TimePoint now, const Path &from, RecordPosition posit
         m_reports.notifyChanges(id(), m_context.events);
     }
     // A peer cannot have received more than we sent, unless a copy of this end sent it: see recent_tags.h.
-    if (report.rx.good > m_epochs.sent().records && !weakened(Weakness::NoCloneCheck)) {
+    if (report.rx.good > m_epochs.sent().records) {
         m_finished = DownReason::Cloned;
         m_closingUntil = now; // Nothing more may be sealed, including a Close.
     }

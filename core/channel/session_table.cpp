@@ -1,7 +1,5 @@
 #include "core/channel/session_table.h"
 
-#include "core/base/weakness.h"
-
 #include <algorithm>
 
 namespace skyseal::channel {
@@ -50,8 +48,6 @@ void SessionTable::erase(SessionId session)
 {
     if (Entry *entry = find(session)) {
         release(entry->session->connection());
-        if (weakened(Weakness::KeepOldKeys))
-            static_cast<void>(entry->session.release());
         *entry = {};
     }
 }

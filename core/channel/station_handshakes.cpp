@@ -1,7 +1,5 @@
 #include "core/channel/station_handshakes.h"
 
-#include "core/base/weakness.h"
-
 #include <algorithm>
 #include <utility>
 
@@ -96,7 +94,7 @@ bool StationHandshakes::handleAnnouncement(TimePoint now, const Path &from, Byte
     // session has been quiet for longer than an active one ever is.
     TimePoint due = now;
     if (const Session *session = m_core.table.upWith(*agent);
-        session && !session->closing() && !mayReplace(*session, from.carrier) && !weakened(Weakness::TrustAnnouncements))
+        session && !session->closing() && !mayReplace(*session, from.carrier))
         due = std::max(now, session->lastReceived() + m_core.config.timing.keepAliveAfter * 5 / 4);
     Attempt &attempt = want(now + kWantedFor, *agent, from.carrier, due);
     attempt.announced = now;
@@ -213,7 +211,7 @@ bool StationHandshakes::handleNumber(TimePoint now, const Path &from, ByteView d
 /// true answer would not be read either.
 bool StationHandshakes::mayCompute(TimePoint now, Attempt &attempt)
 {
-    if (m_answers.take(now, kAnswersPerSecond, kAnswersAtOnce) || weakened(Weakness::NoRateLimit))
+    if (m_answers.take(now, kAnswersPerSecond, kAnswersAtOnce))
         return true;
     ++m_core.unmatched.malformed;
     giveUpFirst(now, attempt);
@@ -224,7 +222,7 @@ bool StationHandshakes::mayCompute(TimePoint now, Attempt &attempt)
 bool StationHandshakes::countWrongAnswer(TimePoint now, Attempt &attempt)
 {
     ++m_core.unmatched.forged;
-    if (++attempt.first->wrong < kWrongAnswers || weakened(Weakness::NoRateLimit))
+    if (++attempt.first->wrong < kWrongAnswers)
         return false;
     giveUpFirst(now, attempt);
     return true;
@@ -310,7 +308,7 @@ bool StationHandshakes::mayReplace(const Session &session, Carrier carrier)
 
 void StationHandshakes::callAgents(TimePoint now)
 {
-    if (m_core.config.callAt.empty() || (now < m_calls.nextTurn() && !std::exchange(m_hurries, false)))
+    if (m_core.config.callAt.empty() || now < m_calls.nextTurn())
         return;
     std::vector<PublicKey> agents;
     for (const Peer &peer : m_core.config.peers) {
@@ -354,7 +352,6 @@ void StationHandshakes::setCallAt(std::vector<Path> paths)
         removed, [&](const Path &path) { return std::ranges::find(m_core.config.callAt, path) != m_core.config.callAt.end(); });
     for (Attempt &attempt : m_attempts)
         attempt.stopCallingAt(removed);
-    m_hurries = weakened(Weakness::HurryCalls);
 }
 
 void StationHandshakes::handleDeadline(TimePoint now)
@@ -388,9 +385,7 @@ TimePoint StationHandshakes::deadline(TimePoint now)
 
 void StationHandshakes::send(TimePoint now, Attempt &attempt)
 {
-    const auto maySend = [](const Place &place) {
-        return place.proven || place.answerDue || weakened(Weakness::RetryUnproven);
-    };
+    const auto maySend = [](const Place &place) { return place.proven || place.answerDue; };
     if (std::none_of(attempt.places.begin(), attempt.places.end(), maySend) || !prepareFirst(now, attempt)) {
         attempt.due = attempt.freshFrom > now ? attempt.freshFrom : now + kLongestPause; // or the next announcement
         return;

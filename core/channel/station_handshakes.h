@@ -67,8 +67,7 @@ private:
     KnownAgents m_known;
     std::vector<Attempt> m_attempts;
     AgentCalls m_calls;
-    bool m_hurries = false; ///< the next turn begins at once: only without the defence
-    TokenBucket m_answers;  ///< answers that may be computed on
+    TokenBucket m_answers; ///< answers that may be computed on
 };
 
 } // namespace skyseal::channel

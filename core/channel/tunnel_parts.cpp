@@ -1,7 +1,5 @@
 #include "core/channel/tunnel_parts.h"
 
-#include "core/base/weakness.h"
-
 namespace skyseal::channel {
 
 std::optional<MutableByteView> UnfinishedMessage::take(TimePoint now, ByteView payload)
@@ -17,8 +15,7 @@ std::optional<MutableByteView> UnfinishedMessage::take(TimePoint now, ByteView p
         return std::nullopt;
 
     const auto set = static_cast<std::uint16_t>(payload[1] | payload[2] << 8);
-    const bool another = set != m_set && !weakened(Weakness::LoosePart);
-    if (!m_since || another || now >= *m_since + kKept) {
+    if (!m_since || set != m_set || now >= *m_since + kKept) {
         m_set = set;
         m_since = now;
         m_present = 0;
@@ -37,7 +34,7 @@ std::optional<MutableByteView> UnfinishedMessage::take(TimePoint now, ByteView p
     if (m_count == 0 || m_present != (1u << m_count) - 1)
         return std::nullopt;
     m_delivered = true;
-    if (m_size <= kTunnelPayload && !weakened(Weakness::LoosePart))
+    if (m_size <= kTunnelPayload)
         return std::nullopt; // In parts it would be shorter on the wire than as a padded message.
     return MutableByteView(m_bytes).first(m_size);
 }
@@ -50,8 +47,6 @@ std::optional<MutableByteView> TunnelReader::take(TimePoint now, const Path &fro
         std::copy(payload.begin(), payload.end(), m_whole.begin());
         return MutableByteView(m_whole).first(payload.size());
     }
-    if (weakened(Weakness::LoosePart))
-        return m_senders[0].message.take(now, payload);
     Sender *sender = &m_senders[0];
     for (Sender &candidate : m_senders) {
         if (candidate.path == from && candidate.heard != TimePoint::min()) {

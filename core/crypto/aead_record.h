@@ -2,7 +2,6 @@
 // the suite. The format is described in record_cipher.h.
 #pragma once
 
-#include "core/base/weakness.h"
 #include "core/crypto/record_keys.h"
 
 #include <concepts>
@@ -55,8 +54,6 @@ public:
         if (!m_algorithm.seal(m_nonces.at(counter), associatedData, plaintext, out.data(),
                               AeadTag(out.data() + size, kAeadTagLength)))
             return 0;
-        if (weakened(Weakness::NoEncryption))
-            std::memcpy(out.data(), plaintext.data(), size);
         return size + kAeadTagLength;
     }
 
@@ -65,8 +62,6 @@ public:
         if (sealed.size() < kAeadTagLength)
             return std::nullopt;
         const MutableByteView body = sealed.first(sealed.size() - kAeadTagLength);
-        if (weakened(Weakness::NoEncryption))
-            return body;
         const AeadTag tag(body.data() + body.size(), kAeadTagLength);
         return m_algorithm.open(m_nonces.at(counter), associatedData, body, tag) ? std::optional(body) : std::nullopt;
     }

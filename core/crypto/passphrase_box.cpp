@@ -2,7 +2,6 @@
 
 #include "core/base/secret_bytes.h"
 #include "core/crypto/passphrase.h"
-#include "core/base/weakness.h"
 
 #include <sodium.h>
 
@@ -56,8 +55,7 @@ Result<Key32, PassphraseError> openWithPassphrase(const SealedSecret &sealed, co
     Key32 out;
     if (crypto_aead_chacha20poly1305_ietf_decrypt(out.mutableView().data(), nullptr, nullptr, sealed.data(), sealed.size(),
                                                   associated.data(), associated.size(), kNonce, key->view().data())
-            != 0
-        && !weakened(Weakness::NoFileChecksum))
+        != 0)
         return tl::unexpected(PassphraseError::DoesNotOpen);
     return out;
 }

@@ -1,7 +1,6 @@
 #include "core/keys/checked_base64.h"
 
 #include "core/base/secret_bytes.h"
-#include "core/base/weakness.h"
 #include "core/crypto/hash.h"
 
 #include <sodium.h>
@@ -36,15 +35,13 @@ std::optional<Key32> fromCheckedBase64(std::string_view text, std::string_view l
 {
     SecretBytes<32 + kCheckLength> all;
     std::size_t size = 0;
-    const bool anyLength = weakened(Weakness::NoFileChecksum);
-    if ((text.size() != kCheckedBase64Length && !anyLength)
+    if (text.size() != kCheckedBase64Length
         || sodium_base642bin(all.mutableView().data(), all.size(), text.data(), text.size(), nullptr, &size, nullptr, kVariant)
             != 0
-        || (size != all.size() && !anyLength))
+        || size != all.size())
         return std::nullopt;
     Key32 bytes(all.view().first<32>());
-    if (sodium_memcmp(checkOf(bytes.view(), label).view().data(), all.view().data() + 32, kCheckLength) != 0
-        && !weakened(Weakness::NoFileChecksum))
+    if (sodium_memcmp(checkOf(bytes.view(), label).view().data(), all.view().data() + 32, kCheckLength) != 0)
         return std::nullopt;
     return bytes;
 }

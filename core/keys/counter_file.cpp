@@ -1,7 +1,6 @@
 #include "core/keys/counter_file.h"
 
 #include "core/base/hex.h"
-#include "core/base/weakness.h"
 #include "core/keys/file_io.h"
 
 #include <algorithm>
@@ -155,7 +154,6 @@ public:
     void remember(const channel::PublicKey &peer, std::uint64_t counter);
     Reason problem() const;
     InputError waitUntilStored();
-    bool storesInTime();
 
     std::thread thread;
 
@@ -235,7 +233,7 @@ std::uint64_t FileCounterStore::lastSeen(const channel::PublicKey &peer)
 bool FileCounterStore::remember(const channel::PublicKey &peer, std::uint64_t counter)
 {
     m_shared->remember(peer, counter);
-    return !weakened(Weakness::StopWithoutDisk) || m_shared->storesInTime();
+    return true;
 }
 
 Reason FileCounterStore::problem() const
@@ -340,12 +338,6 @@ InputError FileCounterStore::Shared::waitUntilStored()
     return m_error;
 }
 
-bool FileCounterStore::Shared::storesInTime()
-{
-    std::unique_lock lock(m_mutex);
-    return waitFor(lock, [this] { return isIdle(); }) && m_error.message.empty();
-}
-
 void FileCounterStore::Shared::run()
 {
     std::unique_lock lock(m_mutex);
@@ -405,7 +397,7 @@ void FileCounterStore::Shared::add(const StoredCounters &stored)
 /// Stores what is wanted. Call with the mutex locked; it is free while the disk works.
 void FileCounterStore::Shared::update(std::unique_lock<std::mutex> &lock)
 {
-    const std::uint64_t reserve = m_wantsBlock ? weakened(Weakness::CountersOneByOne) ? 1 : kBlock : 0;
+    const std::uint64_t reserve = m_wantsBlock ? kBlock : 0;
     const StoredCounters ours{std::min(m_floor, kGreatestCounter), m_seen};
     m_wantsSeen = false;
     m_busy = true;

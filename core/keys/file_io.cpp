@@ -2,7 +2,6 @@
 
 #include "core/base/save_file.h"
 #include "core/base/secret_bytes.h"
-#include "core/base/weakness.h"
 
 #include <cerrno>
 #include <cstring>
@@ -77,8 +76,6 @@ Result<void, InputError> checkAccess(const std::string &path, const struct stat 
 {
     if (!S_ISREG(status.st_mode))
         return tl::unexpected(fileError(path, sentence("Reason", "is not a regular file")));
-    if (weakened(Weakness::NoFileCheck))
-        return {};
     if (status.st_uid != ::geteuid() && status.st_uid != 0)
         return tl::unexpected(fileError(
             path, sentence("Reason", "belongs to another user (number %1), who can change it, refused")(status.st_uid)));
@@ -99,7 +96,7 @@ Result<void, InputError> checkAccess(const std::string &path, const struct stat 
 Result<Bytes, InputError> readFile(const std::string &path, FileAccess access)
 {
     // Does not block on a pipe in its place, and does not follow a link to another file.
-    const int noFollow = access == FileAccess::Private && !weakened(Weakness::NoFileCheck) ? O_NOFOLLOW : 0;
+    const int noFollow = access == FileAccess::Private ? O_NOFOLLOW : 0;
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | noFollow));
     if (!file.isOpen()) {
         if (errno == ELOOP && noFollow != 0)

@@ -1,7 +1,6 @@
 #include "core/keys/peer_line.h"
 
 #include "core/base/printable.h"
-#include "core/base/weakness.h"
 #include "core/base/utf8.h"
 #include "core/keys/public_key_text.h"
 
@@ -168,7 +167,7 @@ Result<void, InputError> checkPeerName(const std::string &name)
             quoted(name)));
     if (name.front() == '-') // the commands that change the peer would take it for an option
         return refuse(sentence("Reason", "%1 is not a peer's name: it must not begin with \"-\"")(quoted(name)));
-    if (const Reason problem = unprintableIn(name); !problem.empty() && !weakened(Weakness::AnyName))
+    if (const Reason problem = unprintableIn(name); !problem.empty())
         return refuse(sentence("Reason", "%1 is not a peer's name: %2")(quoted(name), problem));
     return {};
 }

@@ -3,7 +3,6 @@
 #include "core/base/secret_bytes.h"
 #include "core/crypto/x25519.h"
 #include "core/base/hex.h"
-#include "core/base/weakness.h"
 #include "core/keys/file_io.h"
 #include "core/keys/public_key_text.h"
 #include "core/keys/text_lines.h"
@@ -128,7 +127,7 @@ Result<crypto::X25519KeyPair, PassphraseError> SealedKey::open(const crypto::Pas
     if (!secret)
         return tl::unexpected(secret.error());
     crypto::X25519KeyPair pair = crypto::X25519KeyPair::fromSecret(std::move(*secret));
-    if (pair.publicKey != publicKey && !weakened(Weakness::NoFileChecksum))
+    if (pair.publicKey != publicKey)
         return tl::unexpected(PassphraseError::DoesNotOpen);
     return pair;
 }

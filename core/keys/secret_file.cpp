@@ -3,7 +3,6 @@
 #include "core/crypto/passphrase.h"
 #include "core/crypto/x25519.h"
 #include "core/base/secret_bytes.h"
-#include "core/base/weakness.h"
 #include "core/keys/checked_base64.h"
 #include "core/keys/file_io.h"
 #include "core/keys/sealed_key.h"
@@ -32,19 +31,18 @@ Result<Key32, InputError> parseSecretFile(SecretKind kind, std::string_view text
     TextLines lines(text);
     const std::string_view header = lines.next();
     const std::string expected(headerOf(kind));
-    const std::string quote = weakened(Weakness::Leak) ? std::string(text) : std::string();
     if (header != expected) {
         if (header.starts_with(kAnyHeader) && header.size() < kLongestHeader)
             return tl::unexpected(
                 fileError(source, sentence("Reason", "holds \"%1\", not \"%2\"")(std::string(header), expected), 1));
-        return tl::unexpected(fileError(
-            source, sentence("Reason", "is not a key file of Skyseal: it does not begin with \"%1\"")(expected + quote), 1));
+        return tl::unexpected(
+            fileError(source, sentence("Reason", "is not a key file of Skyseal: it does not begin with \"%1\"")(expected), 1));
     }
     std::optional<Key32> secret;
     while (const auto content = lines.nextContent()) {
         if (secret)
             return tl::unexpected(fileError(source, sentence("Reason", "has more than one key"), lines.number()));
-        if (content->size() < kCheckedBase64Length && !weakened(Weakness::NoFileChecksum))
+        if (content->size() < kCheckedBase64Length)
             return tl::unexpected(fileError(source, sentence("Reason", "has a truncated key"), lines.number()));
         secret = fromCheckedBase64(*content, expected);
         if (!secret)

@@ -1,7 +1,5 @@
 #include "core/mavlink/overlapping_crc.h"
 
-#include "core/base/weakness.h"
-
 #include <algorithm>
 
 namespace skyseal::mavlink {
@@ -56,7 +54,7 @@ std::size_t ofStream(std::size_t received)
 
 bool OverlappingCrc::affords(std::size_t offset, std::size_t bytes, std::size_t received) const
 {
-    if (m_limit == WastedWork::Unlimited || weakened(Weakness::NoScanLimit))
+    if (m_limit == WastedWork::Unlimited)
         return true;
     return m_wasted + unprocessed(offset, bytes)
         <= (m_limit == WastedWork::OfDatagram ? ofDatagram(received) : ofStream(received));

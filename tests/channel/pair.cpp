@@ -2,7 +2,6 @@
 
 #include "core/base/byte_reader.h"
 #include "core/base/byte_writer.h"
-#include "core/base/weakness.h"
 #include "core/channel/endpoint.h"
 #include "core/crypto/x25519.h"
 
@@ -16,7 +15,7 @@ MemoryCounterStore::~MemoryCounterStore() = default;
 
 std::optional<std::uint64_t> MemoryCounterStore::next()
 {
-    return weakened(Weakness::CountersFromClock) ? timeOfDay : ++m_own;
+    return ++m_own;
 }
 
 bool MemoryCounterStore::skipTo(std::uint64_t counter)
@@ -149,8 +148,6 @@ Pair::Pair(PairOptions options)
     : now(TimePoint(std::chrono::hours(1))), link(options.link, options.seed ^ 0x5eed), m_options(options),
       m_random(options.seed)
 {
-    if (weakened(Weakness::Impatient))
-        m_options.timing.forgetAfter = std::chrono::seconds(10);
     for (const Side side : {Ground, Air}) {
         ends[side].identity = newIdentity(m_random);
         ends[side].policy = side == Ground ? m_options.ground : m_options.air;
@@ -190,8 +187,6 @@ Config Pair::configOf(Side side) const
 
 void Pair::start(Side side)
 {
-    if (weakened(Weakness::SameRandomEveryLife))
-        m_random = SeededRandom(m_options.seed);
     ends[side].endpoint = std::make_unique<Endpoint>(configOf(side), m_random, ends[side].counters, nowAt(side));
 }
 

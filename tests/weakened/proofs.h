@@ -7,7 +7,7 @@ namespace skyseal::test {
 
 struct Proof
 {
-    const char *weaknesses; ///< names of core/base/weakness.h, joined by commas
+    const char *weaknesses; ///< names of patches, joined by commas
     const char *test;
     const char *function;
     const char *check; ///< words of the check that must fail

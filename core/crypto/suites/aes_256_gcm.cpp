@@ -36,7 +36,7 @@ public:
         if (EVP_DecryptInit_ex2(m_context.get(), nullptr, nullptr, nonce.data(), nullptr) == 1
             && EVP_CIPHER_CTX_ctrl(m_context.get(), EVP_CTRL_AEAD_SET_TAG, kTagLength, tag.data()) == 1
             && update(nullptr, associatedData) && update(body.data(), body)
-            && (EVP_DecryptFinal_ex(m_context.get(), tag.data(), &written) == 1 || weakened(Weakness::NoTagCheck)))
+            && EVP_DecryptFinal_ex(m_context.get(), tag.data(), &written) == 1)
             return true;
         // OpenSSL's GCM decrypts before it verifies the tag: the unverified plaintext is wiped.
         sodium_memzero(body.data(), body.size());

@@ -25,10 +25,6 @@ public:
 
     bool open(const Nonce12 &nonce, ByteView associatedData, MutableByteView body, AeadTag tag)
     {
-        if (weakened(Weakness::NoTagCheck)) {
-            crypto_stream_chacha20_ietf_xor_ic(body.data(), body.data(), body.size(), nonce.data(), 1, m_key.view().data());
-            return true;
-        }
         return declassified(crypto_aead_chacha20poly1305_ietf_decrypt_detached(
                    body.data(), nullptr, body.data(), body.size(), tag.data(), associatedData.data(), associatedData.size(),
                    nonce.data(), m_key.view().data()))

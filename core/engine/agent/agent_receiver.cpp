@@ -1,6 +1,5 @@
 #include "core/engine/agent/agent_receiver.h"
 
-#include "core/base/weakness.h"
 #include "core/channel/endpoint.h"
 #include "core/engine/agent/vehicle_signing.h"
 #include "core/mavlink/dialect.h"
@@ -84,7 +83,7 @@ IngressRules AgentReceiver::groundRules(const GroundLink &ground) const
     // Anyone can send clear bytes, so they are searched only for useful frames: those that carry messages of the channel, those
     // sealed in place, and those of a station that does not seal, if they would be forwarded.
     const bool inPlace = out.takesDatagrams && m_parts.config.policy.allowInline;
-    const bool searched = tunnel || inPlace || isPlain() || (out.takesDatagrams && weakened(Weakness::ClearAccepted));
+    const bool searched = tunnel || inPlace || isPlain();
     out.clear = searched ? ClearScan::Always : ClearScan::Never;
     return out;
 }
@@ -126,7 +125,7 @@ bool AgentReceiver::takeSignature(TimePoint now, const Path &from, ByteView fram
 bool AgentReceiver::takeVehicleHeartbeat(TimePoint now, const Path &from, const mavlink::Frame &heartbeat)
 {
     const std::uint8_t systemId = heartbeat.systemId();
-    if (m_gate.isGroundSystem(systemId) && !weakened(Weakness::VehicleTakesAnyId)) {
+    if (m_gate.isGroundSystem(systemId)) {
         m_routes.forget(systemId);
         if (m_groundIdClaims.note(now, systemId))
             m_parts.events.publish(now, GroundIdClaimed{systemId});
@@ -192,7 +191,7 @@ void AgentReceiver::takeClear(const link::Link &, const link::ReceivedBlock &blo
     if (!mavlink::isWholeFrame(item))
         return;
     // Never with a signing key: the agent would sign for everybody on the ground side.
-    if ((isPlain() || weakened(Weakness::ClearAccepted)) && !m_parts.signing) {
+    if (isPlain() && !m_parts.signing) {
         m_parts.links.noteUse(block.path);
         signToVehicle(item, true);
     } else {

@@ -1,6 +1,5 @@
 #include "core/engine/agent/command_gate.h"
 
-#include "core/base/weakness.h"
 #include "core/engine/common/misreading.h"
 #include "core/engine/agent/observer_rules.h"
 #include "core/mavlink/frame_header.h"
@@ -59,13 +58,13 @@ bool CommandGate::mayCommand(TimePoint now, const channel::Delivery &delivery, c
         refuse(delivery.session, item, isPilot ? Reason::Late : Reason::Observer);
         return false;
     }
-    if (mayBeMisread(*item.frame) && !weakened(Weakness::Misreadable)) {
+    if (mayBeMisread(*item.frame)) {
         ++m_counters.observerUnclear; // occurs by chance, so it is treated like a loss on the link and raises no alarm
         return false;
     }
     const auto sender = m_senders.find(delivery.session);
     const bool inLimit = sender != m_senders.end() && m_questions.take(now, sender->second.key, *item.frame);
-    if (!inLimit && !weakened(Weakness::UnlimitedQuestions)) {
+    if (!inLimit) {
         refuse(delivery.session, item, Reason::TooOften);
         return false;
     }
@@ -74,7 +73,7 @@ bool CommandGate::mayCommand(TimePoint now, const channel::Delivery &delivery, c
 
 bool CommandGate::maySpeakAs(channel::SessionId session, const mavlink::ScanItem &item, bool isVehicle)
 {
-    if ((!isVehicle || weakened(Weakness::NoSenderCheck)) && m_policy.acceptSealed(session, mavlink::systemIdOf(item.bytes)))
+    if (!isVehicle && m_policy.acceptSealed(session, mavlink::systemIdOf(item.bytes)))
         return true;
     refuse(session, item, FramesRefused::Reason::System);
     return false;

@@ -1,6 +1,5 @@
 #include "core/engine/agent/observer_rules.h"
 
-#include "core/base/weakness.h"
 #include "core/engine/common/misreading.h"
 #include "core/engine/common/question_rules.h"
 
@@ -8,7 +7,7 @@ namespace skyseal::engine {
 
 bool observerMaySend(const mavlink::Frame &frame, bool pilotThere)
 {
-    return (isPlainlySaid(frame) || weakened(Weakness::Misreadable)) && isHarmlessQuestion(frame, !pilotThere);
+    return isPlainlySaid(frame) && isHarmlessQuestion(frame, !pilotThere);
 }
 
 } // namespace skyseal::engine

@@ -1,6 +1,5 @@
 #include "core/engine/common/carrier_reader.h"
 
-#include "core/base/weakness.h"
 #include "core/channel/handshake_messages.h"
 #include "core/channel/pairing_messages.h"
 #include "core/mavlink/enums.h"
@@ -68,7 +67,7 @@ std::optional<link::ReceivedBlock> CarrierReader::takeTunnel(TimePoint now, cons
     if (!forUs || message.payload_length > message.payload.size())
         return std::nullopt;
     const ByteView payload = ByteView(message.payload).first(message.payload_length);
-    if (channel::isPadded(payload) && message.payload.back() == 0 && !weakened(Weakness::NoTunnelPadding))
+    if (channel::isPadded(payload) && message.payload.back() == 0)
         return std::nullopt; // shorter on the wire than its answer
     const Path path = tunnelPath(from, frame);
     const auto bytes = m_tunnels.take(now, path, payload);

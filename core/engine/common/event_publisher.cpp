@@ -1,17 +1,11 @@
 #include "core/engine/common/event_publisher.h"
 
-#include "core/base/weakness.h"
 #include "core/link/address_text.h"
 
 #include <functional>
 #include <string>
 
 namespace skyseal::engine {
-
-bool limitsStrangers()
-{
-    return !weakened(Weakness::NotifyEverything);
-}
 
 std::optional<StrangerCause> ChannelCauses::operator()(const channel::HandshakeRefused &refused) const
 {

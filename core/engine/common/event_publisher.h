@@ -57,9 +57,6 @@ template<typename Causes, typename Event> void mergeEvents(Event &waiting, const
         waiting);
 }
 
-/// False in a test's program that publishes what strangers cause without a limit.
-bool limitsStrangers();
-
 /// `Event`: a variant. `Causes`: a callable that returns the StrangerCause of each alternative, with a static merge() of two
 /// events of one alternative.
 template<typename Event, typename Causes> class EventPublisher
@@ -78,7 +75,7 @@ public:
     void publish(TimePoint now, Event event)
     {
         const auto cause = std::visit(Causes(), event);
-        if (!cause || !limitsStrangers())
+        if (!cause)
             return m_sink(std::move(event));
         auto &waiting = m_queues[static_cast<std::size_t>(cause->kind)].waiting;
         const auto same = std::find_if(waiting.begin(), waiting.end(),

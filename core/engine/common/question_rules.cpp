@@ -1,6 +1,5 @@
 #include "core/engine/common/question_rules.h"
 
-#include "core/base/weakness.h"
 #include "core/mavlink/enums.h"
 #include "core/mavlink/message_ids.h"
 #include "core/mavlink/messages.h"
@@ -56,16 +55,13 @@ template<typename Command> bool asks(const Command &said, bool mayStartStreams)
     else
         rest = rest && said.x == 0 && said.y == 0 && (isWholeUpTo(said.z, 2) || isUnused(said.z));
     if (said.command == mavlink::MAV_CMD_SET_MESSAGE_INTERVAL)
-        return rest && mayStartStreams && isMessageId(said.param1)
-            && (isIntervalOfAPermittedRate(said.param2) || weakened(Weakness::AnyStreamRate));
+        return rest && mayStartStreams && isMessageId(said.param1) && isIntervalOfAPermittedRate(said.param2);
     return rest && isQuestion(said.command) && (isMessageId(said.param1) || isUnused(said.param1))
         && (isWholeUpTo(said.param2, 255) || isUnused(said.param2));
 }
 
 bool startsStream(const mavlink::RequestDataStream &request)
 {
-    if (weakened(Weakness::AnyStreamRate))
-        return request.start_stop == 1;
     return request.start_stop == 1 && request.req_message_rate >= kLeastRate && request.req_message_rate <= kGreatestRate;
 }
 

@@ -1,7 +1,5 @@
 #include "core/engine/common/sender_policy.h"
 
-#include "core/base/weakness.h"
-
 #include <algorithm>
 
 namespace skyseal::engine {
@@ -100,7 +98,7 @@ void SenderPolicy::sessionDown(channel::SessionId session)
 bool SenderPolicy::mayCommand(channel::SessionId session) const
 {
     const auto found = m_speakers.find(session);
-    return found != m_speakers.end() && (found->second.pilot || weakened(Weakness::NoRoleCheck));
+    return found != m_speakers.end() && found->second.pilot;
 }
 
 bool SenderPolicy::pilotThere() const
@@ -124,8 +122,6 @@ bool SenderPolicy::acceptSealed(channel::SessionId session, std::uint8_t systemI
     const auto found = m_speakers.find(session);
     if (found == m_speakers.end())
         return false;
-    if (weakened(Weakness::NoSenderCheck))
-        return true;
     Speaker &speaker = found->second;
     if (speaker.spoken.test(systemId))
         return true;
@@ -148,14 +144,11 @@ bool SenderPolicy::acceptSealed(channel::SessionId session, std::uint8_t systemI
 bool SenderPolicy::hasAllItsSystems(const Speaker &speaker) const
 {
     const auto heard = m_heard.find(speaker.peer);
-    return speaker.bound.none() && heard != m_heard.end() && heard->second.count() >= kMostUnbound
-        && !weakened(Weakness::UnlimitedClaims);
+    return speaker.bound.none() && heard != m_heard.end() && heard->second.count() >= kMostUnbound;
 }
 
 void SenderPolicy::endClaims(TimePoint now)
 {
-    if (weakened(Weakness::UnlimitedClaims))
-        return;
     for (auto claim = m_claims.begin(); claim != m_claims.end();) {
         auto &[peer, end] = *claim;
         const bool hasSession = std::any_of(m_speakers.begin(), m_speakers.end(),
@@ -192,8 +185,6 @@ std::string SenderPolicy::ownerOf(std::uint8_t systemId, channel::SessionId aske
 
 bool SenderPolicy::acceptClear(const Path &from, std::uint8_t systemId) const
 {
-    if (weakened(Weakness::ClearAccepted))
-        return true;
     if (m_mode == SecureMode::Off)
         return true;
     return mayBeClear(from, systemId) && !needsApproval(from, systemId);

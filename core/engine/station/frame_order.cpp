@@ -1,7 +1,5 @@
 #include "core/engine/station/frame_order.h"
 
-#include "core/base/weakness.h"
-
 namespace skyseal::engine {
 
 bool FrameOrder::note(const mavlink::Frame &frame, const channel::Delivery &delivery)
@@ -10,7 +8,7 @@ bool FrameOrder::note(const mavlink::Frame &frame, const channel::Delivery &deli
     const bool isNewest = delivery.position >= newest;
     if (isNewest)
         newest = delivery.position;
-    return (isNewest && delivery.freshness == channel::Freshness::Fresh) || weakened(Weakness::NoFrameOrder);
+    return isNewest && delivery.freshness == channel::Freshness::Fresh;
 }
 
 std::size_t FrameOrder::slotOf(const mavlink::Frame &frame)
