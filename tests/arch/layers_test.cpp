@@ -1,5 +1,5 @@
 // The rules of this project that a compiler does not check: arrows between layers go down only, Qt stays out of the protocol,
-// secrets are compared in constant time, files stay small, tests do not wait for fixed times.
+// secrets are compared in constant time, tests do not wait for fixed times.
 #include "core/link/link_type.h"
 #include "tests/support/test_runner.h"
 
@@ -145,7 +145,6 @@ private Q_SLOTS:
     void dialogsKeepNobodyFromTheWindow();
     void secretsAreComparedInConstantTime();
     void outputOfMocIsCompiledWithItsSource();
-    void filesStaySmall();
     void linesStayShort();
     void testsDoNotSleep();
     void testsHaveNoTightDeadlines();
@@ -363,12 +362,6 @@ void LayersTest::outputOfMocIsCompiledWithItsSource()
     }
     QVERIFY(checked > 100);
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
-}
-
-void LayersTest::filesStaySmall()
-{
-    for (const SourceFile &file : sources({QStringLiteral("core"), QStringLiteral("ui"), QStringLiteral("app")}))
-        QVERIFY2(file.lines.size() <= 500, qPrintable(QStringLiteral("%1: %2 lines").arg(file.path).arg(file.lines.size())));
 }
 
 /// clang-format breaks code, but neither comments nor strings.
