@@ -227,12 +227,15 @@ function(skyseal_test_library name kind)
   skyseal_precompile(${name} ${kind})
 endfunction()
 
-# skyseal_test(NAME SOURCES … LINK … LABELS … [NEEDS PROGRAM …] [DEFINE …] [TIMEOUT S] [ALONE])
+# skyseal_test(NAME SOURCES … LINK … LABELS … [NEEDS PROGRAM …] [DEFINE …] [TIMEOUT S] [ALONE]
+#              [REQUIRES REQUIREMENT …] [APART REQUIREMENT:FUNCTION …] [WITHOUT FUNCTION …])
 # One QtTest class, that of the first source file, as the ctest entry NAME. All classes of a folder are in the program
-# FOLDER_tests. ALONE gives the class a program NAME of its own, for one that replaces operator new or has its own main().
-# NEEDS names the programs and libraries that the test starts or loads, DEFINE macros for its sources.
+# FOLDER_tests. ALONE gives the class a program NAME of its own, for one that replaces operator new or starts itself again.
+# NEEDS names the programs and libraries that the test starts or loads, DEFINE macros for its sources. REQUIRES: see
+# skyseal_requires(); a class of which only some functions require something has them APART, each as an entry NAME.FUNCTION.
+# Functions that cannot run in this build, such as under a sanitizer, are left out by WITHOUT.
 function(skyseal_test name)
-  cmake_parse_arguments(arg "ALONE" "TIMEOUT" "SOURCES;LINK;LABELS;NEEDS;DEFINE" ${ARGN})
+  cmake_parse_arguments(arg "ALONE" "TIMEOUT" "SOURCES;LINK;LABELS;NEEDS;DEFINE;REQUIRES;APART;WITHOUT" ${ARGN})
   list(GET arg_SOURCES 0 class)
   cmake_path(GET class STEM class)
   if(arg_ALONE)
@@ -261,12 +264,47 @@ function(skyseal_test name)
   if(arg_ALONE)
     set(class) # the program holds no other
   endif()
-  skyseal_test_entry(${name} ${program} ARGUMENTS ${class} LABELS ${arg_LABELS} TIMEOUT ${arg_TIMEOUT})
+  foreach(apart IN LISTS arg_APART)
+    string(REGEX MATCH "^(.+):(.+)$" apart ${apart})
+    list(APPEND arg_WITHOUT ${CMAKE_MATCH_2})
+    skyseal_test_entry(${name}.${CMAKE_MATCH_2} ${program} ARGUMENTS ${class} ${CMAKE_MATCH_2} LABELS ${arg_LABELS}
+      TIMEOUT ${arg_TIMEOUT} REQUIRES ${CMAKE_MATCH_1})
+  endforeach()
+  list(TRANSFORM arg_WITHOUT PREPEND "-without;")
+  skyseal_test_entry(${name} ${program} ARGUMENTS ${class} ${arg_WITHOUT} LABELS ${arg_LABELS} TIMEOUT ${arg_TIMEOUT}
+    REQUIRES ${arg_REQUIRES})
 endfunction()
 
-# skyseal_test_entry(NAME PROGRAM ARGUMENTS … LABELS … [TIMEOUT S] [ENVIRONMENT …]): one more ctest entry of a test program.
+# skyseal_requires(ENTRY REQUIREMENT …): the ctest entry ENTRY may be skipped, by exiting with 77, if one of these requirements is
+# missing (tests/support/requirements.cpp). An entry that exits so without it fails. ctest runs requires_REQUIREMENT first.
+function(skyseal_requires entry)
+  set_tests_properties(${entry} PROPERTIES SKIP_RETURN_CODE 77 FIXTURES_REQUIRED "${ARGN}")
+  get_test_property(${entry} LABELS labels)
+  set_property(GLOBAL APPEND PROPERTY skyseal_requirements ${ARGN})
+  if(NOT "slow" IN_LIST labels)
+    set_property(GLOBAL APPEND PROPERTY skyseal_usual_requirements ${ARGN})
+  endif()
+endfunction()
+
+# Declares requires_REQUIREMENT for each requirement of an entry so far; slow, if only slow entries have it.
+function(skyseal_requirement_entries)
+  get_property(requirements GLOBAL PROPERTY skyseal_requirements)
+  get_property(usual GLOBAL PROPERTY skyseal_usual_requirements)
+  list(REMOVE_DUPLICATES requirements)
+  foreach(requirement IN LISTS requirements)
+    set(labels requirement)
+    if(NOT requirement IN_LIST usual)
+      list(APPEND labels slow)
+    endif()
+    skyseal_test_entry(requires_${requirement} support_tests ARGUMENTS requirements_test isMet:${requirement} LABELS ${labels})
+    set_tests_properties(requires_${requirement} PROPERTIES SKIP_RETURN_CODE 77 FIXTURES_SETUP ${requirement})
+  endforeach()
+endfunction()
+
+# skyseal_test_entry(NAME PROGRAM ARGUMENTS … LABELS … [TIMEOUT S] [ENVIRONMENT …] [REQUIRES …]): one more ctest entry of a test
+# program.
 function(skyseal_test_entry name program)
-  cmake_parse_arguments(arg "" "TIMEOUT" "ARGUMENTS;LABELS;ENVIRONMENT" ${ARGN})
+  cmake_parse_arguments(arg "" "TIMEOUT" "ARGUMENTS;LABELS;ENVIRONMENT;REQUIRES" ${ARGN})
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 240) # so that a test can report its own deadline (tests/support/eventually.h) before it is killed
   endif()
@@ -278,6 +316,10 @@ function(skyseal_test_entry name program)
   # ctest starts the longest ones first, so that none of them is left alone at the end.
   set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT} COST ${arg_TIMEOUT}
     ENVIRONMENT "QT_QPA_PLATFORM=offscreen;QTEST_FUNCTION_TIMEOUT=${milliseconds};TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/cmake/tsan.supp die_after_fork=0;UBSAN_OPTIONS=print_stacktrace=1;LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/cmake/lsan.supp print_suppressions=0;${arg_ENVIRONMENT}")
+  if(arg_REQUIRES)
+    skyseal_requires(${name} ${arg_REQUIRES})
+    add_dependencies(${program} support_tests) # where the requirements are checked
+  endif()
 endfunction()
 
 # skyseal_fuzzer(NAME [QT] SOURCES … LINK … CORPUS DIR): a libFuzzer target under the fuzz preset, where `--target fuzzers` builds

@@ -8,6 +8,7 @@
 #include "core/keys/secret_file.h"
 #include "tests/support/eventually.h"
 #include "tests/support/flight.h"
+#include "tests/support/requirements.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QDirIterator>
@@ -15,8 +16,6 @@
 #include <QtCore/QJsonDocument>
 #include <QtCore/QRegularExpression>
 #include <QtTest/QTest>
-
-#include <sys/resource.h>
 
 #include <memory>
 
@@ -186,13 +185,7 @@ void SecrecyTest::coreFilesAreForbidden()
 
 void SecrecyTest::keysAreKeptFromTheSwapSpace()
 {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    QSKIP("a sanitizer replaces mlock()");
-#endif
-    constexpr rlim_t kEnough = 1 << 20;
-    rlimit limit{};
-    if (::getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur < kEnough)
-        QSKIP("this process cannot lock memory");
+    SKYSEAL_REQUIRES("locked_memory");
     Program air(QStringLiteral("skyseal-air"), m_flight->airArguments());
     QVERIFY(!air.waitFor(QStringLiteral("stats")).isEmpty());
     static const QRegularExpression kLocked(QStringLiteral("VmLck:\\s+([0-9]+) kB"));

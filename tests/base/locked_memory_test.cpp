@@ -44,25 +44,11 @@ class LockedMemoryTest : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void initTestCase();
     void failureIsReportedOnce();
     void failureBeforeTheReportIsSet();
     void nothingIsReportedOnSuccess();
     void sharedSecretIsMoved();
 };
-
-void LockedMemoryTest::initTestCase()
-{
-    // AddressSanitizer and ThreadSanitizer replace mlock() by a function that always succeeds.
-    if (whereNothingMayBeLocked([] {
-            std::array<char, 64> bytes{};
-            reportLockFailure(countReport);
-            lockPages(bytes.data(), bytes.size());
-            return g_reports;
-        })
-        != 1)
-        QSKIP("a sanitizer replaces mlock()");
-}
 
 void LockedMemoryTest::failureIsReportedOnce()
 {

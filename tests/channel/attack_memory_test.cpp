@@ -8,6 +8,7 @@
 #include "process_image.h"
 #include "stolen_session.h"
 #include "tests/support/holds.h"
+#include "tests/support/requirements.h"
 #include "tests/support/test_runner.h"
 
 #include <array>
@@ -17,7 +18,6 @@
 #include <new>
 
 #include <sodium.h>
-#include <sys/mman.h>
 #include <sys/wait.h>
 
 using namespace skyseal;
@@ -148,17 +148,6 @@ QByteArrayList unlockedKeys(const std::vector<Secret> &secrets, SuiteId suite)
             out << secret.name;
     }
     return out;
-}
-
-/// False under a sanitizer, which replaces mlock(), and for a process that may lock nothing.
-bool canLockMemory()
-{
-    constexpr std::size_t kSize = 1 << 20; // more than the keys of the test take
-    void *const page = ::mmap(nullptr, kSize, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    ::mlock(page, kSize);
-    const bool locked = ProcessImage::isLocked(page);
-    ::munmap(page, kSize);
-    return locked;
 }
 
 /// Names of those that lie in memory.
@@ -316,8 +305,7 @@ void AttackMemoryTest::stolenChainOpensNoLaterEpoch()
 void AttackMemoryTest::livingSecretsAreLocked()
 {
     QFETCH(int, suite);
-    if (!canLockMemory())
-        QSKIP("this process cannot lock memory");
+    SKYSEAL_REQUIRES("locked_memory");
     PairOptions options = inlineOptions(kAttackSeed);
     options.ground.suites = {static_cast<SuiteId>(suite), SuiteId::ChaCha20};
     Pair pair(options);

@@ -79,9 +79,6 @@ void BenchTest::memoryDoesNotDependOnWhatWasFreedBefore_data()
 
 void BenchTest::memoryDoesNotDependOnWhatWasFreedBefore()
 {
-#if !defined(__GLIBC__) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    QSKIP("the heap tells nothing here");
-#endif
     QFETCH(int, id);
     const auto suite = static_cast<SuiteId>(id);
     // Held ones, connected one by one: what many more sessions take of the heap.

@@ -115,9 +115,6 @@ private:
 
 void CalibrationTest::initTestCase()
 {
-#ifdef SKYSEAL_SANITIZED
-    QSKIP("a sanitizer wants to be loaded first");
-#endif
     m_file.setFileName(m_folder.filePath(QStringLiteral("share")));
     QVERIFY(m_file.open(QIODevice::ReadWrite | QIODevice::Unbuffered));
     setShare(0);

@@ -8,6 +8,7 @@
 // a seventh are exact to some 5 % of it; the limit is 15 %.
 #include "tests/support/eventually.h"
 #include "tests/support/perf_stacks.h"
+#include "tests/support/requirements.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QJsonDocument>
@@ -74,11 +75,10 @@ void CpuShareTest::suitesShareIsWhatPerfFinds_data()
 
 void CpuShareTest::suitesShareIsWhatPerfFinds()
 {
+    SKYSEAL_REQUIRES("perf");
     QFETCH(QString, suite);
     QTemporaryDir folder;
     const QString data = folder.filePath(QStringLiteral("perf.data"));
-    if (const QString problem = perfProblem(data); !problem.isEmpty())
-        QSKIP(qPrintable(problem));
     QProcess sweep;
     sweep.start(QStringLiteral(SKYSEAL_BIN_DIR "/skyseal-cli"),
                 words("sweep --launches 1 --pps 20000 --seconds 15 --repeats 1 --no-noise --json --suites") << suite);

@@ -7,7 +7,8 @@
 //
 // The resident set that monitor reports (as a sweep does) against the peak that heaptrack reads itself: within 15 %. Both hold
 // heaptrack's own memory, since it works inside the process.
-#include "tests/support/measuring_tool.h"
+#include "tests/support/requirements.h"
+#include "tests/support/run_program.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QDir>
@@ -72,11 +73,7 @@ class MemoryShareTest : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void initTestCase()
-    {
-        if (!hasTool("heaptrack"))
-            QSKIP("heaptrack is not installed");
-    }
+    void initTestCase() { SKYSEAL_REQUIRES("heaptrack"); }
     void heapIsWhatHeaptrackFinds_data();
     void heapIsWhatHeaptrackFinds();
     void residentSetIsWhatHeaptrackReads();

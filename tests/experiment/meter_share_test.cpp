@@ -4,6 +4,7 @@
 // seldom have counters of cycles.
 #include "tests/support/eventually.h"
 #include "tests/support/perf_stacks.h"
+#include "tests/support/requirements.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QJsonDocument>
@@ -83,10 +84,9 @@ private Q_SLOTS:
 
 void MeterShareTest::meterIsNoPartOfTheMeasurement()
 {
+    SKYSEAL_REQUIRES("perf");
     QTemporaryDir folder;
     const QString data = folder.filePath(QStringLiteral("perf.data"));
-    if (const QString problem = perfProblem(data); !problem.isEmpty())
-        QSKIP(qPrintable(problem));
     QProcess sweep;
     sweep.start(QStringLiteral(SKYSEAL_BIN_DIR "/skyseal-cli"),
                 words("sweep --launches 1 --load natural --suites chacha20-poly1305 --no-noise --json --seconds")

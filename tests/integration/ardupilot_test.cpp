@@ -5,6 +5,7 @@
 #include "tests/support/eventually.h"
 #include "tests/support/gateway_flight.h"
 #include "tests/support/sitl.h"
+#include "tests/support/requirements.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QFile>
@@ -36,8 +37,7 @@ private:
 
 void ArduPilotTest::initTestCase()
 {
-    if (!m_sitl.available())
-        QSKIP("ARDUPILOT_SITL names no ArduCopter SITL: the flight with a real autopilot is skipped");
+    SKYSEAL_REQUIRES("arducopter");
     QVERIFY2(QFile::exists(m_sitl.program()), qPrintable(m_sitl.program()));
 }
 

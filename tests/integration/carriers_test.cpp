@@ -5,6 +5,7 @@
 #include "tests/support/addresses.h"
 #include "tests/support/mavlink_hub.h"
 #include "tests/support/null_modem.h"
+#include "tests/support/requirements.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QFile>
@@ -75,9 +76,8 @@ void CarriersTest::tunnelOnASerialLine()
 
 void CarriersTest::mavlinkRouter()
 {
+    SKYSEAL_REQUIRES("mavlink_router");
     const QString program = qEnvironmentVariable("SKYSEAL_MAVLINK_ROUTERD");
-    if (program.isEmpty())
-        QSKIP("SKYSEAL_MAVLINK_ROUTERD names no mavlink-routerd");
     Flight flight;
     const quint16 port = freeUdpPort();
     const QString address = QStringLiteral("127.0.0.1:%1");

@@ -3,6 +3,7 @@
 #include "tests/support/flight.h"
 #include "tests/support/json_values.h"
 #include "tests/support/run_program.h"
+#include "tests/support/requirements.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QDir>
@@ -125,11 +126,8 @@ private:
 
 void DiskTest::initTestCase()
 {
-    if (::unshare(CLONE_NEWNS) != 0 || ::mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0)
-        QSKIP("only the superuser can mount a small or read-only disk");
-    QTemporaryDir folder;
-    if (!SmallDisk(folder.path()).isMounted())
-        QSKIP("only the superuser can mount a small or read-only disk");
+    SKYSEAL_REQUIRES("mounts");
+    QVERIFY(::unshare(CLONE_NEWNS) == 0 && ::mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0);
 }
 
 void DiskTest::init()

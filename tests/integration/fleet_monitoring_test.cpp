@@ -2,6 +2,7 @@
 // ask for.
 #include "tests/support/gateway_flight.h"
 #include "tests/support/mqtt_broker.h"
+#include "tests/support/requirements.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QJsonArray>
@@ -49,8 +50,7 @@ private Q_SLOTS:
 
 void FleetMonitoringTest::initTestCase()
 {
-    if (QStandardPaths::findExecutable(QStringLiteral("prometheus")).isEmpty())
-        QSKIP("prometheus is not installed: no gateway is read by it");
+    SKYSEAL_REQUIRES("prometheus");
 }
 
 void FleetMonitoringTest::prometheusKnowsWhatTheDashboardAsksFor()

@@ -5,6 +5,7 @@
 #include "tests/support/mosquitto.h"
 #include "tests/support/mqtt_reader.h"
 #include "tests/support/process_figures.h"
+#include "tests/support/requirements.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QDir>
@@ -120,8 +121,7 @@ private:
 
 void FleetTest::initTestCase()
 {
-    if (findMosquitto().isEmpty())
-        QSKIP("mosquitto is not installed: no gateway publishes to it");
+    SKYSEAL_REQUIRES("mosquitto");
 }
 
 Usage FleetTest::usage() const

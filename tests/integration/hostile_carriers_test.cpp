@@ -8,6 +8,7 @@
 #include "tests/support/null_modem.h"
 #include "tests/support/router_spoofers.h"
 #include "tests/support/tcp_cable.h"
+#include "tests/support/requirements.h"
 #include "tests/support/test_runner.h"
 
 #include <QtNetwork/QTcpSocket>
@@ -170,9 +171,8 @@ void HostileCarriersTest::spoofersAtTheHub()
 
 void HostileCarriersTest::spoofersAtMavlinkRouter()
 {
+    SKYSEAL_REQUIRES("mavlink_router");
     const QString program = qEnvironmentVariable("SKYSEAL_MAVLINK_ROUTERD");
-    if (program.isEmpty())
-        QSKIP("SKYSEAL_MAVLINK_ROUTERD names no mavlink-routerd");
     Flight flight;
     const quint16 port = freeUdpPort(), door = freeTcpPort();
     const QString address = QStringLiteral("127.0.0.1:%1");

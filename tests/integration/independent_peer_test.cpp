@@ -4,6 +4,7 @@
 // Needs /usr/bin/python3 with python3-cryptography (Debian); SKYSEAL_PYTHON names another interpreter.
 #include "tests/support/flight.h"
 #include "tests/support/json_values.h"
+#include "tests/support/requirements.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QDeadlineTimer>
@@ -75,12 +76,8 @@ private:
 
 void IndependentPeerTest::initTestCase()
 {
-    m_python = qEnvironmentVariable("SKYSEAL_PYTHON", QStringLiteral("/usr/bin/python3"));
-    if (!QFile::exists(m_python))
-        QSKIP("python3 is not installed: the check against the independent peer is skipped");
-    Program probe(m_python, {QStringLiteral("-c"), QStringLiteral("import cryptography")});
-    if (probe.waitForExit() != 0)
-        QSKIP("python3-cryptography is not installed: the check against the independent peer is skipped");
+    SKYSEAL_REQUIRES("python_cryptography");
+    m_python = pythonProgram();
 }
 
 QStringList IndependentPeerTest::script(const QStringList &arguments) const

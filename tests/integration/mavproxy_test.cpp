@@ -7,6 +7,7 @@
 #include "tests/support/eventually.h"
 #include "tests/support/gateway_flight.h"
 #include "tests/support/sitl.h"
+#include "tests/support/requirements.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QProcess>
@@ -186,11 +187,6 @@ private:
         }
         return flight.waitForSession();
     }
-    bool isMissing() const
-    {
-        QFETCH(bool, isArduCopter);
-        return isArduCopter && !m_sitl.available();
-    }
 
     Sitl m_sitl;
     std::unique_ptr<Program> m_autopilot;
@@ -198,15 +194,15 @@ private:
 
 void MavproxyTest::initTestCase()
 {
-    if (!qEnvironmentVariableIsSet("SKYSEAL_MAVPROXY"))
-        QSKIP("SKYSEAL_MAVPROXY names no MAVProxy");
+    SKYSEAL_REQUIRES("mavproxy");
 }
 
 /// A second MAVProxy, which may only read, sees the flight of the first.
 void MavproxyTest::pilotFliesWhileCiphersSwitch()
 {
-    if (isMissing())
-        QSKIP("ARDUPILOT_SITL names no ArduCopter SITL");
+    QFETCH(bool, isArduCopter);
+    if (isArduCopter)
+        SKYSEAL_REQUIRES("arducopter");
     const quint16 port = freeTcpPort(), readerPort = freeTcpPort();
     GatewayFlight flight({QStringLiteral("tcpin:%1,write=all").arg(port), QStringLiteral("tcpin:%1").arg(readerPort)});
     QVERIFY(start(flight));
@@ -269,8 +265,9 @@ void MavproxyTest::simulatedVehicleHasFenceRallyPointsAndVersion()
 
 void MavproxyTest::readerCommandsNothing()
 {
-    if (isMissing())
-        QSKIP("ARDUPILOT_SITL names no ArduCopter SITL");
+    QFETCH(bool, isArduCopter);
+    if (isArduCopter)
+        SKYSEAL_REQUIRES("arducopter");
     const quint16 port = freeTcpPort();
     GatewayFlight flight({QStringLiteral("tcpin:%1").arg(port)});
     QVERIFY(start(flight));
@@ -278,7 +275,6 @@ void MavproxyTest::readerCommandsNothing()
     QVERIFY2(reader.says("Received ") && reader.says(" parameters"), reader.words().constData());
     reader.type("wp list");
     QVERIFY2(reader.says("Requesting 0 waypoints"), reader.words().constData());
-    QFETCH(bool, isArduCopter);
     if (!isArduCopter) { // ArduCopter 3.6.7 knows none of these by the messages that MAVProxy uses
         reader.type("fence list");
         QVERIFY2(reader.says("Requesting 0 fence items"), reader.words().constData());

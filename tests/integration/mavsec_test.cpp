@@ -7,12 +7,12 @@
 #include "core/mavlink/messages.h"
 #include "tests/support/eventually.h"
 #include "tests/support/program.h"
+#include "tests/support/requirements.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QJsonArray>
 #include <QtCore/QJsonDocument>
 #include <QtCore/QProcess>
-#include <QtCore/QStandardPaths>
 #include <QtCore/QTemporaryDir>
 #include <QtCore/QTimer>
 #include <QtNetwork/QTcpServer>
@@ -115,8 +115,7 @@ private:
 
 void MavsecTest::initTestCase()
 {
-    if (QStandardPaths::findExecutable(QStringLiteral("openssl")).isEmpty())
-        QSKIP("the openssl program is not installed: frames of another implementation are not checked");
+    SKYSEAL_REQUIRES("openssl");
 }
 
 QString MavsecTest::writeFile(const char *name, const QByteArray &content)

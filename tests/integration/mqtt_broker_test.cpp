@@ -3,6 +3,7 @@
 #include "tests/support/gateway_flight.h"
 #include "tests/support/mosquitto.h"
 #include "tests/support/mqtt_reader.h"
+#include "tests/support/requirements.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QJsonArray>
@@ -61,8 +62,7 @@ private:
 
 void MqttBrokerTest::initTestCase()
 {
-    if (findMosquitto().isEmpty())
-        QSKIP("mosquitto is not installed: no gateway publishes to it");
+    SKYSEAL_REQUIRES("mosquitto");
     m_authority = std::make_unique<Authority>();
     for (const char *name : {"broker", "north", "south", "dashboard"})
         m_authority->certify(name);

@@ -7,6 +7,7 @@
 #include "core/mavlink/frame_writer.h"
 #include "tests/support/eventually.h"
 #include "tests/support/node_mavlink.h"
+#include "tests/support/requirements.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QJsonDocument>
@@ -35,10 +36,8 @@ private:
 void NodeInlineTest::initTestCase()
 {
     QVERIFY(crypto::initCrypto());
-    const test::NodeMavlink found = test::findNodeMavlink();
-    if (found.missing)
-        QSKIP(found.missing);
-    m_node = found.node;
+    SKYSEAL_REQUIRES("node_mavlink");
+    m_node = test::findNodeMavlink();
 }
 
 void NodeInlineTest::findsEveryPlainFrame_data()

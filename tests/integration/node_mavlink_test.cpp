@@ -3,6 +3,7 @@
 #include "tests/support/eventually.h"
 #include "tests/support/node_mavlink.h"
 #include "tests/support/program.h"
+#include "tests/support/requirements.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QJsonArray>
@@ -29,10 +30,8 @@ private:
 
 void NodeMavlinkTest::initTestCase()
 {
-    const NodeMavlink found = findNodeMavlink();
-    if (found.missing)
-        QSKIP(found.missing);
-    m_node = found.node;
+    SKYSEAL_REQUIRES("node_mavlink");
+    m_node = findNodeMavlink();
 }
 
 void NodeMavlinkTest::monitorReportsItsTelemetry_data()

@@ -4,6 +4,7 @@
 #include "tests/support/eventually.h"
 #include "tests/support/gateway_flight.h"
 #include "tests/support/node_mavlink.h"
+#include "tests/support/requirements.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QJsonArray>
@@ -33,10 +34,8 @@ private:
 
 void NodeStationTest::initTestCase()
 {
-    const NodeMavlink found = findNodeMavlink();
-    if (found.missing)
-        QSKIP(found.missing);
-    m_node = found.node;
+    SKYSEAL_REQUIRES("node_mavlink");
+    m_node = findNodeMavlink();
 }
 
 void NodeStationTest::pilotFliesWhileCiphersSwitch()

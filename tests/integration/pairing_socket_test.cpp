@@ -4,6 +4,7 @@
 #include "tests/support/pairing_people.h"
 #include "tests/support/program.h"
 #include "tests/support/run_program.h"
+#include "tests/support/requirements.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QDir>
@@ -182,8 +183,7 @@ void PairingSocketTest::secondAgentTakesNothingOver()
 
 void PairingSocketTest::programOfAnotherUserIsToldNothing()
 {
-    if (::geteuid() != 0)
-        QSKIP("only the superuser can start a program of another user");
+    SKYSEAL_REQUIRES("superuser");
     QVERIFY(::chmod(m_folder->path().toLocal8Bit().constData(), 0777) == 0);
     ForeignListener listener(path("air.key.control").toLocal8Bit());
     QVERIFY(listener.isListening());

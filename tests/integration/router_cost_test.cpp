@@ -4,6 +4,7 @@
 #include "tests/engine/bare_end.h"
 #include "tests/engine/sample_traffic.h"
 #include "tests/support/flight.h"
+#include "tests/support/requirements.h"
 #include "tests/support/test_runner.h"
 
 #include "core/crypto/init_crypto.h"
@@ -202,8 +203,7 @@ private:
 
 void RouterCostTest::initTestCase()
 {
-    if (m_router.isEmpty())
-        QSKIP("SKYSEAL_MAVLINK_ROUTERD names no mavlink-routerd");
+    SKYSEAL_REQUIRES("mavlink_router");
     QVERIFY(crypto::initCrypto());
     const QString suite = qEnvironmentVariable("SKYSEAL_SUITE", QStringLiteral("chacha20-poly1305"));
     const auto suiteId = crypto::suiteFromName(suite.toStdString());

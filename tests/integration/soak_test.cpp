@@ -4,6 +4,7 @@
 // Prints its seed, and what it measured.
 #include "tests/integration/soak_figures.h"
 #include "tests/support/record_counters.h"
+#include "tests/support/requirements.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QJsonArray>
@@ -107,8 +108,7 @@ private:
 
 void SoakTest::initTestCase()
 {
-    if (findMosquitto().isEmpty())
-        QSKIP("mosquitto is not installed: no gateway publishes to it");
+    SKYSEAL_REQUIRES("mosquitto");
 }
 
 Bytes SoakTest::noise()

@@ -3,14 +3,18 @@
 #include "core/crypto/init_crypto.h"
 #include "core/keys/peers_file.h"
 #include "core/keys/public_key_text.h"
+#include "tests/support/requirements.h"
 #include "tests/support/test_runner.h"
 
 #include "tests/crypto/seeded_random.h"
+#include "tests/keys/error_text.h"
 #include "tests/keys/temporary_folder.h"
 
 #include <QtTest/QTest>
 
 #include <thread>
+
+#include <unistd.h>
 
 using namespace skyseal;
 using namespace skyseal::keys;
@@ -23,6 +27,7 @@ class PeersFileTest : public QObject
 private Q_SLOTS:
     void initTestCase();
     void readsAList();
+    void listOfAnotherUserIsRefused();
     void keepsRemarks();
     void errorsNameTheLine_data();
     void errorsNameTheLine();
@@ -67,6 +72,15 @@ void PeersFileTest::readsAList()
     QVERIFY(entries[1].peer.systemIds.empty() && entries[1].presharedKeyFile.empty());
     QCOMPARE(file->peers().size(), std::size_t(2));
     QVERIFY(PeersFile::parse("", "f")->entries().empty());
+}
+
+void PeersFileTest::listOfAnotherUserIsRefused()
+{
+    SKYSEAL_REQUIRES("superuser");
+    const std::string path = m_folder.write("foreign.peers", line("a pilot 1", 0) + "\n");
+    QCOMPARE(test::errorOf(loadPeers(path)), std::string());
+    QCOMPARE(::chown(path.c_str(), test::kSomebodyElse, 0), 0);
+    QVERIFY(test::contains(test::errorOf(loadPeers(path)), "another user"));
 }
 
 void PeersFileTest::keepsRemarks()

@@ -4,6 +4,7 @@
 #include "core/crypto/init_crypto.h"
 #include "core/keys/public_key_text.h"
 #include "core/keys/secret_file.h"
+#include "tests/support/requirements.h"
 #include "tests/support/test_runner.h"
 
 #include "tests/crypto/seeded_random.h"
@@ -27,6 +28,7 @@ class SecretFileTest : public QObject
 private Q_SLOTS:
     void initTestCase() { QVERIFY(crypto::initCrypto()); }
     void writtenForTheOwnerAloneAndReadBack();
+    void keyOfAnotherUserIsRefused();
     void neverOverwrites();
     void refusesWhatIsNoKeyFile();
     void presharedKeysAreAnotherKind();
@@ -50,6 +52,17 @@ void SecretFileTest::writtenForTheOwnerAloneAndReadBack()
     QCOMPARE(errorOf(read), std::string());
     QCOMPARE(read->publicKey, *written);
     QVERIFY(readText(path).starts_with("skyseal-private-key-v1\n"));
+}
+
+void SecretFileTest::keyOfAnotherUserIsRefused()
+{
+    SKYSEAL_REQUIRES("superuser");
+    const std::string path = m_folder.path("foreign.key");
+    QVERIFY(writeNewIdentity(path, m_random));
+    QCOMPARE(::chown(path.c_str(), test::kSomebodyElse, 0), 0);
+    QVERIFY(contains(errorOf(loadIdentity(path)), "another user"));
+    QCOMPARE(::chown(path.c_str(), 0, test::kSomebodyElse), 0); // its group may not read it
+    QCOMPARE(errorOf(loadIdentity(path)), std::string());
 }
 
 void SecretFileTest::neverOverwrites()

@@ -10,6 +10,8 @@
 
 namespace skyseal::test {
 
+constexpr uid_t kSomebodyElse = 65534; ///< owner of a file that is not ours
+
 class TemporaryFolder
 {
 public:

@@ -54,7 +54,6 @@ class SerialLinkTest : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void initTestCase();
     void carriesBothWays();
     void bytesPassUnchanged();
     void missingDeviceIsReportedAndRetried();
@@ -69,16 +68,6 @@ private:
         return out;
     }
 };
-
-void SerialLinkTest::initTestCase()
-{
-    BlockRecorder recorder;
-    const auto link = openLink("serial:/dev/no-such-device:57600", recorder, quick());
-    if (link->error().code == LinkErrorCode::NotSupported) {
-        QVERIFY(link->error().sentence().find("built without serial links") != std::string::npos);
-        QSKIP("built without Qt SerialPort");
-    }
-}
 
 void SerialLinkTest::carriesBothWays()
 {

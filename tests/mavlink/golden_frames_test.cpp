@@ -6,6 +6,7 @@
 #include "core/mavlink/signing.h"
 #include "core/mavlink/message_json.h"
 #include "core/mavlink/payload_builder.h"
+#include "tests/support/requirements.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QFile>
@@ -126,13 +127,11 @@ private Q_SLOTS:
 
 private:
     std::vector<QJsonObject> m_golden;
-    QString m_facts;
 };
 
 void GoldenFramesTest::initTestCase()
 {
-    m_facts = qEnvironmentVariable("SKYSEAL_MAVLINK_FACTS", QStringLiteral(SKYSEAL_SOURCE_DIR "/../shared/mavlink"));
-    QByteArray lines = contentOf(m_facts + QStringLiteral("/golden_frames.jsonl"));
+    QByteArray lines = contentOf(test::mavlinkFactsFolder() + QStringLiteral("/golden_frames.jsonl"));
     if (lines.isEmpty())
         lines = contentOf(dataPath("golden_frames.jsonl"));
     for (const QByteArray &line : lines.split('\n')) {
@@ -172,9 +171,10 @@ void GoldenFramesTest::layoutsAreTheReferences()
 
 void GoldenFramesTest::factsAreTheReferences()
 {
-    const QJsonObject facts = QJsonDocument::fromJson(contentOf(m_facts + QStringLiteral("/ardupilotmega.json"))).object();
-    if (facts.isEmpty())
-        QSKIP("SKYSEAL_MAVLINK_FACTS names no folder with the full facts: skipped");
+    SKYSEAL_REQUIRES("mavlink_facts");
+    const QJsonObject facts =
+        QJsonDocument::fromJson(contentOf(test::mavlinkFactsFolder() + QStringLiteral("/ardupilotmega.json"))).object();
+    QVERIFY(!facts.isEmpty());
     const auto text = [](std::string_view view) { return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size())); };
     for (const auto &value : facts[QLatin1String("messages")].toArray()) {
         const MessageInfo *info = Dialect::builtin().find(static_cast<std::uint32_t>(value[QLatin1String("id")].toInt()));

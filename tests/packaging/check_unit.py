@@ -54,7 +54,7 @@ def uncounted(service, user):
 
 def main():
     if not shutil.which("systemd-analyze"):
-        print("SKIP   : Unit::exposure() systemd-analyze is not installed: the exposure of the service is not judged")
+        print("systemd-analyze is not installed: the exposure of the service is not judged")
         return SKIPPED
     folder = pathlib.Path(sys.argv[1])
     drop_in = (folder / DROP_IN).read_text()

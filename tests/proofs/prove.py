@@ -7,7 +7,7 @@ With --cpu-seconds, all runs together may take so much processor time, which doe
 
 A head has one line for each run: "run DEFINITIONS holds" or "run DEFINITIONS violates PROPERTIES", then a remark after two or
 more spaces. PROPERTIES are names, or "all", or "all but" names. Models end in .pml (Spin, compiled by gcc) or .pv (ProVerif:
-the program PROVERIF or `proverif`; without it the test is skipped).
+the program PROVERIF or `proverif`). Without its program a model is skipped.
 """
 
 import os
@@ -113,8 +113,8 @@ def processor_seconds():
 
 def main(model, wanted, most_seconds):
     check = check_spin if model.suffix == ".pml" else check_proverif
-    if check is check_proverif and not proverif():
-        print("SKIP   : Proofs::proverif() proverif is not installed: the models of handshake and pairing are not checked")
+    if not (shutil.which("spin") if check is check_spin else proverif()):
+        print(f"what checks {model.name} is not installed")
         return SKIPPED
     runs = [run for run in runs_of(model.read_text()) if not wanted or run.definitions == wanted]
     if not runs:

@@ -7,6 +7,7 @@
 #include "tests/support/eventually.h"
 #include "tests/support/program.h"
 #include "tests/support/sitl.h"
+#include "tests/support/requirements.h"
 #include "tests/support/test_runner.h"
 
 #include "core/mavlink/messages.h"
@@ -104,9 +105,8 @@ private Q_SLOTS:
 
 void ReferenceMeasurementTest::realCopterStillGivesTheFacts()
 {
+    SKYSEAL_REQUIRES("arducopter");
     Sitl sitl;
-    if (!sitl.available())
-        QSKIP("ARDUPILOT_SITL names no ArduCopter SITL: the reference is not measured");
     const quint16 port = freeTcpPort();
     const auto program = sitl.start(port, 1);
     SitlPeer peer(port);

@@ -1,7 +1,7 @@
 // perf's samples of a station's I/O thread in another process, as stacks of function names.
 #pragma once
 
-#include "tests/support/measuring_tool.h"
+#include "tests/support/run_program.h"
 
 #include <QtCore/QDir>
 #include <QtCore/QFile>
@@ -21,19 +21,6 @@ inline qint64 ioThreadOf(qint64 process)
             return task.toLongLong();
     }
     return 0;
-}
-
-/// Why perf cannot be used here; empty if it can. `data`: a file that it may write.
-inline QString perfProblem(const QString &data)
-{
-    if (!hasTool("perf"))
-        return QStringLiteral("perf is not installed (linux-perf)");
-    const QStringList trial{QStringLiteral("record"),      QStringLiteral("-q"), QStringLiteral("-e"),
-                            QStringLiteral("cpu-clock:u"), QStringLiteral("-o"), data,
-                            QStringLiteral("true")};
-    return runToItsEnd(QStringLiteral("perf"), trial).status == 0
-        ? QString()
-        : QStringLiteral("perf may not sample here (kernel.perf_event_paranoid)");
 }
 
 /// One sample: its time in seconds, and the functions of its stack.

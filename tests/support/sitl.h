@@ -1,5 +1,5 @@
-// A real autopilot for tests: the unmodified ArduCopter SITL that ARDUPILOT_SITL names (waf's build/sitl/bin/arducopter, or any
-// prebuilt one).
+// A real autopilot for tests that require arducopter: the unmodified ArduCopter SITL that ARDUPILOT_SITL names (waf's
+// build/sitl/bin/arducopter, or any prebuilt one).
 #pragma once
 
 #include "tests/support/program.h"
@@ -34,8 +34,6 @@ public:
             qFatal("no folder for the parameters");
     }
 
-    /// Whether the variable names a program.
-    bool available() const { return !m_program.isEmpty(); }
     QString program() const { return m_program; }
 
     /// Runs it on a TCP port at `speed` times real time. Its eeprom and logs go to a temporary working directory, into which

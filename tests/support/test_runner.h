@@ -1,7 +1,8 @@
 // The entry points of QtTest classes. All test classes of a folder are linked into one program, which runs one class per
-// process: `channel_tests session_test [options and functions of QtTest]`. Use these macros instead of QTEST_MAIN and its
-// variants, once at the end of the source file. The files of a folder may be compiled as one (skyseal_unite() in
-// cmake/SkysealTargets.cmake), so that their helpers need names of their own, or a header.
+// process: `channel_tests session_test [options and functions of QtTest]`, or `… session_test -without FUNCTION` for all other
+// functions. The program exits with 77 if nothing failed but something was skipped for a requirement (requirements.h). Use
+// these macros instead of QTEST_MAIN and its variants, once at the end of the source file. The files of a folder may be
+// compiled as one (skyseal_unite() in cmake/SkysealTargets.cmake), so that their helpers need names of their own, or a header.
 #pragma once
 
 #include <QtTest/QTest>
@@ -16,13 +17,16 @@ struct TestEntry
     TestEntry(const char *sourceFile, TestMain main);
 };
 
+/// Runs a test class with these arguments. Returns the exit status of the program.
+int runTest(QObject &test, int argc, char **argv);
+
 } // namespace skyseal::test
 
 #define SKYSEAL_TEST_ENTRY(Class, ...)                                                                                         \
     static const ::skyseal::test::TestEntry kTestEntryOf##Class(__FILE__, [](int argc, char **argv) {                          \
         __VA_ARGS__                                                                                                            \
         Class test;                                                                                                            \
-        return QTest::qExec(&test, argc, argv);                                                                                \
+        return ::skyseal::test::runTest(test, argc, argv);                                                                     \
     });
 
 /// Runs the class under a QCoreApplication.

@@ -12,6 +12,7 @@
 #include "core/vehicle/geodesy.h"
 #include "tests/support/flight.h"
 #include "tests/support/sitl.h"
+#include "tests/support/requirements.h"
 #include "tests/support/test_runner.h"
 #include "ui/parameters/parameter_model.h"
 #include "ui/replay/recording_model.h"
@@ -116,8 +117,7 @@ private:
 
 void ArduPilotWindowTest::initTestCase()
 {
-    if (!m_sitl.available())
-        QSKIP("ARDUPILOT_SITL names no ArduCopter SITL: the flight with a real autopilot is skipped");
+    SKYSEAL_REQUIRES("arducopter");
     QVERIFY(crypto::initCrypto());
     for (const char *folder : {"XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME"})
         qputenv(folder, m_folder.filePath(words(folder)).toUtf8());

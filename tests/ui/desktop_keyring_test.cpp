@@ -5,11 +5,12 @@
 #include "app/skyseal/passphrase_memory.h"
 #include "app/skyseal/passphrase_question.h"
 #include "tests/support/eventually.h"
+#include "tests/support/requirements.h"
+#include "tests/support/test_runner.h"
 #include "ui/keys/passphrase_dialog.h"
 
 #include <QtCore/QFile>
 #include <QtCore/QProcess>
-#include <QtCore/QStandardPaths>
 #include <QtCore/QTemporaryDir>
 #include <QtDBus/QDBusConnection>
 #include <QtDBus/QDBusConnectionInterface>
@@ -120,11 +121,8 @@ private:
 
 void DesktopKeyringTest::initTestCase()
 {
-    if (!qEnvironmentVariableIsSet(kInside))
-        QSKIP("needs dbus-run-session and gnome-keyring-daemon (packages dbus-daemon, gnome-keyring)");
+    SKYSEAL_REQUIRES("gnome_keyring");
     restart();
-    if (m_memory->problem().contains(QStringLiteral("not included")))
-        QSKIP("built without QtKeychain (package qtkeychain-qt6-dev)");
     m_daemon.setProcessChannelMode(QProcess::ForwardedErrorChannel);
     m_daemon.start(QStringLiteral("gnome-keyring-daemon"),
                    {QStringLiteral("--foreground"), QStringLiteral("--unlock"), QStringLiteral("--components=secrets")});
@@ -221,24 +219,21 @@ void DesktopKeyringTest::stalePassphraseIsRequested()
 }
 
 /// Runs again on its own session bus, so that no real keyring is used.
-int main(int argc, char **argv)
+static int runInSession(int argc, char **argv)
 {
-    const QString session = QStandardPaths::findExecutable(QStringLiteral("dbus-run-session"));
-    if (!qEnvironmentVariableIsSet(kInside) && !session.isEmpty()
-        && !QStandardPaths::findExecutable(QStringLiteral("gnome-keyring-daemon")).isEmpty()) {
-        const QTemporaryDir home;
-        for (const char *folder : {"HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_RUNTIME_DIR"})
-            qputenv(folder, home.path().toUtf8());
-        qunsetenv("XDG_CURRENT_DESKTOP");
-        qputenv(kInside, "1");
-        QStringList arguments{QStringLiteral("--"), QString::fromLocal8Bit(argv[0])};
-        for (int i = 1; i < argc; ++i)
-            arguments.append(QString::fromLocal8Bit(argv[i]));
-        return QProcess::execute(session, arguments);
-    }
-    QApplication application(argc, argv);
-    DesktopKeyringTest test;
-    return QTest::qExec(&test, argc, argv);
+    const QTemporaryDir home;
+    for (const char *folder : {"HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_RUNTIME_DIR"})
+        qputenv(folder, home.path().toUtf8());
+    qunsetenv("XDG_CURRENT_DESKTOP");
+    qputenv(kInside, "1");
+    QStringList arguments{QStringLiteral("--"), QString::fromLocal8Bit(argv[0])};
+    for (int i = 1; i < argc; ++i)
+        arguments.append(QString::fromLocal8Bit(argv[i]));
+    return QProcess::execute(QStringLiteral("dbus-run-session"), arguments);
 }
+
+SKYSEAL_TEST_ENTRY(DesktopKeyringTest,
+                   if (!qEnvironmentVariableIsSet(kInside) && !test::lackOf("gnome_keyring")) return runInSession(argc, argv);
+                   QApplication application(argc, argv);)
 
 #include "desktop_keyring_test.moc"

@@ -195,9 +195,6 @@ private Q_SLOTS:
 
     void memoryOfASessionIsThatOfTheSuite()
     {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-        QSKIP("a sanitizer's heap tells nothing");
-#endif
         m_panel->onSnapshot(viewWith(twoSuites()));
         choose("chartGroup", QStringLiteral("Cost"));
         const ChartContent memory = m_panel->findChild<TimeSeriesChart *>(QStringLiteral("chart_sessionMemory"))->plotted();

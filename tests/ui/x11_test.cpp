@@ -2,13 +2,14 @@
 // the windows of dialogs differ there from what QTest sends. Xvfb, blackbox and xdotool are in packaging/dependencies. Pictures
 // are kept in the folder that SKYSEAL_PICTURES names.
 #include "tests/support/eventually.h"
+#include "tests/support/requirements.h"
+#include "tests/support/test_runner.h"
 #include "ui/flight/hold_button.h"
 #include "ui/held_keys.h"
 #include "window_rig.h"
 
 #include <QtCore/QDir>
 #include <QtCore/QProcess>
-#include <QtCore/QStandardPaths>
 #include <QtGui/QAction>
 #include <QtGui/QScreen>
 #include <QtTest/QSignalSpy>
@@ -100,8 +101,7 @@ private:
 
 void X11Test::initTestCase()
 {
-    if (!qEnvironmentVariableIsSet(kInside))
-        QSKIP("needs Xvfb, blackbox and xdotool (packages xvfb, blackbox, xdotool)");
+    SKYSEAL_REQUIRES("x_server");
     QCOMPARE(QGuiApplication::platformName(), QStringLiteral("xcb"));
 }
 
@@ -268,44 +268,38 @@ void X11Test::demoFlies()
 }
 
 /// Runs again inside an X server of its own with a window manager, whatever display there is.
-int main(int argc, char **argv)
+static int runInServer(int argc, char **argv)
 {
-    const auto isThere = [](const char *program) { return !QStandardPaths::findExecutable(QLatin1String(program)).isEmpty(); };
-    if (!qEnvironmentVariableIsSet(kInside)) {
-        QCoreApplication application(argc, argv);
-        if (!isThere("Xvfb") || !isThere("blackbox") || !isThere("xdotool")) {
-            X11Test test;
-            return QTest::qExec(&test, argc, argv);
-        }
-        QProcess server, manager, inside;
-        for (QProcess *child : {&server, &manager, &inside}) // none outlives a test that is killed
-            child->setChildProcessModifier([] { ::prctl(PR_SET_PDEATHSIG, SIGTERM); });
-        server.setReadChannel(QProcess::StandardOutput);
-        server.start(QStringLiteral("Xvfb"),
-                     {QStringLiteral("-displayfd"), QStringLiteral("1"), QStringLiteral("-screen"), QStringLiteral("0"),
-                      QStringLiteral("1400x1000x24"), QStringLiteral("-nolisten"), QStringLiteral("tcp")});
-        while (!server.canReadLine())
-            if (!server.waitForReadyRead(test::kDeadlineMs))
-                qFatal("Xvfb: %s", server.readAllStandardError().constData());
-        const QTemporaryDir home; // the window manager's
-        qputenv("DISPLAY", ':' + server.readLine().trimmed());
-        qputenv("HOME", home.path().toUtf8());
-        qputenv("QT_QPA_PLATFORM", "xcb");
-        qputenv(kInside, "1");
-        qunsetenv("WAYLAND_DISPLAY");
-        manager.start(QStringLiteral("blackbox"));
-        inside.setProcessChannelMode(QProcess::ForwardedChannels);
-        inside.start(QCoreApplication::applicationFilePath(), QCoreApplication::arguments().mid(1));
-        inside.waitForFinished(-1);
-        for (QProcess *other : {&manager, &server}) {
-            other->terminate();
-            other->waitForFinished(test::kDeadlineMs);
-        }
-        return inside.exitStatus() == QProcess::NormalExit ? inside.exitCode() : 1;
+    QCoreApplication application(argc, argv);
+    QProcess server, manager, inside;
+    for (QProcess *child : {&server, &manager, &inside}) // none outlives a test that is killed
+        child->setChildProcessModifier([] { ::prctl(PR_SET_PDEATHSIG, SIGTERM); });
+    server.setReadChannel(QProcess::StandardOutput);
+    server.start(QStringLiteral("Xvfb"),
+                 {QStringLiteral("-displayfd"), QStringLiteral("1"), QStringLiteral("-screen"), QStringLiteral("0"),
+                  QStringLiteral("1400x1000x24"), QStringLiteral("-nolisten"), QStringLiteral("tcp")});
+    while (!server.canReadLine())
+        if (!server.waitForReadyRead(test::kDeadlineMs))
+            qFatal("Xvfb: %s", server.readAllStandardError().constData());
+    const QTemporaryDir home; // the window manager's
+    qputenv("DISPLAY", ':' + server.readLine().trimmed());
+    qputenv("HOME", home.path().toUtf8());
+    qputenv("QT_QPA_PLATFORM", "xcb");
+    qputenv(kInside, "1");
+    qunsetenv("WAYLAND_DISPLAY");
+    manager.start(QStringLiteral("blackbox"));
+    inside.setProcessChannelMode(QProcess::ForwardedChannels);
+    inside.start(QCoreApplication::applicationFilePath(), QCoreApplication::arguments().mid(1));
+    inside.waitForFinished(-1);
+    for (QProcess *other : {&manager, &server}) {
+        other->terminate();
+        other->waitForFinished(test::kDeadlineMs);
     }
-    QApplication application(argc, argv);
-    X11Test test;
-    return QTest::qExec(&test, argc, argv);
+    return inside.exitStatus() == QProcess::NormalExit ? inside.exitCode() : 1;
 }
+
+SKYSEAL_TEST_ENTRY(X11Test,
+                   if (!qEnvironmentVariableIsSet(kInside) && !test::lackOf("x_server")) return runInServer(argc, argv);
+                   QApplication application(argc, argv);)
 
 #include "x11_test.moc"
