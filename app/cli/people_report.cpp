@@ -3,6 +3,7 @@
 #include "app/common/format.h"
 #include "app/common/journal.h"
 #include "app/common/output.h"
+#include "core/base/number_text.h"
 #include "core/engine/station/snapshot.h"
 #include "core/engine/text/event_text.h"
 #include "core/engine/text/state_text.h"
@@ -22,10 +23,10 @@ std::string linkText(const engine::Snapshot &snapshot)
         const vehicle::SequenceCounters &count = vehicle.state.sequence;
         const double total = static_cast<double>(count.frames + count.lost);
         const double good = total > 0 ? 100.0 * static_cast<double>(count.frames) / total : 100.0;
-        out += format("%sLink %u %s, %.1f %% arrived (%llu frames, %llu lost, newest %.2f s ago)", out.empty() ? "" : ", ",
-                      unsigned(vehicle.state.systemId), vehicle.state.lost ? "LOST" : "OK", good,
+        out += format("%sLink %u %s, %s %% arrived (%llu frames, %llu lost, newest %s s ago)", out.empty() ? "" : ", ",
+                      unsigned(vehicle.state.systemId), vehicle.state.lost ? "LOST" : "OK", fixedText(good, 1).c_str(),
                       static_cast<unsigned long long>(count.frames), static_cast<unsigned long long>(count.lost),
-                      vehicle.state.messageAge);
+                      fixedText(vehicle.state.messageAge, 2).c_str());
     }
     return out;
 }
@@ -60,9 +61,9 @@ std::string flightText(const engine::Snapshot &snapshot)
     const vehicle::VehicleState &state = snapshot.vehicles.front().state;
     std::string out = format(" | %s %s", state.mode.c_str(), state.armed ? "ARMED" : "disarmed");
     if (!std::isnan(state.altitudeRelative))
-        out += format(" %.1f m", std::round(state.altitudeRelative * 10) / 10 + 0.0); // + 0.0: never "-0.0"
+        out += " " + fixedText(state.altitudeRelative, 1) + " m";
     if (!std::isnan(state.batteryVoltage))
-        out += format(" %.1f V", state.batteryVoltage);
+        out += " " + fixedText(state.batteryVoltage, 1) + " V";
     return out;
 }
 
@@ -130,12 +131,12 @@ void PeopleReport::ended(const engine::Snapshot &last, double time)
     const engine::MavlinkTotals &mavlink = last.mavlink;
     const channel::ReceiveCounters &rx = last.channel.rx;
     const auto count = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
-    printLine(format("%.1f s: %llu frames, %llu lost, %llu late, %llu duplicate, %llu damaged; records: %llu good, %llu "
+    printLine(format("%s s: %llu frames, %llu lost, %llu late, %llu duplicate, %llu damaged; records: %llu good, %llu "
                      "lost, %llu replayed, "
                      "%llu forged, %llu clear frames refused",
-                     time, count(mavlink.frames), count(mavlink.lost), count(mavlink.late), count(mavlink.duplicate),
-                     count(mavlink.badCrc), count(rx.good), count(rx.lost), count(rx.replayed), count(rx.forged),
-                     count(rx.plaintextDropped)));
+                     fixedText(time, 1).c_str(), count(mavlink.frames), count(mavlink.lost), count(mavlink.late),
+                     count(mavlink.duplicate), count(mavlink.badCrc), count(rx.good), count(rx.lost), count(rx.replayed),
+                     count(rx.forged), count(rx.plaintextDropped)));
 }
 
 } // namespace skyseal::app

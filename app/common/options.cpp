@@ -4,6 +4,7 @@
 #include "app/common/exit_status.h"
 #include "app/common/journal.h"
 #include "app/common/output.h"
+#include "core/base/number_text.h"
 #include "core/base/research.h"
 
 #include <QtCore/QCoreApplication>
@@ -54,13 +55,6 @@ template<typename T> std::optional<T> parsed(const std::string &text)
 }
 
 constexpr const char *kConfig = "config";
-
-std::string shortText(double number)
-{
-    char out[32];
-    std::snprintf(out, sizeof out, "%g", number);
-    return out;
-}
 
 } // namespace
 
@@ -239,8 +233,8 @@ double Options::number(const char *name, double least, double most)
     const std::string given = text(name);
     const std::optional<double> value = parsed<double>(given);
     if (!value || !std::isfinite(*value) || *value < least || *value > most) {
-        fail(std::string("--") + name + " " + quoted(given) + ": a number from " + shortText(least) + " to " + shortText(most)
-             + " is expected");
+        fail(std::string("--") + name + " " + quoted(given) + ": a number from " + significantText(least, 6) + " to "
+             + significantText(most, 6) + " is expected");
         return least;
     }
     return *value;

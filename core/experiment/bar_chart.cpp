@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace skyseal::experiment {
 
@@ -82,7 +81,7 @@ void hatch(std::string &out, double left, double top, double right)
     for (double x = left - kBar + kSpacing; x < right; x += kSpacing) {
         const double from = std::max(x, left), to = std::min(x + kBar, right);
         if (to > from)
-            put(out, "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"#b5532a\" stroke-width=\"1.1\"/>\n", from,
+            put(out, "<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" stroke=\"#b5532a\" stroke-width=\"1.1\"/>\n", from,
                 top + kBar - (from - x), to, top + kBar - (to - x));
     }
 }
@@ -97,7 +96,7 @@ void drawBar(std::string &out, const Axis &axis, const Bar &bar, double top)
             isMeasured ? "" : " font-style=\"italic\"");
     if (!isMeasured)
         return;
-    put(out, "<rect x=\"%d\" y=\"%.1f\" width=\"%.1f\" height=\"%d\" fill=\"%s\" stroke=\"%s\"/>\n", kLeft, middle - kBar / 2.0,
+    put(out, "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\" stroke=\"{}\"/>\n", kLeft, middle - kBar / 2.0,
         std::max(0.0, axis.x(bar.mean) - kLeft), kBar, bar.insecure ? "#f3d9cc" : "#8fb3d9",
         bar.insecure ? "#b5532a" : "#5b86b5");
     if (bar.insecure)
@@ -112,7 +111,7 @@ void drawBar(std::string &out, const Axis &axis, const Bar &bar, double top)
     for (std::size_t i = 0; i < bar.samples.size(); ++i) {
         if (!std::isfinite(bar.samples[i]))
             continue;
-        put(out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"1.8\" fill=\"%s\" stroke=\"%s\" stroke-width=\"0.6\"/>\n",
+        put(out, "<circle cx=\"{}\" cy=\"{}\" r=\"1.8\" fill=\"{}\" stroke=\"{}\" stroke-width=\"0.6\"/>\n",
             axis.x(bar.samples[i]), middle, bar.outlier[i] ? "#ffffff" : "#1d3f66", bar.outlier[i] ? "#c00000" : "#ffffff");
     }
 }

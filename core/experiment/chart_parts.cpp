@@ -4,6 +4,7 @@
 #include "core/experiment/bar_chart.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace skyseal::experiment {
 
@@ -23,15 +24,14 @@ std::size_t lengthOf(const std::string &text, std::size_t begin, std::size_t end
 
 void putText(std::string &out, double x, double y, const char *anchor, const std::string &text, const char *more)
 {
-    put(out, "<text x=\"%.1f\" y=\"%.1f\" font-size=\"%.1f\" text-anchor=\"%s\" fill=\"#111111\"%s>", x, y, kChartText, anchor,
-        more);
+    put(out, "<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\" fill=\"#111111\"{}>", x, y, kChartText, anchor, more);
     out += escaped(text) + "</text>\n";
 }
 
 void putLine(std::string &out, double x1, double y1, double x2, double y2, const char *colour, double width)
 {
-    put(out, "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" stroke-width=\"%.1f\"/>\n", x1, y1, x2, y2,
-        colour, width);
+    put(out, "<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" stroke=\"{}\" stroke-width=\"{}\"/>\n", x1, y1, x2, y2, colour,
+        width);
 }
 
 std::vector<std::string> wrappedText(const std::string &text)
@@ -58,13 +58,14 @@ double chartTop(const std::vector<std::string> &lines)
 
 std::string chartHead(double height, const std::string &title, const std::vector<std::string> &lines)
 {
+    const long pixels = std::lround(height);
     std::string out;
     put(out,
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%.0f\" viewBox=\"0 0 %d %.0f\" "
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"0 0 {} {}\" "
         "font-family=\"DejaVu Sans, Verdana, sans-serif\">\n",
-        kChartWidth, height, kChartWidth, height);
-    put(out, "<rect x=\"0\" y=\"0\" width=\"%d\" height=\"%.0f\" fill=\"#ffffff\"/>\n", kChartWidth, height);
-    put(out, "<text x=\"3\" y=\"13\" font-size=\"%.1f\" font-weight=\"bold\" fill=\"#111111\">", kChartTitle);
+        kChartWidth, pixels, kChartWidth, pixels);
+    put(out, "<rect x=\"0\" y=\"0\" width=\"{}\" height=\"{}\" fill=\"#ffffff\"/>\n", kChartWidth, pixels);
+    put(out, "<text x=\"3\" y=\"13\" font-size=\"{}\" font-weight=\"bold\" fill=\"#111111\">", kChartTitle);
     out += escaped(title) + "</text>\n";
     double y = 13;
     for (const std::string &line : lines)

@@ -2,8 +2,10 @@
 #include "core/experiment/cipher_bench.h"
 
 #include "core/base/json_writer.h"
+#include "core/base/number_text.h"
 #include "core/experiment/metric.h"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace skyseal::experiment {
@@ -34,12 +36,18 @@ void writeBytes(JsonWriter &json, std::string_view key, const std::optional<doub
         json.null();
 }
 
+/// A blank, and the text at the right of a column of this width.
+std::string cell(const std::string &text, std::size_t width)
+{
+    return std::string(1 + width - std::min(width, text.size()), ' ') + text;
+}
+
 std::string stepsText(const StepCosts &steps)
 {
-    char out[96];
-    std::snprintf(out, sizeof out, " %7.0f %7.0f %7.0f %7.0f %6.2f", steps.cipher.best, steps.bare.best, steps.suite.best,
-                  steps.record.best, steps.record.best / steps.bare.best);
-    return out;
+    std::string out;
+    for (const double nanoseconds : {steps.cipher.best, steps.bare.best, steps.suite.best, steps.record.best})
+        out += cell(fixedText(nanoseconds, 0), 7);
+    return out + cell(fixedText(steps.record.best / steps.bare.best, 2), 6);
 }
 
 } // namespace

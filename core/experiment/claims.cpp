@@ -1,5 +1,6 @@
 #include "core/experiment/claims.h"
 
+#include "core/base/number_text.h"
 #include "core/experiment/analysis.h"
 #include "core/experiment/contrast.h"
 #include "core/experiment/statistics.h"
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <ranges>
 #include <tuple>
@@ -154,9 +154,7 @@ Finding isEqual(double low, double high, double margin)
 /// With as many digits as a ratio near 1 takes: "1.00021".
 std::string exactText(double ratio)
 {
-    char out[32];
-    std::snprintf(out, sizeof out, "%.6g", ratio);
-    return out;
+    return significantText(ratio, 6);
 }
 
 /// "chacha20 to rc4 0.85 (0.81 to 0.89)"; "chacha20 to rc4 1.0002" of a ratio that is exact.

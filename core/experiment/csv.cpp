@@ -1,16 +1,14 @@
 #include "core/experiment/csv.h"
 
-#include <charconv>
+#include "core/base/number_text.h"
+
 #include <cmath>
 
 namespace skyseal::experiment {
 
 std::string csvNumber(double value)
 {
-    if (!std::isfinite(value))
-        return {};
-    char out[32];
-    return {out, std::to_chars(out, out + sizeof out, value).ptr};
+    return std::isfinite(value) ? numberText(value) : std::string();
 }
 
 std::string csvText(const std::string &text)

@@ -1,12 +1,12 @@
 #include "core/experiment/forest_chart.h"
 
+#include "core/base/number_text.h"
 #include "core/experiment/append_format.h"
 #include "core/experiment/chart_parts.h"
 #include "core/experiment/metric.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 namespace skyseal::experiment {
@@ -76,14 +76,10 @@ void drawRow(std::string &out, const RatioAxis &axis, const ForestRow &row, doub
         for (const double end : {row.low, row.high})
             putLine(out, axis.x(end), y - 3, axis.x(end), y + 3, "#111111", 1.2);
     }
-    put(out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3\" fill=\"%s\" stroke=\"#111111\"/>\n", axis.x(row.value), y,
+    put(out, "<circle cx=\"{}\" cy=\"{}\" r=\"3\" fill=\"{}\" stroke=\"#111111\"/>\n", axis.x(row.value), y,
         row.hollow ? "#ffffff" : "#111111");
-    char text[64];
-    if (hasInterval)
-        std::snprintf(text, sizeof text, "%.3f (%.3f–%.3f)", row.value, row.low, row.high);
-    else
-        std::snprintf(text, sizeof text, "%.3f", row.value);
-    putText(out, kChartWidth - 3, y + 3.3, "end", text);
+    putText(out, kChartWidth - 3, y + 3.3, "end",
+            hasInterval ? intervalText(row.value, row.low, row.high) : fixedText(row.value, 3));
 }
 
 } // namespace
@@ -119,7 +115,7 @@ std::string svg(const ForestChart &chart)
     std::string out = chartHead(bottom + 2 * kChartLine + 8, chart.title, lines);
     if (chart.margin > 0) {
         const double left = axis.x(1 / (1 + chart.margin)), right = axis.x(1 + chart.margin);
-        put(out, "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"#e4e4e4\"/>\n", left, top, right - left,
+        put(out, "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"#e4e4e4\"/>\n", left, top, right - left,
             bottom - top);
     }
     drawTicks(out, axis, bottom);

@@ -1,10 +1,10 @@
 #include "core/experiment/metric.h"
 
+#include "core/base/number_text.h"
 #include "core/metrics/histogram.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace skyseal::experiment {
 
@@ -396,9 +396,7 @@ static_assert(isInOrder());
 
 std::string grouped(double value, int decimals = 0)
 {
-    char digits[400];
-    std::snprintf(digits, sizeof digits, "%.*f", decimals, std::abs(value));
-    std::string out(digits);
+    std::string out = fixedText(std::abs(value), decimals);
     for (std::size_t place = std::min(out.find('.'), out.size()); place > 3; place -= 3)
         out.insert(place - 3, ",");
     return (value < 0 ? "-" : "") + out;
@@ -439,9 +437,12 @@ std::string readable(double value)
     const double size = std::abs(value);
     if (size >= 999.5)
         return grouped(value);
-    char out[32];
-    std::snprintf(out, sizeof out, "%.3g", value == 0 ? 0.0 : value);
-    return out;
+    return significantText(value, 3);
+}
+
+std::string intervalText(double value, double low, double high)
+{
+    return fixedText(value, 3) + " (" + fixedText(low, 3) + "–" + fixedText(high, 3) + ")";
 }
 
 std::string percentText(double share)

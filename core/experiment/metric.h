@@ -143,6 +143,8 @@ std::string readable(double value);
 /// "0.012 (≤ 0.034)" if the interval is cut off at zero, "0.98 (≥ 0.91)" if it is cut off at its upper limit. Only the mean if
 /// one end is not finite.
 std::string readable(double mean, double low, double high);
+/// A ratio with its interval in three decimals: "0.850 (0.810–0.890)".
+std::string intervalText(double value, double low, double high);
 /// 0.125: "12.5 %".
 std::string percentText(double share);
 

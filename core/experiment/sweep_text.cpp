@@ -39,9 +39,9 @@ std::vector<std::string> ratioLines(const Results &results, std::size_t conditio
         for (const Contrast &one : contrasts) {
             if (one.first != reference)
                 continue;
-            char text[64];
-            std::snprintf(text, sizeof text, "%.3f (%.3f–%.3f)", one.value(), one.low(), one.high());
-            lines[one.second] += padded(std::isfinite(one.low()) ? text : readable(one.value()), kColumnWidth, true);
+            const std::string text = std::isfinite(one.low()) ? intervalText(one.value(), one.low(), one.high())
+                                                              : readable(one.value());
+            lines[one.second] += padded(text, kColumnWidth, true);
         }
     }
     std::vector<std::string> out;

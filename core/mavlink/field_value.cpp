@@ -1,5 +1,7 @@
 #include "core/mavlink/field_value.h"
 
+#include "core/base/number_text.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -60,12 +62,6 @@ std::optional<FieldValue> parseWhole(FieldType type, std::string_view text)
     if (!magnitude || *magnitude > limit)
         return std::nullopt;
     return FieldValue::fromBits(type, (negative ? std::uint64_t(0) - *magnitude : *magnitude) & maskOf(type));
-}
-
-template<typename T> std::string numberText(T number)
-{
-    char digits[40];
-    return {digits, std::to_chars(digits, digits + sizeof digits, number).ptr};
 }
 
 } // namespace
@@ -173,7 +169,7 @@ std::string toText(FieldValue value)
     if (value.type() == FieldType::Char)
         return value.bits() ? std::string(1, static_cast<char>(value.bits())) : std::string();
     if (!value.isFloating())
-        return value.isSigned() ? numberText(value.asSigned()) : numberText(value.asUnsigned());
+        return value.isSigned() ? std::to_string(value.asSigned()) : std::to_string(value.asUnsigned());
     const double number = value.asDouble();
     if (std::isnan(number))
         return "NaN";

@@ -1,8 +1,9 @@
 #include "core/metrics/machine_usage.h"
 
+#include "core/base/number_text.h"
+
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -61,7 +62,8 @@ std::optional<double> meanMegahertz(const std::string &cpuInfo)
         const std::size_t sign = line.find(':');
         if (line.compare(0, 7, "cpu MHz") != 0 || sign == std::string::npos)
             continue;
-        sum += std::strtod(line.c_str() + sign + 1, nullptr);
+        const std::size_t digit = line.find_first_not_of(" \t", sign + 1);
+        sum += finiteNumber(std::string_view(line).substr(std::min(digit, line.size()))).value_or(0);
         ++cores;
     }
     return cores > 0 ? std::optional(sum / cores) : std::nullopt;

@@ -1,6 +1,6 @@
 #include "core/sim/failsafes.h"
 
-#include <cstdio>
+#include "core/base/number_text.h"
 
 namespace skyseal::sim {
 
@@ -11,13 +11,6 @@ constexpr std::uint64_t kFenceWatch = 40'000; // µs
 constexpr double kCrash = 3;                  // m/s: a landing is softer
 // FENCE_ACTION; the others return. This vehicle has no SMART_RTL.
 constexpr int kReportOnly = 0, kAlwaysLand = 2, kBrakeOrLand = 4, kSmartReturnOrLand = 5;
-
-std::string format(const char *pattern, double a, double b = 0)
-{
-    char text[96];
-    std::snprintf(text, sizeof text, pattern, a, b);
-    return text;
-}
 
 } // namespace
 
@@ -67,7 +60,7 @@ void Failsafes::watchGround()
 {
     const double impact = m_flight.physics.takeImpact();
     if (impact > 1)
-        m_flight.texts.say(Severity::Critical, format("SIM Hit ground at %.1f m/s", impact));
+        m_flight.texts.say(Severity::Critical, "SIM Hit ground at " + fixedText(impact, 1) + " m/s");
     if (impact > kCrash && m_arming.armed() && m_flight.settings.failsafes.crashCheck) {
         m_flight.texts.say(Severity::Emergency, "Crash: Disarming");
         m_arming.disarmNow();
@@ -103,8 +96,8 @@ void Failsafes::watchBattery()
         return;
     const bool critical = reached == BatteryLevel::Critical;
     m_flight.texts.say(Severity::Warning,
-                       format(critical ? "Battery 1 is critical %.2fV used %.0f mAh" : "Battery 1 is low %.2fV used %.0f mAh",
-                              battery.voltage(), battery.consumed()));
+                       (critical ? "Battery 1 is critical " : "Battery 1 is low ") + fixedText(battery.voltage(), 2) + "V used "
+                           + fixedText(battery.consumed(), 0) + " mAh");
     const FailsafeSettings &settings = m_flight.settings.failsafes;
     if (const auto &action = critical ? settings.criticalBattery : settings.lowBattery; action && m_arming.armed())
         trigger("Battery", *action);

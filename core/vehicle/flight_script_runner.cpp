@@ -1,6 +1,6 @@
 #include "core/vehicle/flight_script_runner.h"
 
-#include "core/vehicle/short_number.h"
+#include "core/base/number_text.h"
 
 namespace skyseal::vehicle {
 

@@ -1,46 +1,38 @@
 // Evaluation of conditions and canonical text of flight script steps; the parser is in flight_script.cpp.
 #include "core/vehicle/flight_script.h"
 #include "core/base/ascii.h"
-
-#include <array>
-#include <charconv>
+#include "core/base/number_text.h"
 
 namespace skyseal::vehicle {
 
 namespace {
 
-/// The shortest spelling that reads back to the same number.
-template<typename T> std::string exact(T value)
-{
-    std::array<char, 64> buffer{};
-    const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-    return error == std::errc() ? std::string(buffer.data(), end) : std::string("0");
-}
-
 struct CommandText
 {
     std::string operator()(const Arm &arm) const { return arm.force ? "arm force" : "arm"; }
     std::string operator()(const Disarm &disarm) const { return disarm.force ? "disarm force" : "disarm"; }
-    std::string operator()(const TakeOff &takeOff) const { return "takeoff " + exact(takeOff.altitude); }
+    std::string operator()(const TakeOff &takeOff) const { return "takeoff " + numberText(takeOff.altitude); }
     std::string operator()(const Land &) const { return "land"; }
     std::string operator()(const ReturnToLaunch &) const { return "rtl"; }
     std::string operator()(const SetMode &mode) const { return "mode " + mode.mode; }
     std::string operator()(const GoTo &place) const
     {
-        return "goto " + exact(place.latitude) + " " + exact(place.longitude) + " " + exact(place.altitudeRelative);
+        return "goto " + numberText(place.latitude) + " " + numberText(place.longitude) + " "
+            + numberText(place.altitudeRelative);
     }
-    std::string operator()(const ChangeAltitude &change) const { return "altitude " + exact(change.altitudeRelative); }
+    std::string operator()(const ChangeAltitude &change) const { return "altitude " + numberText(change.altitudeRelative); }
     std::string operator()(const Loiter &) const { return "pause"; }
     std::string operator()(const PointAt &place) const
     {
-        return "roi " + exact(place.latitude) + " " + exact(place.longitude) + " " + exact(place.altitudeRelative);
+        return "roi " + numberText(place.latitude) + " " + numberText(place.longitude) + " "
+            + numberText(place.altitudeRelative);
     }
     std::string operator()(const StopPointing &) const { return "roi none"; }
     std::string operator()(const SetHome &home) const
     {
-        return "sethome " + exact(home.latitude) + " " + exact(home.longitude);
+        return "sethome " + numberText(home.latitude) + " " + numberText(home.longitude);
     }
-    std::string operator()(const ChangeSpeed &speed) const { return "speed " + exact(speed.metresPerSecond); }
+    std::string operator()(const ChangeSpeed &speed) const { return "speed " + numberText(speed.metresPerSecond); }
     std::string operator()(const SetCurrentMissionItem &item) const { return "item " + std::to_string(item.index); }
     std::string operator()(const StartMission &) const { return "start"; }
     std::string operator()(const Reboot &) const { return "reboot"; }
@@ -48,7 +40,7 @@ struct CommandText
     {
         std::string out = "command " + std::to_string(raw.command);
         for (const float parameter : raw.parameters)
-            out += " " + exact(parameter);
+            out += " " + numberText(parameter);
         return out;
     }
 };
@@ -73,10 +65,10 @@ struct ActionText
     {
         const bool isText = wait.field->kind == StateField::Kind::Text;
         return "wait " + std::string(wait.field->name) + std::string(sign(wait.comparison))
-            + (isText ? wait.text : exact(wait.number)) + " " + exact(seconds(wait.timeout));
+            + (isText ? wait.text : numberText(wait.number)) + " " + numberText(seconds(wait.timeout));
     }
-    std::string operator()(const Sleep &sleep) const { return "sleep " + exact(seconds(sleep.time)); }
-    std::string operator()(const WriteParameter &write) const { return "param " + write.name + " " + exact(write.value); }
+    std::string operator()(const Sleep &sleep) const { return "sleep " + numberText(seconds(sleep.time)); }
+    std::string operator()(const WriteParameter &write) const { return "param " + write.name + " " + numberText(write.value); }
 };
 
 } // namespace

@@ -1,10 +1,10 @@
 #include "core/vehicle/mission_file.h"
 
+#include "core/base/number_text.h"
 #include "core/vehicle/text_fields.h"
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace skyseal::vehicle {
@@ -20,7 +20,7 @@ std::optional<std::array<double, kColumns>> numbersOf(const std::vector<std::str
     std::array<double, kColumns> out{};
     for (std::size_t i = 0; i < kColumns; ++i) {
         const bool isParameter = i >= 4 && i < 8;
-        const auto number = isParameter && cells[i] == "nan" ? std::optional(kNoValue) : numberOf(cells[i]);
+        const auto number = isParameter && cells[i] == "nan" ? std::optional(kNoValue) : finiteNumber(cells[i]);
         if (!number)
             return std::nullopt;
         out[i] = *number;
@@ -78,14 +78,14 @@ Result<std::vector<MissionItem>, InputError> parseMission(std::string_view text,
 std::string missionText(const std::vector<MissionItem> &items)
 {
     std::string out = "QGC WPL 110\n";
-    char line[512];
     for (const MissionItem &item : items) {
-        const auto parameter = [&item](int i) { return static_cast<double>(item.parameters[i]); };
-        std::snprintf(line, sizeof line, "%u\t%d\t%u\t%u\t%.9g\t%.9g\t%.9g\t%.9g\t%.8f\t%.8f\t%.3f\t%d\n",
-                      unsigned(item.sequence), int(item.current), unsigned(item.frame), unsigned(item.command), parameter(0),
-                      parameter(1), parameter(2), parameter(3), item.latitude, item.longitude,
-                      static_cast<double>(item.altitude), int(item.autoContinue));
-        out += line;
+        for (const unsigned number :
+             {unsigned(item.sequence), unsigned(item.current), unsigned(item.frame), unsigned(item.command)})
+            out += std::to_string(number) + '\t';
+        for (const float parameter : item.parameters)
+            out += numberText(parameter) + '\t';
+        out += fixedText(item.latitude, 8) + '\t' + fixedText(item.longitude, 8) + '\t' + numberText(item.altitude) + '\t'
+            + (item.autoContinue ? "1\n" : "0\n");
     }
     return out;
 }

@@ -1,9 +1,9 @@
 #include "core/vehicle/parameter_client.h"
 
+#include "core/base/number_text.h"
 #include "core/base/printable.h"
 #include "core/mavlink/packed_parameters.h"
 #include "core/vehicle/reasons.h"
-#include "core/vehicle/short_number.h"
 
 #include <algorithm>
 #include <bit>

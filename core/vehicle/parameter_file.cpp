@@ -1,5 +1,6 @@
 #include "core/vehicle/parameter_file.h"
 
+#include "core/base/number_text.h"
 #include "core/vehicle/text_fields.h"
 
 #include <algorithm>
@@ -18,13 +19,6 @@ bool isName(std::string_view text)
         && std::ranges::all_of(text, [](char c) { return c > ' ' && c < 127 && c != ','; });
 }
 
-template<typename Number> std::string shortest(Number value)
-{
-    char buffer[64];
-    const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value);
-    return std::string(buffer, end);
-}
-
 /// A line of either form; nullopt if it is neither.
 std::optional<Parameter> parameterIn(std::string_view line)
 {
@@ -33,13 +27,13 @@ std::optional<Parameter> parameterIn(std::string_view line)
     const bool isQgc = cells.size() == 5;
     if (!isQgc && cells.size() != 2)
         return std::nullopt;
-    const auto value = numberOf(cells[isQgc ? 3 : 1]);
+    const auto value = finiteNumber(cells[isQgc ? 3 : 1]);
     const std::string_view name = cells[isQgc ? 2 : 0];
     if (!value || !isName(name))
         return std::nullopt;
     Parameter out{.name = std::string(name), .value = *value};
     if (isQgc) {
-        const auto type = numberOf(cells[4]);
+        const auto type = finiteNumber(cells[4]);
         if (!type || *type < int(mavlink::MAV_PARAM_TYPE_UINT8) || *type > int(mavlink::MAV_PARAM_TYPE_REAL64))
             return std::nullopt;
         out.type = static_cast<std::uint8_t>(*type);
@@ -79,8 +73,8 @@ std::string valueText(const Parameter &parameter)
 {
     const auto narrow = static_cast<float>(parameter.value);
     if (static_cast<double>(narrow) == parameter.value)
-        return shortest(narrow);
-    return shortest(parameter.value);
+        return numberText(narrow);
+    return numberText(parameter.value);
 }
 
 std::string parameterText(const std::vector<Parameter> &parameters)

@@ -1,11 +1,8 @@
-// Reading of the text files that ground stations share: lines, columns and numbers, independent of the locale.
+// Reading of the text files that ground stations share: lines and columns.
 #pragma once
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <cstddef>
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -43,18 +40,6 @@ inline std::vector<std::string_view> fieldsOf(std::string_view line, std::string
         out.push_back(line.substr(0, end));
         line.remove_prefix(out.back().size());
     }
-}
-
-/// A finite decimal number that fills the whole text; nullopt otherwise.
-inline std::optional<double> numberOf(std::string_view text)
-{
-    if (text.starts_with('+'))
-        text.remove_prefix(1);
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-        return std::nullopt;
-    return value;
 }
 
 } // namespace skyseal::vehicle

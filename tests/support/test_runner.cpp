@@ -4,7 +4,9 @@
 
 #include <QtCore/QMetaMethod>
 
+#include <clocale>
 #include <cstdio>
+#include <cstdlib>
 #include <map>
 #include <string>
 #include <string_view>
@@ -96,6 +98,12 @@ int runTest(QObject &test, int argc, char **argv)
 /// The first argument names the class, unless the program has only one. The class sees the remaining arguments.
 int main(int argc, char **argv)
 {
+    // The locale of the environment, as QCoreApplication sets it in every program, also for classes without such an object. A
+    // test entry that names a locale of its own (LOCPATH, tests/CMakeLists.txt) must not run without it.
+    if (!std::setlocale(LC_ALL, "") && std::getenv("LOCPATH")) {
+        std::fprintf(stderr, "%s has no such locale\n", std::getenv("LOCPATH"));
+        return 2;
+    }
     const auto &all = skyseal::test::entries();
     if (argc > 1) {
         if (const auto found = all.find(std::string_view(argv[1])); found != all.end()) {

@@ -7,6 +7,7 @@
 #include "app/common/format.h"
 #include "app/common/output.h"
 #include "core/base/json_writer.h"
+#include "core/base/number_text.h"
 #include "core/vehicle/mission_file.h"
 
 namespace skyseal::app {
@@ -29,10 +30,12 @@ std::shared_ptr<VehicleTask> planTask(const TaskSettings &settings, vehicle::Req
 void printItem(const MissionItem &item, bool json)
 {
     if (!json) {
-        const auto p = [&item](int i) { return static_cast<double>(item.parameters[i]); };
-        printLine(format("%u %s command %u frame %u %g %g %g %g %.7f %.7f %g", unsigned(item.sequence),
-                         item.current ? "current" : "-", unsigned(item.command), unsigned(item.frame), p(0), p(1), p(2), p(3),
-                         item.latitude, item.longitude, static_cast<double>(item.altitude)));
+        std::string line = format("%u %s command %u frame %u", unsigned(item.sequence), item.current ? "current" : "-",
+                                  unsigned(item.command), unsigned(item.frame));
+        for (const float parameter : item.parameters)
+            line += " " + significantText(static_cast<double>(parameter), 6);
+        printLine(line + " " + fixedText(item.latitude, 7) + " " + fixedText(item.longitude, 7) + " "
+                         + significantText(static_cast<double>(item.altitude), 6));
         return;
     }
     JsonWriter out;

@@ -1,11 +1,11 @@
 #include "core/engine/headless/open_metrics.h"
 
+#include "core/base/number_text.h"
 #include "core/crypto/suite.h"
 #include "core/engine/station/snapshot.h"
 #include "core/vehicle/state_fields.h"
 
 #include <cmath>
-#include <cstdio>
 #include <initializer_list>
 #include <string_view>
 #include <utility>
@@ -32,11 +32,8 @@ public:
     /// Omitted if the value is unknown.
     void sample(Labels labels, double value)
     {
-        if (!std::isfinite(value))
-            return;
-        char text[32];
-        std::snprintf(text, sizeof text, "%.17g", value);
-        write(labels, text);
+        if (std::isfinite(value))
+            write(labels, numberText(value));
     }
 
     std::string end() &&

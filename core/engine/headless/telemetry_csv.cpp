@@ -1,23 +1,17 @@
 #include "core/engine/headless/telemetry_csv.h"
 
+#include "core/base/number_text.h"
 #include "core/base/printable.h"
 #include "core/log/log_reader.h"
 #include "core/vehicle/state_fields.h"
 #include "core/vehicle/vehicle_set.h"
 
-#include <charconv>
 #include <cmath>
 #include <map>
 
 namespace skyseal::engine {
 
 namespace {
-
-std::string numberText(double value)
-{
-    char digits[40];
-    return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
-}
 
 /// RFC 4180: quoted if it contains a comma, a quote or a line end.
 std::string quoted(const std::string &text)
