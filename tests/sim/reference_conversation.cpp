@@ -1,5 +1,6 @@
 #include "tests/sim/reference_conversation.h"
 
+#include "core/base/number_text.h"
 #include "core/mavlink/enums.h"
 #include "core/mavlink/field_value.h"
 #include "core/mavlink/frame_scanner.h"
@@ -478,15 +479,15 @@ ReferenceFacts ReferenceFacts::fromText(const std::string &text)
         for (std::string cell; std::getline(cells, cell, '|');)
             parts.push_back(cell);
         if (parts.size() == 3 && parts[0] == "silent")
-            facts.silentRates[parts[1]] = std::stod(parts[2]);
+            facts.silentRates[parts[1]] = finiteNumber(parts[2]).value_or(0);
         else if (parts.size() == 3 && parts[0] == "rate")
-            facts.rates[parts[1]] = std::stod(parts[2]);
+            facts.rates[parts[1]] = finiteNumber(parts[2]).value_or(0);
         else if (parts.size() == 2 && parts[0] == "ask")
             facts.answers[parts[1]];
         else if (parts.size() == 3 && parts[0] == "answer")
             facts.answers[parts[1]].push_back(parts[2]);
         else if (parts.size() == 4 && parts[0] == "range")
-            facts.ranges[parts[1]] = {std::stod(parts[2]), std::stod(parts[3])};
+            facts.ranges[parts[1]] = {finiteNumber(parts[2]).value_or(0), finiteNumber(parts[3]).value_or(0)};
     }
     return facts;
 }
