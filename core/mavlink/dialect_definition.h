@@ -40,6 +40,7 @@ struct EnumEntryDefinition
 {
     std::uint64_t value = 0;
     std::string name;
+    bool hasLocation = true; ///< of MAV_CMD: parameters 5 to 7 are a place. The schema's default.
 };
 
 struct EnumDefinition

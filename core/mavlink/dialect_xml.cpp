@@ -167,7 +167,8 @@ private:
             const auto other = std::find_if(definition.entries.begin(), definition.entries.end(),
                                             [&](const auto &earlier) { return earlier.value == *number; });
             if (other == definition.entries.end())
-                definition.entries.push_back({*number, entryName});
+                definition.entries.push_back(
+                    {*number, entryName, std::string_view(entry.attribute("hasLocation").value()) != "false"});
             else if (other->name != entryName)
                 refuse(entry, "value " + std::to_string(*number) + " of " + name + " is " + other->name + " already");
             if (definition.entries.size() > kMaxEntries)

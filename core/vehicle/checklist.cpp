@@ -41,8 +41,7 @@ Result<Checklist, InputError> parseChecklist(std::string_view text, const std::s
     };
     if (text.size() > kMaxChecklistSize)
         return fail(sentence("Reason", "longer than %1 bytes")(kMaxChecklistSize), 0);
-    if (text.starts_with("\xEF\xBB\xBF")) // as some editors begin a text in UTF-8
-        text.remove_prefix(3);
+    text = withoutMark(text);
     Checklist out;
     std::size_t number = 0;
     while (!text.empty()) {

@@ -14,6 +14,7 @@
 
 namespace skyseal::vehicle {
 
+/// Parameters that are not used, which the vehicle replaces by its default, are NaN.
 struct MissionItem
 {
     std::uint16_t sequence = 0;
@@ -22,8 +23,9 @@ struct MissionItem
     bool current = false;
     bool autoContinue = true;
     float parameters[4]{};
-    double latitude = 0, longitude = 0; ///< degrees
-    float altitude = 0;                 ///< metres
+    /// Parameters 5 and 6: degrees; metres in a local frame; plain numbers of a command without a place (mission_place.h).
+    double latitude = 0, longitude = 0;
+    float altitude = 0; ///< metres; parameter 7 of a command without a place
     bool operator==(const MissionItem &) const = default;
 };
 
@@ -50,6 +52,7 @@ struct WriteMission
 {
     std::vector<MissionItem> items; ///< renumbered from 0 in this order
     MissionType type = MissionType::Mission;
+    bool withoutHome = false; ///< the first item is known to be no home position, whatever it looks like
 };
 struct ClearMission
 {
@@ -69,6 +72,8 @@ struct MissionResult
     bool changeUnanswered = false; ///< an upload or clear that got no answer at all
     /// The items that the vehicle now has; null unless ok.
     MissionItems items = {};
+    /// What an upload that is ok did to the first item, or what the vehicle makes of it; empty if there is nothing to say.
+    Reason remark = {};
 };
 
 } // namespace skyseal::vehicle

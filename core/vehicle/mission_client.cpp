@@ -1,33 +1,54 @@
 #include "core/vehicle/mission_client.h"
 
+#include "core/mavlink/dialect.h"
+#include "core/vehicle/mission_edit.h"
+#include "core/vehicle/mission_place.h"
 #include "core/vehicle/reasons.h"
 #include "core/vehicle/result_reason.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 
 namespace skyseal::vehicle {
 
 namespace {
 
-MissionItem toItem(const mavlink::MissionItemInt &m)
+constexpr std::int32_t kNotUsed = std::numeric_limits<std::int32_t>::max(); ///< in x and y of MISSION_ITEM_INT
+
+double fromInteger(std::int32_t value, double scale)
 {
-    return {m.seq,      m.command,  m.frame, m.current != 0, m.autocontinue != 0, {m.param1, m.param2, m.param3, m.param4},
-            m.x * 1e-7, m.y * 1e-7, m.z};
+    return value == kNotUsed ? std::numeric_limits<double>::quiet_NaN() : value / scale;
 }
 
-MissionItem toItem(const mavlink::MissionItem &m)
+std::int32_t toInteger(double value, double scale)
 {
-    return {m.seq,
-            m.command,
-            m.frame,
-            m.current != 0,
-            m.autocontinue != 0,
-            {m.param1, m.param2, m.param3, m.param4},
-            static_cast<double>(m.x),
-            static_cast<double>(m.y),
-            m.z};
+    return std::isnan(value) ? kNotUsed : static_cast<std::int32_t>(std::llround(value * scale));
+}
+
+template<typename Message> MissionItem toItem(const Message &m)
+{
+    MissionItem out{m.seq,          m.command,           plainFrame(m.frame),
+                    m.current != 0, m.autocontinue != 0, {m.param1, m.param2, m.param3, m.param4}};
+    if constexpr (std::is_same_v<Message, mavlink::MissionItemInt>) {
+        out.latitude = fromInteger(m.x, integerScale(out));
+        out.longitude = fromInteger(m.y, integerScale(out));
+    } else {
+        out.latitude = static_cast<double>(m.x);
+        out.longitude = static_cast<double>(m.y);
+    }
+    out.altitude = m.z;
+    return out;
+}
+
+/// "NAV_WAYPOINT", or the number of a command that the definitions do not have.
+std::string commandName(std::uint16_t command)
+{
+    constexpr std::string_view kPrefix = "MAV_CMD_";
+    const mavlink::EnumInfo *commands = mavlink::Dialect::builtin().enumeration("MAV_CMD");
+    const std::string_view name = commands ? commands->nameOf(command) : std::string_view();
+    return name.starts_with(kPrefix) ? std::string(name.substr(kPrefix.size())) : std::to_string(command);
 }
 
 } // namespace
@@ -36,7 +57,7 @@ bool MissionClient::perform(TimePoint now, RequestId id, const Request &request)
 {
     if (const auto *write = std::get_if<WriteMission>(&request)) {
         if (begin(id, MissionTransfer::Upload, write->type))
-            upload(now, write->items);
+            upload(now, *write);
     } else if (const auto *read = std::get_if<ReadMission>(&request)) {
         if (begin(id, MissionTransfer::Download, read->type))
             enter(now, Phase::RequestingCount);
@@ -118,17 +139,74 @@ std::optional<TransferProgress> MissionClient::progress() const
     }
 }
 
-void MissionClient::upload(TimePoint now, std::vector<MissionItem> items)
+void MissionClient::upload(TimePoint now, const WriteMission &request)
 {
-    if (items.size() > kMaxItems)
+    m_items = request.items;
+    if (!m_items.empty())
+        settleFirstItem(request.withoutHome);
+    if (m_items.size() > kMaxItems)
         return finish(false, reasons::kTooManyItems(kMaxItems));
-    m_items = std::move(items);
     for (std::size_t i = 0; i < m_items.size(); ++i) {
-        if (!(std::abs(m_items[i].latitude) <= 90 && std::abs(m_items[i].longitude) <= 180))
-            return finish(false, reasons::kItemNotOnGlobe(i));
         m_items[i].sequence = static_cast<std::uint16_t>(i);
+        if (Reason problem = problemOf(m_items[i]); !problem.empty())
+            return finish(false, std::move(problem));
     }
     enter(now, Phase::Announcing);
+}
+
+/// Whether the first item is a home position is only known from its form: a waypoint that has another form is left in its
+/// place, since a vehicle that took a second home for a waypoint would fly to it.
+void MissionClient::settleFirstItem(bool withoutHome)
+{
+    const MissionItem &first = m_items.front();
+    const bool likeHome = isLikeHome(first) && !withoutHome;
+    if (m_type != MissionType::Mission) {
+        if (!likeHome)
+            return;
+        m_items.erase(m_items.begin());
+        m_moved = -1;
+        m_remark = reasons::kHomeLeftOut;
+    } else if (!kind().isArduPilot()) {
+        if (likeHome && first.current)
+            m_remark = reasons::kHomeIsWaypoint;
+    } else if (withoutHome || first.command != mavlink::MAV_CMD_NAV_WAYPOINT) {
+        m_items = withHome(std::move(m_items), homeItem(state().home));
+        m_moved = 1;
+        m_remark = reasons::kHomeInserted;
+    } else if (!likeHome) {
+        m_remark = reasons::kFirstItemIsHome;
+    }
+}
+
+/// Why the item cannot be sent; empty if it can.
+Reason MissionClient::problemOf(const MissionItem &item) const
+{
+    const double scale = integerScale(item);
+    for (const double value : {item.latitude, item.longitude}) {
+        if (std::isnan(value))
+            continue;
+        if (!(std::abs(value * scale) < kNotUsed))
+            return isGlobal(item) ? reasons::kItemNotOnGlobe(numberInRequest(item.sequence))
+                                  : refusalOf(item.sequence, reasons::kPlaceTooFar);
+        if (scale == 1 && value != std::round(value))
+            return refusalOf(item.sequence, reasons::kNeedsWholeNumber);
+    }
+    if (isGlobal(item) && (std::abs(item.latitude) > 90 || std::abs(item.longitude) > 180))
+        return reasons::kItemNotOnGlobe(numberInRequest(item.sequence));
+    return {};
+}
+
+/// The number that an item has in the request. A home position that was put before them stands for the first one.
+int MissionClient::numberInRequest(std::size_t sequence) const
+{
+    return std::max(static_cast<int>(sequence) - m_moved, 0);
+}
+
+/// The reason with the item that it is about.
+Reason MissionClient::refusalOf(std::size_t sequence, Reason reason) const
+{
+    const MissionItem &item = m_items[sequence];
+    return reasons::kItemRefused(numberInRequest(sequence), commandName(item.command), std::move(reason));
 }
 
 void MissionClient::handleCount(TimePoint now, std::uint16_t count)
@@ -257,7 +335,7 @@ void MissionClient::handleUploadAck(TimePoint now, std::uint8_t result)
         break;
     default: break;
     }
-    finish(false, missionResultReason(result));
+    finish(false, refusalOf(m_offered, missionResultReason(result)));
 }
 
 bool MissionClient::begin(RequestId id, MissionTransfer transfer, MissionType type)
@@ -270,7 +348,8 @@ bool MissionClient::begin(RequestId id, MissionTransfer transfer, MissionType ty
     m_transfer = transfer;
     m_type = type;
     m_items.clear();
-    m_rounds = m_releases = 0;
+    m_rounds = m_releases = m_moved = 0;
+    m_remark = {};
     m_furthest = 0;
     m_requestFloats = false;
     suppose(m_window.rtt());
@@ -361,8 +440,8 @@ void MissionClient::sendItem(const MissionItem &item)
     };
     if (m_offerIntegers) {
         auto message = fill(mavlink::MissionItemInt{});
-        message.x = static_cast<std::int32_t>(std::llround(item.latitude * 1e7));
-        message.y = static_cast<std::int32_t>(std::llround(item.longitude * 1e7));
+        message.x = toInteger(item.latitude, integerScale(item));
+        message.y = toInteger(item.longitude, integerScale(item));
         sendTyped(message);
     } else {
         auto message = fill(mavlink::MissionItem{});
@@ -380,6 +459,7 @@ void MissionClient::finish(bool ok, Reason reason, bool changeUnanswered)
             sendTyped(mavlink::MissionAck{.type = mavlink::MAV_MISSION_ACCEPTED});
         else if (m_transfer == MissionTransfer::Clear)
             m_items.clear();
+        result.remark = std::move(m_remark);
         result.items = std::make_shared<const std::vector<MissionItem>>(std::move(m_items));
         m_plans[static_cast<std::size_t>(m_type)] = result.items;
     }

@@ -22,7 +22,10 @@
 // PX4 refuses a new upload (MAV_MISSION_ERROR) while it serves a transfer whose end was lost. Any acknowledgement ends that.
 //
 // Older firmware requests items by MISSION_REQUEST; it gets float items unless its capabilities name integer items.
-// On ArduPilot item 0 of a mission is the home position: downloads contain it, and an upload must begin with it.
+//
+// On ArduPilot item 0 of a mission is the home position: downloads contain it, and an upload must begin with it, or its first
+// item would be lost. One that begins with another command gets the home position put before it. In files of fences and rally
+// points, Mission Planner writes a home position as well, which is left out. MissionResult says what was done.
 #pragma once
 
 #include "core/vehicle/micro_protocol.h"
@@ -74,7 +77,10 @@ public:
 private:
     enum class Phase : std::uint8_t { Idle, Announcing, Uploading, RequestingCount, Downloading, Clearing };
 
-    void upload(TimePoint now, std::vector<MissionItem> items);
+    void upload(TimePoint now, const WriteMission &request);
+    void settleFirstItem(bool withoutHome);
+    Reason problemOf(const MissionItem &item) const;
+    int numberInRequest(std::size_t sequence) const;
 
     void handleCount(TimePoint now, std::uint16_t count);
     void handleItemRequest(TimePoint now, std::uint16_t sequence, bool asInteger);
@@ -92,6 +98,7 @@ private:
     void requestItems(TimePoint now);
     void offer(TimePoint now, std::size_t sequence);
     void sendItem(const MissionItem &item);
+    Reason refusalOf(std::size_t sequence, Reason reason) const;
     void finish(bool ok, Reason reason = {}, bool changeUnanswered = false);
     void giveUp();
     /// The message with the type of this transfer.
@@ -113,6 +120,8 @@ private:
     std::size_t m_furthest = 0;   ///< the last one that was sent in this round
     int m_inferred = 0;           ///< items sent since the vehicle asked for one
     int m_rounds = 0;             ///< the transfer has begun again so often
+    int m_moved = 0;              ///< places that the items of an upload moved up, because of the first one
+    Reason m_remark;              ///< of the result of an upload
     int m_releases = 0;
     Repetition m_repetition;             ///< of the message sent last
     TimePoint m_floatsDue{};             ///< without an item until then, the other form of items is requested

@@ -59,9 +59,24 @@ inline constexpr Sentence kSpeedTooLow = sentence("Reason", "the speed must be a
 inline constexpr Sentence kMissionUnderWay = sentence("Reason", "another mission transfer is under way");
 inline constexpr Sentence kTooManyItems = sentence("Reason", "a mission has at most %1 items");
 inline constexpr Sentence kItemNotOnGlobe = sentence("Reason", "item %1 is not on the globe");
+inline constexpr Sentence kItemRefused = sentence("Reason", "item %1, %2: %3"); // number, command, reason
+inline constexpr Sentence kPlaceTooFar = sentence("Reason", "parameters 5 and 6 are too large for the mission protocol");
+inline constexpr Sentence kNeedsWholeNumber = sentence(
+    "Reason", "the mission protocol carries parameters 5 and 6 of this command as whole numbers only");
 inline constexpr Sentence kItemMissing = sentence("Reason", "the vehicle does not send item %1");
 inline constexpr Sentence kItemsNotRequested = sentence("Reason", "the vehicle stopped requesting items");
 inline constexpr Sentence kUploadEndedEarly = sentence("Reason", "the vehicle ended the upload early");
+/// What happened to the first item of an upload.
+inline constexpr Sentence kHomeInserted = sentence(
+    "Reason",
+    "this vehicle keeps its home position as item 0, which the mission lacked: it was inserted, and the items moved "
+    "up by one");
+inline constexpr Sentence kFirstItemIsHome = sentence(
+    "Reason", "this vehicle keeps its home position as item 0, so that it does not fly to the first waypoint of the mission");
+inline constexpr Sentence kHomeIsWaypoint = sentence(
+    "Reason", "item 0 looks like the home position of an ArduPilot mission: this vehicle flies to it as its first waypoint");
+inline constexpr Sentence kHomeLeftOut = sentence(
+    "Reason", "the first item is the home position of a mission, which has no place in a list of this kind: it was left out");
 
 // Of parameters.
 inline constexpr Sentence kNoParameter = sentence("Reason", "a name of up to 16 characters and a number are needed");

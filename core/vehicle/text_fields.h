@@ -8,14 +8,20 @@
 
 namespace skyseal::vehicle {
 
-/// The next line, without its end; `rest` becomes what follows it.
+/// Without the byte order mark that editors put before UTF-8.
+inline std::string_view withoutMark(std::string_view text)
+{
+    constexpr std::string_view kMark = "\xef\xbb\xbf";
+    return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
+}
+
+/// The next line, without its end: \n, \r\n or \r. `rest` becomes what follows it.
 inline std::string_view takeLine(std::string_view &rest)
 {
-    const std::size_t end = rest.find('\n');
-    std::string_view line = rest.substr(0, end);
-    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-    if (line.ends_with('\r'))
-        line.remove_suffix(1);
+    const std::size_t end = rest.find_first_of("\r\n");
+    const std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(line.size());
+    rest.remove_prefix(rest.starts_with("\r\n") ? 2 : rest.empty() ? 0 : 1);
     return line;
 }
 

@@ -15,6 +15,12 @@ private Q_SLOTS:
     void uploadAnswersAsItIsAsked();
     void oldFirmwareGetsFloatsUnlessItTakesIntegers();
     void refusalsAreWorded();
+    void parametersFiveAndSixAreScaledByTheCommand_data();
+    void parametersFiveAndSixAreScaledByTheCommand();
+    void numbersThatTheProtocolCannotCarryAreRefused();
+    void itemZeroOfArduPilotIsItsHome_data();
+    void itemZeroOfArduPilotIsItsHome();
+    void homeOfAMissionIsNoFence();
     void uploadStopsWhenNobodyAsks();
     void lostAcknowledgementBeginsAnew();
     void downloadAsksUntilItHasAll();
@@ -132,6 +138,160 @@ void MissionTest::refusalsAreWorded()
     bad[1].latitude = 95;
     h.vehicle.perform(h.now, RequestId{1}, WriteMission{bad});
     QCOMPARE(h.poll<MissionResult>()->reason.text(), std::string("item 1 is not on the globe"));
+}
+
+void MissionTest::parametersFiveAndSixAreScaledByTheCommand_data()
+{
+    QTest::addColumn<int>("command");
+    QTest::addColumn<int>("frame");
+    QTest::addColumn<double>("value");
+    QTest::addColumn<int>("wire");
+    constexpr int kWaypoint = mavlink::MAV_CMD_NAV_WAYPOINT, kPhoto = mavlink::MAV_CMD_DO_DIGICAM_CONTROL;
+    QTest::newRow("degrees") << kWaypoint << int(mavlink::MAV_FRAME_GLOBAL_RELATIVE_ALT) << 47.3977421 << 473977421;
+    QTest::newRow("unknown command") << 60000 << int(mavlink::MAV_FRAME_GLOBAL) << 47.5 << 475000000;
+    QTest::newRow("local") << kWaypoint << int(mavlink::MAV_FRAME_LOCAL_NED) << 50. << 500000;
+    QTest::newRow("body") << kWaypoint << int(mavlink::MAV_FRAME_BODY_FRD) << -0.5 << -5000;
+    QTest::newRow("photo") << kPhoto << int(mavlink::MAV_FRAME_GLOBAL_RELATIVE_ALT) << 1. << 1;
+    QTest::newRow("photo in the frame of commands") << kPhoto << int(mavlink::MAV_FRAME_MISSION) << 1. << 1;
+    QTest::newRow("flags of a gimbal") << int(mavlink::MAV_CMD_DO_GIMBAL_MANAGER_PITCHYAW) << int(mavlink::MAV_FRAME_GLOBAL)
+                                       << 12. << 12;
+    QTest::newRow("own command with plain numbers") << 60000 << int(mavlink::MAV_FRAME_MISSION) << 7. << 7;
+    const double unused = std::nan("");
+    for (const int frame : {0, 1, 2, 3})
+        QTest::addRow("not used in frame %d", frame) << kWaypoint << frame << unused << 2147483647;
+    QTest::newRow("not used by a photo") << kPhoto << 3 << unused << 2147483647;
+}
+
+void MissionTest::parametersFiveAndSixAreScaledByTheCommand()
+{
+    QFETCH(int, command);
+    QFETCH(int, frame);
+    QFETCH(double, value);
+    QFETCH(int, wire);
+    const MissionItem item{
+        .command = std::uint16_t(command), .frame = std::uint8_t(frame), .latitude = value, .longitude = value};
+    Harness h = Harness::px4();
+    h.vehicle.perform(h.now, RequestId{1}, WriteMission{{item}});
+    h.feed(toUs<mavlink::MissionRequestInt>(0));
+    const auto sent = h.sentOf<mavlink::MissionItemInt>();
+    QCOMPARE(sent.size(), std::size_t(1));
+    QCOMPARE(sent[0].x, wire);
+    QCOMPARE(sent[0].y, wire);
+    h.feed(acknowledgement(0));
+    QVERIFY(h.poll<MissionResult>()->ok);
+
+    h.vehicle.perform(h.now, RequestId{2}, ReadMission{});
+    h.feed(toUs<mavlink::MissionCount>(1));
+    mavlink::MissionItemInt back = sent[0];
+    back.target_system = 255;
+    back.target_component = 190;
+    h.feed(back);
+    const auto read = h.poll<MissionResult>();
+    QVERIFY(read && read->ok);
+    const MissionItem &again = read->items->at(0);
+    if (std::isnan(value))
+        QVERIFY(std::isnan(again.latitude) && std::isnan(again.longitude));
+    else
+        QVERIFY(again.latitude == value && again.longitude == value);
+}
+
+void MissionTest::numbersThatTheProtocolCannotCarryAreRefused()
+{
+    Harness h = Harness::px4();
+    const auto refusal = [&](MissionItem item) {
+        h.vehicle.perform(h.now, RequestId{1}, WriteMission{{plan(1)[0], item}});
+        const auto result = h.poll<MissionResult>();
+        return result ? result->reason.text() : std::string();
+    };
+    QCOMPARE(refusal({.command = mavlink::MAV_CMD_DO_SET_ACTUATOR, .latitude = 0.5}),
+             std::string("item 1, DO_SET_ACTUATOR: the mission protocol carries parameters 5 and 6 of this command as whole "
+                         "numbers only"));
+    QCOMPARE(refusal({.frame = mavlink::MAV_FRAME_LOCAL_NED, .longitude = 3e5}),
+             std::string("item 1, NAV_WAYPOINT: parameters 5 and 6 are too large for the mission protocol"));
+    QVERIFY(h.sent().empty());
+}
+
+void MissionTest::itemZeroOfArduPilotIsItsHome_data()
+{
+    QTest::addColumn<bool>("isPx4");
+    QTest::addColumn<int>("command");
+    QTest::addColumn<int>("frame");
+    QTest::addColumn<bool>("withoutHome");
+    QTest::addColumn<int>("items");
+    QTest::addColumn<QByteArray>("remark");
+    constexpr int kWaypoint = mavlink::MAV_CMD_NAV_WAYPOINT, kTakeOff = mavlink::MAV_CMD_NAV_TAKEOFF;
+    QTest::newRow("home") << false << kWaypoint << 0 << false << 2 << QByteArray();
+    QTest::newRow("take-off") << false << kTakeOff << 3 << false << 3
+                              << QByteArray("this vehicle keeps its home position as item 0, which the mission lacked: it was "
+                                            "inserted, and the items moved up by one");
+    QTest::newRow("file of PX4") << false << kWaypoint << 0 << true << 3
+                                 << QByteArray(
+                                        "this vehicle keeps its home position as item 0, which the mission lacked: it was "
+                                        "inserted, and the items moved up by one");
+    QTest::newRow("other waypoint") << false << kWaypoint << 3 << false << 2
+                                    << QByteArray(
+                                           "this vehicle keeps its home position as item 0, so that it does not fly to the "
+                                           "first waypoint of the mission");
+    QTest::newRow("take-off of PX4") << true << kTakeOff << 3 << false << 2 << QByteArray();
+    QTest::newRow("home for PX4") << true << kWaypoint << 0 << false << 2
+                                  << QByteArray(
+                                         "item 0 looks like the home position of an ArduPilot mission: this vehicle flies "
+                                         "to it as its first waypoint");
+}
+
+void MissionTest::itemZeroOfArduPilotIsItsHome()
+{
+    QFETCH(bool, isPx4);
+    QFETCH(int, command);
+    QFETCH(int, frame);
+    QFETCH(bool, withoutHome);
+    QFETCH(int, items);
+    QFETCH(QByteArray, remark);
+    Harness h = isPx4 ? Harness::px4() : Harness::copter();
+    const MissionItem first{.command = std::uint16_t(command), .frame = std::uint8_t(frame), .current = true, .latitude = 47};
+    const MissionItem jump{.command = mavlink::MAV_CMD_DO_JUMP, .parameters = {0, 2}};
+    h.vehicle.perform(h.now, RequestId{1}, WriteMission{.items = {first, jump}, .withoutHome = withoutHome});
+    QCOMPARE(int(h.sentOf<mavlink::MissionCount>().at(0).count), items);
+    for (int i = 0; i < items; ++i)
+        h.feed(toUs<mavlink::MissionRequestInt>(static_cast<std::uint16_t>(i)));
+    const auto sent = h.sentOf<mavlink::MissionItemInt>();
+    QCOMPARE(int(sent.size()), items);
+    QCOMPARE(int(sent[0].command), items == 3 ? int(mavlink::MAV_CMD_NAV_WAYPOINT) : command);
+    QCOMPARE(int(sent[0].frame), items == 3 ? 0 : frame);
+    QCOMPARE(int(sent.back().param1), items - 2); // the jump leads to the same item
+    h.feed(acknowledgement(0));
+    const auto result = h.poll<MissionResult>();
+    QVERIFY(result && result->ok);
+    QCOMPARE(QByteArray::fromStdString(result->remark.text()), remark);
+}
+
+/// Mission Planner writes the home position as the first line of every file.
+void MissionTest::homeOfAMissionIsNoFence()
+{
+    Harness h = Harness::copter();
+    const MissionItem home{.command = mavlink::MAV_CMD_NAV_WAYPOINT, .frame = 0, .current = true, .latitude = 47};
+    const MissionItem corner{.command = mavlink::MAV_CMD_NAV_FENCE_POLYGON_VERTEX_INCLUSION, .frame = 3, .latitude = 47.1};
+    h.vehicle.perform(h.now, RequestId{1}, WriteMission{{home, corner}, MissionType::Fence});
+    QCOMPARE(h.sentOf<mavlink::MissionCount>().at(0).count, std::uint16_t(1));
+    auto request = toUs<mavlink::MissionRequestInt>(0);
+    request.mission_type = mavlink::MAV_MISSION_TYPE_FENCE;
+    h.feed(request);
+    QCOMPARE(h.sentOf<mavlink::MissionItemInt>().at(0).command, corner.command);
+    auto refused = acknowledgement(mavlink::MAV_MISSION_UNSUPPORTED);
+    refused.mission_type = mavlink::MAV_MISSION_TYPE_FENCE;
+    h.feed(refused);
+    // With the number in the file.
+    QCOMPARE(h.poll<MissionResult>()->reason.text(),
+             std::string("item 1, NAV_FENCE_POLYGON_VERTEX_INCLUSION: command not supported"));
+    h.vehicle.perform(h.now, RequestId{2}, WriteMission{{home, corner}, MissionType::Fence});
+    h.feed(request);
+    refused.type = mavlink::MAV_MISSION_ACCEPTED;
+    h.feed(refused);
+    const auto accepted = h.poll<MissionResult>();
+    QVERIFY(accepted && accepted->ok);
+    QCOMPARE(accepted->remark.text(),
+             std::string("the first item is the home position of a mission, which has no place in a "
+                         "list of this kind: it was left out"));
 }
 
 void MissionTest::uploadStopsWhenNobodyAsks()

@@ -23,15 +23,8 @@ void VehicleCommands::showViewState(const ViewState &view)
     m_systemId = view.vehicle ? view.vehicle->state.systemId : 0;
     m_mission = view.vehicle ? view.vehicle->mission : nullptr;
     m_home.reset();
-    if (view.vehicle && vehicle::keepsHomeFirst(view.vehicle->state.autopilot)) {
-        const vehicle::Position &home = view.vehicle->state.home;
-        m_home.emplace().frame = mavlink::MAV_FRAME_GLOBAL;
-        if (home.known()) {
-            m_home->latitude = home.latitude;
-            m_home->longitude = home.longitude;
-            m_home->altitude = std::isfinite(home.altitude) ? static_cast<float>(home.altitude) : 0;
-        }
-    }
+    if (view.vehicle && vehicle::keepsHomeFirst(view.vehicle->state.autopilot))
+        m_home = vehicle::homeItem(view.vehicle->state.home);
     m_severalVehicles = view.vehicles().size() > 1;
     m_preflight.showViewState(view);
     m_disabledReason = commandsDisabledReason(view);

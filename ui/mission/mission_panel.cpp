@@ -3,7 +3,6 @@
 #include "core/base/save_file.h"
 #include "core/engine/station/vehicle_snapshot.h"
 #include "core/engine/text/event_text.h"
-#include "core/vehicle/mission_file.h"
 #include "ui/ask_file.h"
 #include "ui/confirm_box.h"
 #include "ui/control_action.h"
@@ -127,17 +126,17 @@ void MissionPanel::sendFile(const QString &file, std::uint8_t systemId)
         say(tr("%1 cannot be read: %2").arg(file, in.errorString()));
         return;
     }
-    const auto items = vehicle::parseMission(in.readAll().toStdString(), file.toStdString());
-    if (!items)
-        say(reasonText(items.error().reason()));
+    const auto plan = vehicle::parseMission(in.readAll().toStdString(), file.toStdString());
+    if (!plan)
+        say(reasonText(plan.error().reason()));
     else if (m_isArmed)
-        askToReplace(*items, systemId);
+        askToReplace(*plan, systemId);
     else
-        send(*items, systemId);
+        send(*plan, systemId);
 }
 
 /// A vehicle that flies its mission turns to the new one as soon as it has it.
-void MissionPanel::askToReplace(const std::vector<vehicle::MissionItem> &items, std::uint8_t systemId)
+void MissionPanel::askToReplace(const vehicle::MissionFile &plan, std::uint8_t systemId)
 {
     askToConfirm({.objectName = QStringLiteral("confirmSendMission"),
                   .title = tr("Send a mission"),
@@ -146,9 +145,9 @@ void MissionPanel::askToReplace(const std::vector<vehicle::MissionItem> &items, 
                   .details = tr("While it flies its mission, it turns to the new one at once."),
                   .yes = tr("Replace the mission"),
                   .icon = QMessageBox::Warning},
-                 this, this, [this, items, systemId] {
+                 this, this, [this, plan, systemId] {
                      if (canSendTo(systemId))
-                         send(items, systemId);
+                         send(plan, systemId);
                  });
 }
 
@@ -162,10 +161,10 @@ bool MissionPanel::canSendTo(std::uint8_t systemId)
     return reason.isEmpty();
 }
 
-void MissionPanel::send(const std::vector<vehicle::MissionItem> &items, std::uint8_t systemId)
+void MissionPanel::send(const vehicle::MissionFile &plan, std::uint8_t systemId)
 {
-    say(items.size() == 1 ? tr("Sending one item…") : tr("Sending %1 items…").arg(items.size()));
-    m_station.perform(systemId, vehicle::WriteMission{items});
+    say(plan.items.size() == 1 ? tr("Sending one item…") : tr("Sending %1 items…").arg(plan.items.size()));
+    m_station.perform(systemId, vehicle::WriteMission{.items = plan.items, .withoutHome = plan.withoutHome});
 }
 
 void MissionPanel::saveFile(const QString &file, const MissionModel::Mission &mission)

@@ -2,6 +2,7 @@
 // a file.
 #pragma once
 
+#include "core/vehicle/mission_file.h"
 #include "ui/mission/mission_model.h"
 #include "ui/mission/plan_reader.h"
 #include "ui/dock_panel.h"
@@ -36,8 +37,8 @@ private:
     void read();
     void showName(int vehicle);
     void askAndSend();
-    void askToReplace(const std::vector<vehicle::MissionItem> &items, std::uint8_t systemId);
-    void send(const std::vector<vehicle::MissionItem> &items, std::uint8_t systemId);
+    void askToReplace(const vehicle::MissionFile &plan, std::uint8_t systemId);
+    void send(const vehicle::MissionFile &plan, std::uint8_t systemId);
     bool canSendTo(std::uint8_t systemId);
     void askAndSave();
 

@@ -17,15 +17,7 @@ namespace {
 using vehicle::MissionItem;
 using vehicle::MissionResult;
 using vehicle::MissionType;
-using Items = std::vector<MissionItem>;
-
-/// A task for one request, whose items go to a function that returns what went wrong.
-std::shared_ptr<VehicleTask> planTask(const TaskSettings &settings, vehicle::Request request,
-                                      std::function<std::string(const Items &)> take)
-{
-    return std::make_shared<RequestTask<MissionResult>>(
-        settings, std::move(request), [take = std::move(take)](const MissionResult &result) { return take(*result.items); });
-}
+using PlanTask = RequestTask<MissionResult>;
 
 void printItem(const MissionItem &item, bool json)
 {
@@ -35,7 +27,7 @@ void printItem(const MissionItem &item, bool json)
         for (const float parameter : item.parameters)
             line += " " + significantText(static_cast<double>(parameter), 6);
         printLine(line + " " + fixedText(item.latitude, 7) + " " + fixedText(item.longitude, 7) + " "
-                         + significantText(static_cast<double>(item.altitude), 6));
+                  + significantText(static_cast<double>(item.altitude), 6));
         return;
     }
     JsonWriter out;
@@ -56,8 +48,8 @@ int listItems(const QString &name, const QStringList &arguments, MissionType typ
         return *status;
     options.arguments(0, 0);
     return runTransfer(name, options, [&](const TaskSettings &settings) {
-        return planTask(settings, vehicle::ReadMission{type}, [settings](const Items &items) {
-            for (const MissionItem &item : items)
+        return std::make_shared<PlanTask>(settings, vehicle::ReadMission{type}, [settings](const MissionResult &result) {
+            for (const MissionItem &item : *result.items)
                 printItem(item, settings.json);
             return std::string();
         });
@@ -75,11 +67,11 @@ int downloadItems(const QString &name, const QStringList &arguments, MissionType
     if (const auto status = checkTarget(name, options, file))
         return *status;
     return runTransfer(name, options, [&](const TaskSettings &settings) {
-        return planTask(settings, vehicle::ReadMission{type}, [=](const Items &items) {
-            std::string problem = writeWhole(file, vehicle::missionText(items));
+        return std::make_shared<PlanTask>(settings, vehicle::ReadMission{type}, [=](const MissionResult &result) {
+            const std::size_t count = result.items->size();
+            std::string problem = writeWhole(file, vehicle::missionText(*result.items));
             if (problem.empty())
-                reportTransfer(settings.json, "downloaded", "items", items.size(),
-                               file.toStdString() + ": " + counted(items.size(), "item"));
+                reportTransfer(settings.json, "downloaded", "items", count, file.toStdString() + ": " + counted(count, "item"));
             return problem;
         });
     });
@@ -90,7 +82,7 @@ int uploadItems(const QString &name, const QStringList &arguments, MissionType t
     Options options(
         name,
         QStringLiteral("Replaces the items on the vehicle by those of a file (QGC WPL 110). On ArduPilot item 0 of a "
-                       "mission is the home position."));
+                       "mission is the home position; it is inserted before a mission that begins with another command."));
     options.addArgument("FILE", "File to read.");
     declareTransfer(options);
     if (const auto status = options.parse(arguments))
@@ -98,15 +90,18 @@ int uploadItems(const QString &name, const QStringList &arguments, MissionType t
     const QStringList files = options.arguments(1, 1);
     if (const auto status = options.finish())
         return *status;
-    const auto items = parseFile(name, files[0], vehicle::parseMission);
-    if (!items)
+    const auto plan = parseFile(name, files[0], vehicle::parseMission);
+    if (!plan)
         return kCannotOpen;
     return runTransfer(name, options, [&](const TaskSettings &settings) {
-        return planTask(settings, vehicle::WriteMission{*items, type}, [settings](const Items &written) {
-            reportTransfer(settings.json, "uploaded", "items", written.size(),
-                           counted(written.size(), "item") + " accepted by the vehicle");
-            return std::string();
-        });
+        return std::make_shared<PlanTask>(
+            settings, vehicle::WriteMission{plan->items, type, plan->withoutHome}, [settings](const MissionResult &result) {
+                const std::size_t count = result.items->size();
+                reportTransfer(settings.json, "uploaded", "items", count, counted(count, "item") + " accepted by the vehicle");
+                if (!result.remark.empty())
+                    remark(result.remark.text());
+                return std::string();
+            });
     });
 }
 
@@ -118,7 +113,7 @@ int clearItems(const QString &name, const QStringList &arguments, MissionType ty
         return *status;
     options.arguments(0, 0);
     return runTransfer(name, options, [&](const TaskSettings &settings) {
-        return planTask(settings, vehicle::ClearMission{type}, [settings](const Items &) {
+        return std::make_shared<PlanTask>(settings, vehicle::ClearMission{type}, [settings](const MissionResult &) {
             reportTransfer(settings.json, "cleared", "items", 0, "cleared");
             return std::string();
         });

@@ -108,8 +108,11 @@ public:
     }
     EventText operator()(const vehicle::MissionResult &e) const
     {
-        return e.ok ? EventText{missionDone(e.transfer).arg(planName(e.type)), kInfo, e.systemId}
-                    : EventText{missionFailed(e.transfer).arg(planName(e.type), reasonText(e.reason)), kError, e.systemId};
+        if (!e.ok)
+            return {missionFailed(e.transfer).arg(planName(e.type), reasonText(e.reason)), kError, e.systemId};
+        const QString done = missionDone(e.transfer).arg(planName(e.type));
+        return e.remark.empty() ? EventText{done, kInfo, e.systemId}
+                                : EventText{done + QStringLiteral(": ") + reasonText(e.remark), kWarning, e.systemId};
     }
     EventText operator()(const vehicle::ParameterResult &e) const
     {

@@ -89,8 +89,16 @@ void writeTables(const DialectDefinition &dialect, std::ostream &out)
     for (const EnumDefinition &e : dialect.enums)
         out << "    {" << quoted(e.name) << ", " << (e.bitmask ? "true" : "false") << ", "
             << (e.entries.empty() ? "{}" : "k" + e.name) << "},\n";
+    out << "};\n\nconstexpr std::uint16_t kCommandsWithoutPlace[] = {\n";
+    for (const EnumDefinition &e : dialect.enums) {
+        for (const EnumEntryDefinition &entry : e.entries) {
+            if (e.name == "MAV_CMD" && !entry.hasLocation)
+                out << "    " << entry.value << ", // " << entry.name << '\n';
+        }
+    }
     out << "};\n\n} // namespace\n\nstd::span<const MessageInfo> messages() { return kMessages; }\nstd::span<const "
-           "EnumInfo> enums() { return kEnums; }\n\n"
+           "EnumInfo> enums() { return kEnums; }\nstd::span<const std::uint16_t> commandsWithoutPlace() { return "
+           "kCommandsWithoutPlace; }\n\n"
            "} // namespace skyseal::mavlink::builtin\n";
 }
 
