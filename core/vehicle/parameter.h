@@ -19,6 +19,7 @@ struct Parameter
     double value = 0;                                   ///< ArduPilot sends a float whatever the type
     std::uint8_t type = mavlink::MAV_PARAM_TYPE_REAL32; ///< MAV_PARAM_TYPE
     std::uint16_t index = 0;
+    std::uint8_t componentId = 0; ///< whose parameter it is; 0: that of the autopilot, whatever its number is
 };
 
 /// Reads the whole list. The values appear in Vehicle::parameters().

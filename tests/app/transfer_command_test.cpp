@@ -15,7 +15,11 @@ private Q_SLOTS:
     void initTestCase();
     void parametersAreReadAndWritten();
     void parametersAreSavedAndLoaded();
+    void parameterFilesAsPeopleHaveThem();
     void missionIsUploadedAndDownloaded();
+    void missionWithoutHomeGetsOne();
+    void homeInAFenceFileIsLeftOut();
+    void refusedItemIsNamed();
     void fullDiskKeepsTheOldFile();
     void unknownVehicleIsNotFound();
     void placeToWriteIsCheckedFirst();
@@ -73,6 +77,25 @@ void TransferCommandTest::parametersAreSavedAndLoaded()
     QVERIFY2(foreign.err.contains("NO_SUCH: the vehicle has no such parameter"), foreign.err.constData());
 }
 
+/// A line that cannot be read, and a parameter of another component, are said and cost only themselves.
+void TransferCommandTest::parameterFilesAsPeopleHaveThem()
+{
+    QCOMPARE(run(QStringLiteral("param set RTL_ALT=1600 WPNAV_SPEED=500")).status, 0);
+    const QString file = write("people.parm",
+                               "RTL_ALT\t  1700   # higher\nRTL_SPEED\n1\t154\tWPNAV_SPEED\t3\t9\n"
+                               "WPNAV_SPEED 0x258 @READONLY\nRTL_ALT 1800\n");
+    const RunResult strict = run(QStringLiteral("param load ") + file, {QStringLiteral("--strict")});
+    QCOMPARE(strict.status, 3);
+    QVERIFY(strict.out.isEmpty());
+    const RunResult loaded = run(QStringLiteral("param load ") + file);
+    QCOMPARE(loaded.status, 1);
+    QCOMPARE(loaded.out, QByteArray("RTL_ALT 1800\nWPNAV_SPEED 600\n"));
+    for (const QByteArray &line : {QByteArray(":2:1: a name and a value, or QGroundControl's five columns, are expected"),
+                                   QByteArray(":5: RTL_ALT occurs again; this line counts"),
+                                   QByteArray("WPNAV_SPEED: of component 154: only the autopilot's parameters")})
+        QVERIFY2(loaded.err.contains(line), loaded.err.constData());
+}
+
 void TransferCommandTest::missionIsUploadedAndDownloaded()
 {
     const QByteArray content("QGC WPL 110\n"
@@ -87,13 +110,49 @@ void TransferCommandTest::missionIsUploadedAndDownloaded()
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QByteArray read = file.readAll();
     QCOMPARE(read.count('\n'), content.count('\n'));
-    QVERIFY2(read.contains("\t47.39804000\t8.54559000\t15.000\t1"), read.constData());
+    QVERIFY2(read.contains("\t47.39804000\t8.54559000\t15\t1"), read.constData());
     const RunResult list = run(QStringLiteral("mission list --json"));
     QCOMPARE(list.out.count("\"event\":\"item\""), qsizetype(3));
     QCOMPARE(run(QStringLiteral("mission clear")).status, 0);
     const RunResult empty = run(QStringLiteral("mission list --json"));
     QCOMPARE(empty.status, 0);
     QVERIFY(empty.out.count("\"event\":\"item\"") <= 1); // at most the home position
+}
+
+void TransferCommandTest::missionWithoutHomeGetsOne()
+{
+    const RunResult sent = run(QStringLiteral("mission upload ")
+                               + write("no-home.waypoints",
+                                       "QGC WPL 110\n0\t1\t3\t22\t0\t0\t0\t0\t0\t0\t20\t1\n"
+                                       "1\t0\t3\t16\t0\t0\t0\t0\t47.398\t8.5456\t20\t1\n"));
+    QVERIFY2(sent.status == 0, sent.err.constData());
+    QVERIFY2(sent.err.contains("3 items accepted") && sent.err.contains("it was inserted"), sent.err.constData());
+    const auto items = eventsIn(run(QStringLiteral("mission list --json")), QStringLiteral("item"));
+    QCOMPARE(items.size(), std::size_t(3));
+    QCOMPARE(items[0][QLatin1String("command")].toInt(), 16);
+    QCOMPARE(items[0][QLatin1String("frame")].toInt(), 0);
+    QCOMPARE(items[1][QLatin1String("command")].toInt(), 22);
+}
+
+void TransferCommandTest::homeInAFenceFileIsLeftOut()
+{
+    const RunResult sent = run(QStringLiteral("fence upload ")
+                               + write("fence.waypoints",
+                                       "QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t47.3977\t8.5456\t488\t1\n"
+                                       "1\t0\t3\t5003\t500\t0\t0\t0\t47.3977\t8.5456\t0\t1\n"));
+    QVERIFY2(sent.status == 0, sent.err.constData());
+    QVERIFY2(sent.err.contains("1 item accepted") && sent.err.contains("it was left out"), sent.err.constData());
+    QCOMPARE(run(QStringLiteral("fence clear")).status, 0);
+}
+
+void TransferCommandTest::refusedItemIsNamed()
+{
+    const RunResult refused = run(QStringLiteral("mission upload ")
+                                  + write("photo.waypoints",
+                                          "QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t47.3977\t8.5456\t488\t1\n"
+                                          "1\t0\t3\t203\t0\t0\t0\t0\t1\t0\t0\t1\n"));
+    QCOMPARE(refused.status, 1);
+    QVERIFY2(refused.err.contains("item 1, DO_DIGICAM_CONTROL: command not supported"), refused.err.constData());
 }
 
 void TransferCommandTest::fullDiskKeepsTheOldFile()
@@ -139,7 +198,8 @@ void TransferCommandTest::wrongFilesAreRefused_data()
     QTest::addColumn<QString>("command");
     QTest::addColumn<QByteArray>("content");
     QTest::addColumn<QByteArray>("problem");
-    QTest::newRow("parameters") << QStringLiteral("param load") << QByteArray("A,1\nB\n") << QByteArray(":2: ");
+    QTest::newRow("parameters") << QStringLiteral("param load") << QByteArray("# parameters\nB\n")
+                                << QByteArray(":2:1: a name and a value");
     QTest::newRow("mission") << QStringLiteral("mission upload") << QByteArray("hello") << QByteArray(":1: not a mission file");
     QTest::newRow("fence") << QStringLiteral("fence upload") << QByteArray("QGC WPL 110\n") << QByteArray("no items");
 }

@@ -24,6 +24,10 @@ private Q_SLOTS:
     void badMissionFilesSayWhere_data();
     void badMissionFilesSayWhere();
     void parameterFilesOfBothForms();
+    void parameterFilesAsPeopleHaveThem();
+    void parametersBelongToComponents();
+    void latestOfSeveralValuesCounts();
+    void badLineCostsItselfOnly();
     void parameterFileComesBack();
     void badParameterFilesSayWhere_data();
     void badParameterFilesSayWhere();
@@ -144,15 +148,82 @@ void PlanFileTest::parameterFilesOfBothForms()
 {
     const auto plain = parseParameters("# from a copter\nRTL_ALT,1500\n\nWPNAV_SPEED 7.5e2\r\nATC_RAT_RLL_P, 0.135\n", "p");
     QVERIFY2(plain, plain ? "" : plain.error().text().c_str());
-    QCOMPARE(plain->size(), std::size_t(3));
-    QCOMPARE((*plain)[1].name, std::string("WPNAV_SPEED"));
-    QCOMPARE((*plain)[1].value, 750.);
-    QCOMPARE((*plain)[2].value, 0.135);
+    QVERIFY(plain->unread.empty() && plain->repeats.empty());
+    const auto &parameters = plain->parameters;
+    QCOMPARE(parameters.size(), std::size_t(3));
+    QCOMPARE(parameters[1].name, std::string("WPNAV_SPEED"));
+    QCOMPARE(parameters[1].value, 750.);
+    QCOMPARE(parameters[2].value, 0.135);
+    QCOMPARE(parameters[2].componentId, std::uint8_t(0));
     const auto qgc = parseParameters("# Vehicle-Id Component-Id Name Value Type\n1\t1\tCOM_LIMIT\t-7\t6\n", "p");
-    QVERIFY(qgc && qgc->size() == 1);
-    QCOMPARE((*qgc)[0].name, std::string("COM_LIMIT"));
-    QCOMPARE((*qgc)[0].value, -7.);
-    QCOMPARE((*qgc)[0].type, std::uint8_t(mavlink::MAV_PARAM_TYPE_INT32));
+    QVERIFY(qgc && qgc->parameters.size() == 1);
+    QCOMPARE(qgc->parameters[0].name, std::string("COM_LIMIT"));
+    QCOMPARE(qgc->parameters[0].value, -7.);
+    QCOMPARE(qgc->parameters[0].type, std::uint8_t(mavlink::MAV_PARAM_TYPE_INT32));
+    QCOMPARE(qgc->parameters[0].componentId, std::uint8_t(1));
+}
+
+/// Lines of files that ArduPilot and MAVProxy load, and what a vehicle without a calibration reports.
+void PlanFileTest::parameterFilesAsPeopleHaveThem()
+{
+    const std::string text = "\xef\xbb\xbfMNT1_TYPE        1           # a comment behind a value\r"
+                             "FRAME_CLASS\t     2\r\n"
+                             "   RTL_ALT=1500\n"
+                             "BRD_OPTIONS 0x1F @READONLY # of the board\n"
+                             "  # indented\n"
+                             "COMPASS_ODI_X,nan\nCOMPASS_OFS_X,-Inf\nCOMPASS_OFS_Y\tNaN\n"
+                             "1 1 SYSID_THISMAV +7 2\n";
+    const auto read = parseParameters(text, "p");
+    QVERIFY2(read, read ? "" : read.error().text().c_str());
+    QVERIFY2(read->unread.empty(), read->unread.empty() ? "" : read->unread[0].text().c_str());
+    QCOMPARE(read->parameters.size(), std::size_t(8));
+    const auto value = [&](std::size_t i) { return read->parameters[i].value; };
+    QCOMPARE(value(0), 1.);
+    QCOMPARE(value(1), 2.);
+    QCOMPARE(value(2), 1500.);
+    QCOMPARE(value(3), 31.);
+    QVERIFY(std::isnan(value(4)) && std::isnan(value(6)));
+    QCOMPARE(value(5), -HUGE_VAL);
+    QCOMPARE(value(7), 7.);
+}
+
+void PlanFileTest::parametersBelongToComponents()
+{
+    const std::string text = "1\t1\tRTL_ALT\t1500\t4\n1\t154\tG_PARAM_PAN\t0.5\t9\n1\t154\tRTL_ALT\t3\t4\n";
+    const auto read = parseParameters(text, "p");
+    QVERIFY2(read, read ? "" : read.error().text().c_str());
+    QVERIFY(read->repeats.empty());
+    QCOMPARE(read->parameters.size(), std::size_t(3));
+    QCOMPARE(read->parameters[2].componentId, std::uint8_t(154));
+    QCOMPARE(qgcParameterText(read->parameters, 1, 1), "# Vehicle-Id Component-Id Name Value Type\n" + text);
+    const std::vector<Parameter> ofTheVehicle{{.name = "A", .value = 1}, {.name = "B", .value = 2, .componentId = 154}};
+    QCOMPARE(qgcParameterText(ofTheVehicle, 3, 7),
+             std::string("# Vehicle-Id Component-Id Name Value Type\n3\t7\tA\t1\t9\n3\t154\tB\t2\t9\n"));
+    QCOMPARE(parameterText(ofTheVehicle), std::string("A,1\n")); // a form without components
+}
+
+void PlanFileTest::latestOfSeveralValuesCounts()
+{
+    const auto read = parseParameters("RTL_ALT,1500\nWPNAV_SPEED,500\nRTL_ALT,2000\nWPNAV_SPEED 500\n", "p");
+    QVERIFY2(read, read ? "" : read.error().text().c_str());
+    QCOMPARE(read->parameters.size(), std::size_t(2));
+    QCOMPARE(read->parameters[0].value, 2000.);
+    QVERIFY(read->unread.empty());
+    QCOMPARE(read->repeats.size(), std::size_t(1)); // the same value again is none
+    QCOMPARE(read->repeats[0].text(), std::string("p:3: RTL_ALT occurs again; this line counts"));
+}
+
+void PlanFileTest::badLineCostsItselfOnly()
+{
+    const auto read = parseParameters("A,1\nB\nC 2,5\nD,one\nE,5\n", "p");
+    QVERIFY2(read, read ? "" : read.error().text().c_str());
+    QCOMPARE(read->parameters.size(), std::size_t(2));
+    QCOMPARE(read->parameters[1].name, std::string("E"));
+    QCOMPARE(read->unread.size(), std::size_t(3));
+    QCOMPARE(read->unread[0].text(),
+             std::string("p:2:1: a name and a value, or QGroundControl's five columns, are expected, not \"B\""));
+    QCOMPARE(read->unread[1].text(), std::string("p:3:3: \"2,5\" has a decimal comma; numbers in files have a point"));
+    QCOMPARE(read->unread[2].text(), std::string("p:4:3: \"one\" is not a number"));
 }
 
 void PlanFileTest::parameterFileComesBack()
@@ -163,50 +234,56 @@ void PlanFileTest::parameterFileComesBack()
             const bool isWide = *rc::gen::arbitrary<bool>();
             const double value = isWide ? *rc::gen::arbitrary<std::int32_t>()
                                         : static_cast<double>(static_cast<float>(*rc::gen::arbitrary<double>()));
-            if (std::isfinite(value))
-                written.push_back({.name = "P" + std::to_string(i), .value = value, .type = std::uint8_t(isWide ? 6 : 9)});
+            written.push_back({.name = "P" + std::to_string(i), .value = value, .type = std::uint8_t(isWide ? 6 : 9)});
         }
-        RC_PRE(!written.empty());
         const bool qgcForm = *rc::gen::arbitrary<bool>();
         const auto read = parseParameters(qgcForm ? qgcParameterText(written, 1, 1) : parameterText(written), "p");
-        RC_ASSERT(read && read->size() == written.size());
+        RC_ASSERT(read && read->unread.empty() && read->parameters.size() == written.size());
         for (std::size_t i = 0; i < written.size(); ++i) {
-            RC_ASSERT((*read)[i].name == written[i].name);
-            RC_ASSERT(static_cast<float>((*read)[i].value) == static_cast<float>(written[i].value));
-            RC_ASSERT((written[i].type != 6 || (*read)[i].value == written[i].value));
-            RC_ASSERT((!qgcForm || (*read)[i].type == written[i].type));
+            const Parameter &one = read->parameters[i];
+            RC_ASSERT(one.name == written[i].name);
+            RC_ASSERT((static_cast<float>(one.value) == static_cast<float>(written[i].value)
+                       || (std::isnan(one.value) && std::isnan(written[i].value))));
+            RC_ASSERT((written[i].type != 6 || one.value == written[i].value));
+            RC_ASSERT((!qgcForm || one.type == written[i].type));
         }
     }));
     QCOMPARE(parameterText({{.name = "A", .value = static_cast<double>(0.135f)}}), std::string("A,0.135\n"));
+    // Whole numbers as such: other stations read them as integers.
+    QCOMPARE(parameterText({{.name = "A", .value = 10000000}, {.name = "B", .value = 2147483647, .type = 6}}),
+             std::string("A,10000000\nB,2147483647\n"));
 }
 
 void PlanFileTest::badParameterFilesSayWhere_data()
 {
     QTest::addColumn<QByteArray>("text");
-    QTest::addColumn<int>("line");
-    QTest::newRow("empty") << QByteArray() << 0;
-    QTest::newRow("comments only") << QByteArray("# nothing\n") << 0;
-    QTest::newRow("no value") << QByteArray("A,1\nB\n") << 2;
-    QTest::newRow("no number") << QByteArray("A,one\n") << 1;
-    QTest::newRow("nan") << QByteArray("A,nan\n") << 1;
-    QTest::newRow("name") << QByteArray("A_NAME_THAT_IS_TOO_LONG,1\n") << 1;
-    QTest::newRow("control character") << QByteArray("A\x1b[0m,1\n") << 1;
-    QTest::newRow("twice") << QByteArray("A,1\nB,2\nA,3\n") << 3;
-    QTest::newRow("type") << QByteArray("1\t1\tA\t1\t99\n") << 1;
+    QTest::addColumn<QByteArray>("error");
+    QTest::newRow("empty") << QByteArray() << QByteArray("p: contains no parameters");
+    QTest::newRow("comments only") << QByteArray("# nothing\n") << QByteArray("p: contains no parameters");
+    QTest::newRow("no number") << QByteArray("\nA, one\n") << QByteArray("p:2:4: \"one\" is not a number");
+    QTest::newRow("hexadecimal") << QByteArray("A 0x1g\n") << QByteArray("p:1:3: \"0x1g\" is not a number");
+    QTest::newRow("name") << QByteArray("A_NAME_THAT_IS_TOO_LONG,1\n")
+                          << QByteArray(
+                                 "p:1:1: \"A_NAME_THAT_IS_TOO_LONG\" is not a name of at most 16 letters, digits and signs");
+    QTest::newRow("control character") << QByteArray("A\x1b[0m,1\n")
+                                       << QByteArray("p:1:1: \"A?[0m\" is not a name of at most 16 letters, digits and signs");
+    QTest::newRow("type") << QByteArray("1\t1\tA\t1\t99\n") << QByteArray("p:1:9: \"99\" is not a type of parameters");
+    QTest::newRow("component") << QByteArray("1\t0\tA\t1\t9\n") << QByteArray("p:1:3: \"0\" is not a component from 1 to 255");
     QByteArray many;
     for (int i = 0; i <= 8192; ++i)
         many += "P" + QByteArray::number(i) + ",1\n";
-    QTest::newRow("too many") << many << 8193;
+    QTest::newRow("too many") << many << QByteArray("p:8193: more than 8192 parameters");
+    QTest::newRow("something else") << "A,1\n" + QByteArray("a line of prose\n").repeated(200)
+                                    << QByteArray("p:102: not a parameter file: 100 lines before this one cannot be read");
 }
 
 void PlanFileTest::badParameterFilesSayWhere()
 {
     QFETCH(QByteArray, text);
-    QFETCH(int, line);
-    const auto parsed = parseParameters(text.toStdString(), "p.param");
+    QFETCH(QByteArray, error);
+    const auto parsed = parseParameters(text.toStdString(), "p");
     QVERIFY(!parsed);
-    QCOMPARE(parsed.error().source, std::string("p.param"));
-    QCOMPARE(static_cast<int>(parsed.error().line), line);
+    QCOMPARE(QByteArray::fromStdString(parsed.error().text()), error);
 }
 
 void PlanFileTest::anyTextIsParsedOrRefused()
@@ -221,9 +298,10 @@ void PlanFileTest::anyTextIsParsedOrRefused()
             for (std::size_t i = 0; i < read->items.size(); ++i)
                 RC_ASSERT(read->items[i].sequence == i && !(std::abs(read->items[i].latitude) > 90));
         }
-        if (const auto parameters = parseParameters(text, "p")) {
-            for (const Parameter &parameter : *parameters)
-                RC_ASSERT(!parameter.name.empty() && parameter.name.size() <= 16 && std::isfinite(parameter.value));
+        if (const auto file = parseParameters(text, "p")) {
+            for (const Parameter &parameter : file->parameters)
+                RC_ASSERT(!parameter.name.empty() && parameter.name.size() <= 16);
+            RC_ASSERT(file->unread.size() <= kMostUnread);
         }
     }));
 }

@@ -9,6 +9,7 @@
 #include "core/vehicle/parameter_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 
 namespace skyseal::app {
@@ -111,6 +112,8 @@ private:
 
 bool differs(const Parameter &wanted, const Parameter &present)
 {
+    if (std::isnan(wanted.value) && std::isnan(present.value))
+        return false;
     return wanted.value != present.value && static_cast<float>(wanted.value) != static_cast<float>(present.value);
 }
 
@@ -121,26 +124,44 @@ const Parameter *findIn(const Parameters &sorted, const std::string &name)
     return found != sorted.end() && found->name == name ? &*found : nullptr;
 }
 
-/// Compares a file with the vehicle; writes the differences if requested.
+/// Compares a file with the vehicle; writes the differences if requested. Lines that could not be read count as failures.
 class Restore : public Exchange
 {
 public:
-    Restore(const TaskSettings &settings, Parameters file, bool writes)
-        : Exchange(settings, {}), m_file(std::move(file)), m_writes(writes)
-    {}
+    Restore(const TaskSettings &settings, vehicle::ParameterFile file, bool writes)
+        : Exchange(settings, {}), m_file(std::move(file.parameters)), m_writes(writes)
+    {
+        for (std::size_t i = 0; i < file.unread.size(); ++i)
+            countFailure();
+    }
 
 protected:
-    void start(const vehicle::VehicleState &) override { ask(vehicle::ReadParameters{}); }
+    void start(const vehicle::VehicleState &state) override
+    {
+        m_autopilot = state.componentId;
+        ask(vehicle::ReadParameters{});
+    }
     void parameterEnded(const ParameterResult &result) override
     {
         if (result.action != vehicle::ParameterAction::ReadList)
             return Exchange::parameterEnded(result);
         if (!result.ok || !result.all)
             return finish(result.reason.text());
-        for (const Parameter &wanted : m_file)
-            compare(wanted, findIn(*result.all, wanted.name));
+        std::size_t compared = 0;
+        for (const Parameter &wanted : m_file) {
+            if (wanted.componentId == 0 || wanted.componentId == m_autopilot) {
+                compare(wanted, findIn(*result.all, wanted.name));
+                ++compared;
+                continue;
+            }
+            printFailure(
+                wanted.name, systemId(),
+                format("of component %u: only the autopilot's parameters are read and written", unsigned(wanted.componentId)),
+                isJson());
+            countFailure();
+        }
         if (!isJson() && m_differ == 0)
-            remark(counted(m_file.size(), "parameter") + ", no difference");
+            remark(counted(compared, "parameter") + ", no difference");
         next();
     }
 
@@ -168,6 +189,7 @@ private:
 
     const Parameters m_file;
     const bool m_writes;
+    std::uint8_t m_autopilot = 0; ///< component
     std::uint64_t m_differ = 0;
 };
 
@@ -254,17 +276,25 @@ int compareParameters(const QString &name, const QStringList &arguments, bool wr
                     writes ? QStringLiteral("Writes the parameters of a file that differ from those of the vehicle.")
                            : QStringLiteral("Shows the parameters that differ between a file and the vehicle."));
     options.addArgument("FILE", "A parameter file of Mission Planner, MAVProxy or QGroundControl.");
+    options.addFlag("strict", "Refuse a file with a line that cannot be read, or with two values of a parameter.");
     declareTransfer(options);
     if (const auto status = options.parse(arguments))
         return *status;
     const QStringList files = options.arguments(1, 1);
+    const bool isStrict = options.has("strict");
     if (const auto status = options.finish())
         return *status;
-    auto parameters = parseFile(name, files[0], vehicle::parseParameters);
-    if (!parameters)
+    auto file = parseFile(name, files[0], vehicle::parseParameters);
+    if (!file)
+        return kCannotOpen;
+    for (const auto &lines : {file->unread, file->repeats}) {
+        for (const InputError &line : lines)
+            complain(name, line.text());
+    }
+    if (isStrict && !(file->unread.empty() && file->repeats.empty()))
         return kCannotOpen;
     return runTransfer(name, options, [&](const TaskSettings &settings) {
-        return std::make_shared<Restore>(settings, std::move(*parameters), writes);
+        return std::make_shared<Restore>(settings, std::move(*file), writes);
     });
 }
 
