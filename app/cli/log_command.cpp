@@ -5,6 +5,7 @@
 #include "app/common/format.h"
 #include "app/common/options.h"
 #include "app/common/output.h"
+#include "core/base/number_text.h"
 #include "core/base/save_file.h"
 #include "core/engine/headless/telemetry_csv.h"
 #include "core/log/log_summary.h"
@@ -30,13 +31,15 @@ void printSummary(const tlog::LogSummary &summary)
               + format(" (%llu signed, %llu of MAVLink 1, %llu of unknown messages)", count(summary.signedFrames),
                        count(summary.version1Frames), count(summary.unknownMessages)));
     if (summary.first && summary.last)
-        printLine("from " + tlog::utcText(*summary.first) + " to " + tlog::utcText(*summary.last));
+        printLine("from " + tlog::utcText(*summary.first) + " to " + tlog::utcText(*summary.last) + ", "
+                  + fixedText(std::chrono::duration<double>(summary.length).count(), 1) + " s recorded");
     for (const auto &[sender, frames] : summary.bySender)
         printLine(format("  system %u component %u: %llu", unsigned(sender.first), unsigned(sender.second), count(frames)));
     for (const auto &[message, frames] : summary.byMessage)
         printLine(format("  %-32s %llu", message.c_str(), count(frames)));
     printLine(counted(summary.badSpots, "bad spot") + " (" + counted(summary.badBytes, "byte") + "), "
-              + counted(summary.pauses, "pause") + ", time ran back " + counted(summary.backwardSteps, "time"));
+              + counted(summary.pauses, "pause") + ", time ran back " + counted(summary.backwardSteps, "time")
+              + (summary.forwardSteps ? ", clock set forward " + counted(summary.forwardSteps, "time") : std::string()));
 }
 
 void printVerdict(const tlog::LogSummary &summary)

@@ -68,7 +68,8 @@ constexpr LinkType kTypes[] = {
      LinkTarget::File,
      {.isRecording = true},
      QT_TRANSLATE_NOOP("skyseal::link::LinkType", "Recorded log"),
-     QT_TRANSLATE_NOOP("skyseal::link::LinkType", "Replays a telemetry log at the recorded pace; nothing is sent."),
+     QT_TRANSLATE_NOOP("skyseal::link::LinkType",
+                       "Replays a telemetry log at the recorded pace, with pauses of at most five seconds; nothing is sent."),
      make<TlogLink>},
 };
 

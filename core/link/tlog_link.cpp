@@ -47,7 +47,9 @@ void TlogLink::open()
     m_file = std::move(*file);
     m_reader = std::make_unique<tlog::LogReader>(m_file, mavlink::Dialect::builtin());
     m_frames->hasAhead = false;
-    m_firstTime.reset();
+    m_line = {};
+    m_nextAt = {};
+    m_hasFrame = false;
     m_startedAt = steadyNow();
     setState(LinkState::Connected);
     m_timer.start(0);
@@ -63,9 +65,9 @@ bool TlogLink::readNext()
         }
         std::copy(item->bytes.begin(), item->bytes.end(), m_frames->ahead.bytes.begin());
         m_frames->ahead.length = item->bytes.size();
-        m_nextTime = item->time;
-        if (!m_firstTime)
-            m_firstTime = item->time;
+        m_hasFrame = m_hasFrame || item->frame;
+        const Duration before = m_line.position();
+        m_nextAt += std::min<Duration>(m_line.note(item->time) - before, tlog::LogTime::kLongestWait);
         return true;
     }
     return false;
@@ -73,10 +75,9 @@ bool TlogLink::readNext()
 
 TimePoint TlogLink::due() const
 {
-    if (!m_nextTime || !m_firstTime || options().replayFactor <= 0)
+    if (options().replayFactor <= 0)
         return m_startedAt;
-    const std::chrono::duration<double> recorded = *m_nextTime - *m_firstTime;
-    return m_startedAt + std::chrono::duration_cast<Duration>(recorded / options().replayFactor);
+    return m_startedAt + std::chrono::duration_cast<Duration>(m_nextAt / options().replayFactor);
 }
 
 void TlogLink::play()
@@ -102,6 +103,10 @@ void TlogLink::play()
         listener().linkReceived(*this, {m_frames->blocks.data(), used});
     if (state() != LinkState::Connected)
         return;
+    if (ended && !m_hasFrame) {
+        setState(LinkState::Failed, {LinkErrorCode::FileUnreadable, url().path(), tlog::kNoFrame});
+        return;
+    }
     if (ended) {
         setState(LinkState::Ended, {LinkErrorCode::EndOfFile, url().path(), {}});
         return;

@@ -1,9 +1,11 @@
-// Replays a .tlog recording: one block per frame, at the recorded pace or faster (LinkOptions::replayFactor). Blocks that are
-// sent are dropped and counted.
+// Replays a .tlog recording: one block per frame, at the recorded pace or faster (LinkOptions::replayFactor), but waiting no
+// longer than tlog::LogTime::kLongestWait for the next one: a clock that was set is no pause. Blocks that are sent are dropped
+// and counted. A file without any frame fails at its end.
 #pragma once
 
 #include "core/link/link.h"
 #include "core/log/log_reader.h"
+#include "core/log/log_time.h"
 
 #include <QtCore/QTimer>
 
@@ -38,8 +40,9 @@ private:
     std::unique_ptr<Frames> m_frames;
     QTimer m_timer;
     TimePoint m_startedAt{};
-    std::optional<WallTime> m_firstTime;
-    std::optional<WallTime> m_nextTime; ///< of the frame that was read ahead; none in a file without timestamps
+    tlog::LogTime m_line;
+    Duration m_nextAt{}; ///< of the frame that was read ahead, since the beginning of the replay as recorded
+    bool m_hasFrame = false;
 };
 
 } // namespace skyseal::link

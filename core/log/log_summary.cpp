@@ -34,17 +34,19 @@ void countBad(LogSummary &summary, const LogItem &item)
         summary.listedSpots.push_back({item.fault, item.offset, item.length});
 }
 
-void noteTime(LogSummary &summary, std::optional<WallTime> &previous, const LogItem &item, std::chrono::microseconds pause)
+void noteTime(LogSummary &summary, const LogItem &item, std::chrono::microseconds pause)
 {
-    const WallTime time = *item.time;
-    summary.first = summary.first ? std::min(*summary.first, time) : time;
-    summary.last = summary.last ? std::max(*summary.last, time) : time;
-    if (previous && (time < *previous || time - *previous > pause)) {
-        ++(time < *previous ? summary.backwardSteps : summary.pauses);
-        if (summary.listedGaps.size() < LogSummary::kListed)
-            summary.listedGaps.push_back({item.offset, *previous, time});
-    }
-    previous = time;
+    const WallTime time = *item.time, previous = summary.last.value_or(time);
+    if (!summary.first)
+        summary.first = time;
+    summary.last = time;
+    if (time >= previous && time - previous <= pause)
+        return;
+    ++(time < previous                               ? summary.backwardSteps
+           : time - previous > LogTime::kLongestStep ? summary.forwardSteps
+                                                     : summary.pauses);
+    if (summary.listedGaps.size() < LogSummary::kListed)
+        summary.listedGaps.push_back({item.offset, previous, time});
 }
 
 } // namespace
@@ -53,14 +55,15 @@ LogSummary summarize(std::istream &input, const mavlink::Dialect &dialect, std::
 {
     LogSummary summary;
     LogReader reader(input, dialect);
-    std::optional<WallTime> previous;
+    LogTime line;
     while (const auto item = reader.next()) {
         if (item->frame)
             countFrame(summary, *item->frame);
         else
             countBad(summary, *item);
         if (item->time)
-            noteTime(summary, previous, *item, pause);
+            noteTime(summary, *item, pause);
+        summary.length = line.note(item->time);
     }
     summary.format = reader.format();
     summary.bytes = reader.bytesRead();
@@ -73,9 +76,10 @@ void writeSummaryFields(JsonWriter &json, const LogSummary &summary)
     json.field("frames", summary.frames).field("signed", summary.signedFrames).field("version1", summary.version1Frames);
     json.field("unknown_messages", summary.unknownMessages).field("bad_spots", summary.badSpots);
     json.field("bad_bytes", summary.badBytes).field("pauses", summary.pauses).field("backward_steps", summary.backwardSteps);
+    json.field("forward_steps", summary.forwardSteps);
     if (summary.first) {
         json.field("first", std::string_view(utcText(*summary.first))).field("last", std::string_view(utcText(*summary.last)));
-        json.field("seconds", std::chrono::duration<double>(*summary.last - *summary.first).count());
+        json.field("seconds", std::chrono::duration<double>(summary.length).count());
     }
     json.key("messages").beginObject();
     for (const auto &[name, count] : summary.byMessage)

@@ -3,6 +3,7 @@
 
 #include "core/base/json_writer.h"
 #include "core/log/log_reader.h"
+#include "core/log/log_time.h"
 
 #include <array>
 #include <map>
@@ -19,7 +20,7 @@ struct BadSpot
     std::uint64_t length = 0;
 };
 
-/// A pause in the recording, or a step back in time.
+/// A pause in the recording, or a clock that was set.
 struct TimeGap
 {
     std::uint64_t offset = 0; ///< of the entry after the gap
@@ -37,14 +38,17 @@ struct LogSummary
     std::uint64_t version1Frames = 0;
     std::uint64_t unknownMessages = 0; ///< complete frames with a message id that the dialect does not define
     std::uint64_t badSpots = 0, badBytes = 0;
-    std::uint64_t pauses = 0, backwardSteps = 0;
-    std::optional<WallTime> first, last; ///< earliest and latest time; .tlog only
+    std::uint64_t pauses = 0;
+    std::uint64_t backwardSteps = 0, forwardSteps = 0; ///< of a clock that was set; forward: by more than LogTime::kLongestStep
+    std::optional<WallTime> first, last;               ///< recorded times of the first and the last entry; .tlog only
+    Duration length{};                                 ///< between them, without steps of the clock
     std::map<std::string, std::uint64_t, std::less<>> byMessage;
     std::map<std::pair<std::uint8_t, std::uint8_t>, std::uint64_t> bySender; ///< system and component
     std::vector<BadSpot> listedSpots;
     std::vector<TimeGap> listedGaps;
 
-    /// At least one frame, no damage and no step back in time. Unknown messages and pauses are not faults of the recording.
+    /// At least one frame, no damage and no step back in time. Unknown messages, pauses and a clock that is set forward, as
+    /// when a computer learns the time, are not faults of the recording.
     bool isSound() const { return frames > 0 && badSpots == 0 && backwardSteps == 0; }
 };
 

@@ -12,6 +12,8 @@ class LogTime
 public:
     /// A longer step forward is no pause in the recording but a clock that was set, or a damaged time.
     static constexpr std::chrono::hours kLongestStep{24};
+    /// Silence for which a replay waits: by then every vehicle is lost, and nothing else would be seen before the next entry.
+    static constexpr std::chrono::seconds kLongestWait{5};
     /// The line ends here, at 20 days, so that no arithmetic on positions overflows; milliseconds of it fit 31 bits.
     static constexpr std::chrono::hours kLongest{480};
 

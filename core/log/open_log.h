@@ -9,6 +9,9 @@
 
 namespace skyseal::tlog {
 
+/// Why a file that was read to its end is no recording.
+inline constexpr Sentence kNoFrame = sentence("Reason", "it contains no MAVLink frame");
+
 /// Returns the open file, or the reason why it cannot be read, e.g. "No such file or directory". Folders and pipes
 /// are refused: reading from them would fail or block.
 Result<std::ifstream, Reason> openLog(const std::string &path);

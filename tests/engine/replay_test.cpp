@@ -13,6 +13,7 @@
 
 #include <fstream>
 #include <limits>
+#include <random>
 #include <sstream>
 
 using namespace skyseal;
@@ -170,13 +171,37 @@ private Q_SLOTS:
         QVERIFY(m_newest->vehicles.empty());
     }
 
-    void emptyFileEndsAtOnce()
+    /// What has no frame is no recording, whatever its name: its replay is not one that is over.
+    void fileWithoutFramesIsRefused_data()
     {
-        const std::string path = m_folder.filePath(QStringLiteral("empty.tlog")).toStdString();
-        std::ofstream(path, std::ios::binary).flush();
+        QTest::addColumn<QByteArray>("content");
+        std::mt19937 random(1);
+        QByteArray noise(50'000, 0);
+        std::ranges::generate(noise, [&random] { return static_cast<char>(random()); });
+        QTest::newRow("empty") << QByteArray();
+        QTest::newRow("random bytes") << noise;
+    }
+    void fileWithoutFramesIsRefused()
+    {
+        QFETCH(QByteArray, content);
+        const std::string path = m_folder.filePath(QStringLiteral("other.tlog")).toStdString();
+        std::ofstream(path, std::ios::binary) << content.toStdString();
         const auto replay = start(*link::LinkUrl::parse(link::LinkUrl::ofRecording(path)));
-        EVENTUALLY(m_newest && status().ended && status().index);
-        QCOMPARE(status().index->length, Duration(0s));
+        EVENTUALLY(m_newest && m_newest->links.at(0).phase == LinkPhase::Failed);
+        QCOMPARE(m_newest->links.at(0).problem.text(), "cannot read " + path + ": it contains no MAVLink frame");
+        QVERIFY(!status().playing && !status().ended);
+    }
+
+    /// The silence in the middle lasts half a minute, of which five seconds are shown.
+    void longSilenceIsNotWaitedFor()
+    {
+        const auto replay = start(*m_url);
+        replay->perform(SeekReplay{Duration(test::RecordedCopter::kGapFrom) + 4500ms});
+        EVENTUALLY(arrived(1));
+        QVERIFY(m_newest->vehicles.at(0).state.lost);
+        replay->perform(PlayReplay{});
+        EVENTUALLY(status().position > test::RecordedCopter::kGapTo && !m_newest->vehicles.at(0).state.lost);
+        QVERIFY(status().position < test::RecordedCopter::kGapTo + 10s);
     }
 
 private:

@@ -23,6 +23,9 @@ private Q_SLOTS:
     void keepsTheRecordedPace();
     void playsAgainAfterTheEnd();
     void damageIsSkipped();
+    void clockThatWasSetIsNotWaitedFor_data();
+    void clockThatWasSetIsNotWaitedFor();
+    void fileWithoutFramesFails();
     void unreadableFilesAreReported();
 
 private:
@@ -130,6 +133,50 @@ void TlogLinkTest::damageIsSkipped()
     EVENTUALLY_EQUAL(link->state(), LinkState::Ended);
     QCOMPARE(recorder.blocks.size(), std::size_t(20));
     QVERIFY(link->counters().rxErrors > 0);
+}
+
+void TlogLinkTest::clockThatWasSetIsNotWaitedFor_data()
+{
+    QTest::addColumn<qint64>("step");
+    QTest::newRow("back by an hour") << qint64(-3600);
+    QTest::newRow("forward by an hour") << qint64(3600);
+    QTest::newRow("forward by 50 years") << qint64(50) * 365 * 86400;
+}
+
+void TlogLinkTest::clockThatWasSetIsNotWaitedFor()
+{
+    QFETCH(qint64, step);
+    const std::string path = m_folder.filePath(QStringLiteral("set.tlog")).toStdString();
+    {
+        std::ofstream file(path, std::ios::binary);
+        tlog::TlogWriter writer([&](ByteView entry) {
+            file << asText(entry);
+            return file.good();
+        });
+        WallTime time{std::chrono::seconds(1'700'000'000)};
+        for (int i = 0; i < 20; ++i, time += std::chrono::milliseconds(100)) {
+            if (i == 10)
+                time += std::chrono::seconds(step);
+            writer.write(time, heartbeat(static_cast<std::uint8_t>(i)));
+        }
+    }
+    LinkOptions tenfold;
+    tenfold.replayFactor = 10;
+    BlockRecorder recorder;
+    const auto link = openLink("tlog:" + path, recorder, tenfold);
+    EVENTUALLY_EQUAL(link->state(), LinkState::Ended);
+    QCOMPARE(recorder.blocks.size(), std::size_t(20));
+}
+
+void TlogLinkTest::fileWithoutFramesFails()
+{
+    const std::string path = m_folder.filePath(QStringLiteral("letter.tlog")).toStdString();
+    std::ofstream(path, std::ios::binary) << "this is a letter, not a recording of a flight";
+    BlockRecorder recorder;
+    const auto link = openLink("tlog:" + path, recorder);
+    EVENTUALLY_EQUAL(link->state(), LinkState::Failed);
+    QCOMPARE(link->error().sentence(), "cannot read " + path + ": it contains no MAVLink frame");
+    QVERIFY(recorder.blocks.empty());
 }
 
 void TlogLinkTest::unreadableFilesAreReported()

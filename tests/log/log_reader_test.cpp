@@ -98,6 +98,8 @@ private Q_SLOTS:
     void unknownMessagesAreKeptWhole();
     void anyBytesAreRead();
     void summaryCounts();
+    void clockThatWasSetIsNoLength_data();
+    void clockThatWasSetIsNoLength();
 };
 
 void LogReaderTest::readsWhatWasWritten()
@@ -246,12 +248,41 @@ void LogReaderTest::summaryCounts()
     QCOMPARE(summary.byMessage.at("HEARTBEAT"), std::uint64_t(11));
     QCOMPARE(summary.bySender.at({2, 1}), std::uint64_t(2));
     QCOMPARE(utcText(*summary.first), std::string("2023-11-14T22:13:20.000000Z"));
-    QVERIFY(*summary.last == kNoon + std::chrono::seconds(60));
+    QVERIFY(*summary.last == kNoon + std::chrono::seconds(30));
     JsonWriter json;
     json.beginObject();
     writeSummaryFields(json, summary);
     json.endObject();
     QVERIFY(json.text().find(R"("frames":11,)") != std::string::npos);
+}
+
+void LogReaderTest::clockThatWasSetIsNoLength_data()
+{
+    QTest::addColumn<qint64>("step");
+    QTest::addColumn<int>("backward");
+    QTest::addColumn<int>("forward");
+    QTest::newRow("back") << qint64(-3600) << 1 << 0;
+    QTest::newRow("forward") << qint64(50) * 365 * 86400 << 0 << 1;
+}
+
+void LogReaderTest::clockThatWasSetIsNoLength()
+{
+    QFETCH(qint64, step);
+    QFETCH(int, backward);
+    QFETCH(int, forward);
+    std::string content;
+    for (int i = 0; i < 20; ++i)
+        content += entry(kNoon + std::chrono::seconds(i + (i < 10 ? 0 : step)), heartbeat(static_cast<std::uint32_t>(i)));
+    std::istringstream input(content);
+    const LogSummary summary = summarize(input, Dialect::builtin());
+    QCOMPARE(summary.frames, std::uint64_t(20));
+    QCOMPARE(summary.length, Duration(std::chrono::seconds(18))); // the second in which the clock was set is not known
+    QCOMPARE(int(summary.backwardSteps), backward);
+    QCOMPARE(int(summary.forwardSteps), forward);
+    QCOMPARE(summary.pauses, std::uint64_t(0));
+    QVERIFY(*summary.first == kNoon && *summary.last == kNoon + std::chrono::seconds(19 + step));
+    QCOMPARE(summary.listedGaps.size(), std::size_t(1));
+    QCOMPARE(summary.isSound(), forward == 1);
 }
 
 SKYSEAL_TEST_APPLESS(LogReaderTest)

@@ -109,7 +109,8 @@ void HeadlessRun::watchLinks(const LinkSnapshot &link)
     if (!known->second && !link.problem.empty())
         m_linkProblem = link.url + ": " + link.problem.text();
     const bool hopeless = link.phase == LinkPhase::Failed || (link.phase == LinkPhase::Waiting && link.hostUnknown);
-    if (!known->second && hopeless && m_brokenLink.empty()) {
+    const bool hasWorked = known->second && !m_played.contains(link.id); // a recording without a frame fails at its end
+    if (!hasWorked && hopeless && m_brokenLink.empty()) {
         m_brokenLink = link.url + ": " + link.problem.text();
         stop();
     }

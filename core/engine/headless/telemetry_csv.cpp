@@ -3,15 +3,20 @@
 #include "core/base/number_text.h"
 #include "core/base/printable.h"
 #include "core/log/log_reader.h"
+#include "core/log/log_time.h"
 #include "core/vehicle/state_fields.h"
 #include "core/vehicle/vehicle_set.h"
 
 #include <cmath>
 #include <map>
+#include <optional>
 
 namespace skyseal::engine {
 
 namespace {
+
+/// Position 0 of a recording as a time for the vehicles; their clock has no meaningful zero.
+constexpr TimePoint kBeginning{std::chrono::hours(1)};
 
 /// RFC 4180: quoted if it contains a comma, a quote or a line end.
 std::string quoted(const std::string &text)
@@ -53,29 +58,33 @@ std::uint64_t exportTelemetry(std::istream &input, const mavlink::Dialect &diale
     vehicle::VehicleConfig config;
     config.streams = vehicle::StreamProfile::Quiet;
     vehicle::VehicleSet vehicles(config);
-    std::map<std::uint8_t, WallTime> due;
+    std::map<std::uint8_t, WallTime> latestRow; // by system
     std::uint64_t rows = 0;
     const auto pace = std::chrono::duration_cast<std::chrono::microseconds>(every);
 
     tlog::LogReader reader(input, dialect);
+    tlog::LogTime line;
+    std::optional<WallTime> time; // of an entry whose own is damaged, that of the one before
     if (!sink(headLine()))
         return rows;
     while (const auto item = reader.next()) {
-        if (!item->frame || !item->time)
+        // The vehicles' clock is the line of the recording: it does not step when the clock was set.
+        const TimePoint now = kBeginning + line.note(item->time);
+        if (item->time)
+            time = item->time;
+        if (!item->frame || !time)
             continue;
-        // Uses the time of the recording.
-        const TimePoint now(std::chrono::duration_cast<Duration>(item->time->time_since_epoch()));
-        vehicles.handleFrame(now, *item->time, *item->frame);
+        vehicles.handleFrame(now, *time, *item->frame);
         vehicle::Vehicle *vehicle = vehicles.find(item->frame->systemId());
         if (!vehicle)
             continue;
         while (vehicle->pollOutgoing()) {}
         while (vehicle->pollEvent()) {}
-        WallTime &next = due[vehicle->systemId()];
-        if (*item->time < next)
+        const auto [latest, isFirst] = latestRow.try_emplace(vehicle->systemId(), *time);
+        if (!isFirst && *time >= latest->second && *time - latest->second < pace)
             continue;
-        next = *item->time + pace;
-        if (!sink(rowOf(*item->time, vehicle->state(now))))
+        latest->second = *time;
+        if (!sink(rowOf(*time, vehicle->state(now))))
             return rows;
         ++rows;
     }

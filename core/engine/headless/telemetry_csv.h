@@ -13,7 +13,8 @@
 namespace skyseal::engine {
 
 /// Reads all of `input` (a .tlog; raw bytes have no timestamps and give no rows) and passes a header line and then each row,
-/// without line ends; the first column is "time" in seconds since 1970. Returns the number of rows.
+/// without line ends; the first column is "time" in seconds since 1970, as recorded: it steps where the clock was set. `every`:
+/// the least time between two rows of a vehicle. Returns the number of rows.
 std::uint64_t exportTelemetry(std::istream &input, const mavlink::Dialect &dialect, Duration every,
                               const std::function<bool(const std::string &line)> &sink);
 

@@ -57,9 +57,7 @@ bool ReplayWorker::open()
     auto file = tlog::openLog(path);
     auto indexed = tlog::openLog(path);
     if (!file || !indexed) {
-        const Reason why = file ? indexed.error() : file.error();
-        m_link.phase = LinkPhase::Failed;
-        m_link.problem = link::LinkError{link::LinkErrorCode::FileUnreadable, path, why}.reason();
+        fail(file ? indexed.error() : file.error());
         return false;
     }
     m_file = std::move(*file);
@@ -67,6 +65,12 @@ bool ReplayWorker::open()
     m_indexer = std::make_unique<tlog::LogIndexer>(m_indexFile, tlog::linkEventsOf(path));
     m_indexer->endWhen(m_stopped);
     return true;
+}
+
+void ReplayWorker::fail(const Reason &why)
+{
+    m_link.phase = LinkPhase::Failed;
+    m_link.problem = link::LinkError{link::LinkErrorCode::FileUnreadable, m_recording.path(), why}.reason();
 }
 
 void ReplayWorker::startOver()
@@ -170,10 +174,15 @@ void ReplayWorker::followFlight(TimePoint now, bool arrived)
         m_flown = std::make_shared<const FlownTracks>(m_flight->flown());
     if (sought || !arrived || m_flight->isOver())
         m_clock.setPosition(now, m_flight->position());
-    if (!m_flight->isOver() || m_link.phase == LinkPhase::Finished)
+    if (const auto next = m_flight->afterSilence(); next && m_clock.isPlaying())
+        m_clock.setPosition(now, *next);
+    if (!m_flight->isOver() || m_link.phase == LinkPhase::Finished || m_link.phase == LinkPhase::Failed)
         return;
     m_clock.setPlaying(now, false);
-    m_link.phase = LinkPhase::Finished;
+    if (m_flight->isEmpty())
+        fail(tlog::kNoFrame);
+    else
+        m_link.phase = LinkPhase::Finished;
     if (!sought)
         publish(LinkChanged{m_link});
 }

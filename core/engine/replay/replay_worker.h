@@ -61,6 +61,7 @@ private:
     void perform(const SetReplaySpeed &command);
     void perform(const SeekReplay &command);
     bool open();
+    void fail(const Reason &why);
     void startOver();
     void wake();
     TimePoint nextWake(TimePoint now) const;

@@ -45,6 +45,13 @@ bool ReplayedFlight::advance(Duration to, std::size_t most)
     return true;
 }
 
+std::optional<Duration> ReplayedFlight::afterSilence() const
+{
+    if (!m_next || m_position - m_frameAt < tlog::LogTime::kLongestWait)
+        return std::nullopt;
+    return m_next->at;
+}
+
 /// Damaged spots are counted; frames of unknown messages are not for the vehicles, but time passes.
 bool ReplayedFlight::readNext()
 {
@@ -69,6 +76,7 @@ void ReplayedFlight::take(const NextEntry &entry)
     m_bytes += entry.item.bytes.size();
     if (!entry.item.frame)
         return;
+    m_hasFrame = true;
     const mavlink::Frame &frame = *entry.item.frame;
     if (frame.systemId() == m_config.systemId && frame.componentId() == m_config.componentId)
         return; // the station's own, which is recorded as well

@@ -31,6 +31,10 @@ public:
     Duration position() const { return m_position; }
     /// All of the recording was taken.
     bool isOver() const { return m_over; }
+    /// True if the recording is over and had no frame of a known message.
+    bool isEmpty() const { return m_over && !m_hasFrame; }
+    /// The position of the next entry, if nothing was recorded for tlog::LogTime::kLongestWait before this position.
+    std::optional<Duration> afterSilence() const;
     /// Recorded time of the newest frame; nullopt in a file without times.
     std::optional<WallTime> time() const { return m_wall; }
     void setInspecting(bool inspecting) { m_fleet.inspector().setWatching(inspecting); }
@@ -69,7 +73,7 @@ private:
     Duration m_nextSample{}; ///< of the readings four times a second
     Duration m_deadlineAt{}; ///< when deadlines were handled last
     std::optional<WallTime> m_wall;
-    bool m_over = false;
+    bool m_over = false, m_hasFrame = false;
 };
 
 } // namespace skyseal::engine
