@@ -189,6 +189,8 @@ Checked<void> GeoJsonReader::addPolygons(const QJsonValue &value, const QString 
 Checked<OverlayPoint> GeoJsonReader::pointOf(const QJsonValue &value)
 {
     const QJsonArray numbers = value.toArray();
+    if (numbers.size() > 3)
+        return problem(sentence("Reason", "a position has two or three numbers, not %1")(numbers.size()));
     if (numbers.size() < 2 || !numbers.at(0).isDouble() || !numbers.at(1).isDouble())
         return problem(sentence("Reason", "this is not a position: [longitude, latitude]"));
     return m_builder.point(numbers.at(0).toDouble(), numbers.at(1).toDouble()).map_error([](const Reason &message) {
@@ -237,6 +239,103 @@ InputError errorAt(Reason message, std::size_t line = 0)
     return {std::move(message), {}, line, 0};
 }
 
+/// Finds values in a valid JSON text, of which QJsonDocument does not say where they stand.
+class JsonText
+{
+public:
+    explicit JsonText(const QByteArray &content) : m_content(content) {}
+
+    /// The 1-based line of the value at this path of members (".name") and elements ("[3]"), or of what would contain it.
+    std::size_t lineOf(QStringView path)
+    {
+        m_at = 0;
+        m_line = 0;
+        while (!path.isEmpty()) {
+            qsizetype end = 1;
+            while (end < path.size() && path[end] != QLatin1Char('.') && path[end] != QLatin1Char('['))
+                ++end;
+            const bool isElement = path[0] == QLatin1Char('[');
+            const QStringView step = path.mid(1, end - (isElement ? 2 : 1));
+            if (!(isElement ? enterElement(step.toLongLong()) : enterMember(step.toUtf8())))
+                break;
+            path = path.mid(end);
+        }
+        skipBlanks();
+        return m_line + 1;
+    }
+
+private:
+    char now() const { return m_at < m_content.size() ? m_content[m_at] : '\0'; }
+    void step()
+    {
+        m_line += now() == '\n';
+        ++m_at;
+    }
+    void skipBlanks()
+    {
+        while (m_at < m_content.size() && (now() == ' ' || now() == '\t' || now() == '\r' || now() == '\n'))
+            step();
+    }
+    void skipString()
+    {
+        for (step(); m_at < m_content.size() && now() != '"'; step()) {
+            if (now() == '\\')
+                step();
+        }
+        step();
+    }
+    /// With everything in it, up to the comma or bracket behind it.
+    void skipValue()
+    {
+        int depth = 0;
+        for (skipBlanks(); m_at < m_content.size();) {
+            const char c = now();
+            if (depth == 0 && (c == ',' || c == ']' || c == '}'))
+                return;
+            depth += (c == '[' || c == '{') - (c == ']' || c == '}');
+            c == '"' ? skipString() : step();
+        }
+    }
+    bool enterElement(qlonglong index)
+    {
+        skipBlanks();
+        step();
+        for (; index > 0; --index) {
+            skipValue();
+            step();
+        }
+        return true;
+    }
+    /// False, and back at the object, if it has no such member.
+    bool enterMember(const QByteArray &name)
+    {
+        skipBlanks();
+        const auto object = m_at;
+        const auto line = m_line;
+        do {
+            step(); // the brace, or a comma
+            skipBlanks();
+            const qsizetype from = m_at + 1;
+            if (now() != '"')
+                break; // the object is empty
+            skipString();
+            const bool found = m_content.mid(from, m_at - 1 - from) == name;
+            skipBlanks();
+            step(); // the colon
+            if (found)
+                return true;
+            skipValue();
+        } while (now() == ',');
+        m_at = object;
+        m_line = line;
+        return false;
+    }
+
+    const QByteArray &m_content;
+    qsizetype m_at = 0;
+    std::size_t m_line = 0;
+};
+
 } // namespace
 
 Result<Overlay, InputError> readGeoJson(const QByteArray &content)
@@ -258,7 +357,8 @@ Result<Overlay, InputError> readGeoJson(const QByteArray &content)
     const auto read = checkSystem(root).and_then([&] { return reader.readObject(root, {}, 0); });
     if (!read)
         return tl::unexpected(
-            errorAt(sentence("Reason", "%1: %2")(read.error().path.mid(1).toStdString(), read.error().message)));
+            errorAt(sentence("Reason", "%1: %2")(read.error().path.mid(1).toStdString(), read.error().message),
+                    JsonText(content).lineOf(read.error().path)));
     return reader.take();
 }
 

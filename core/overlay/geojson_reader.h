@@ -9,8 +9,8 @@
 
 namespace skyseal::overlay {
 
-/// Reads the content of a .geojson file, from any source. The error names the line where it is no JSON, and otherwise the path
-/// of the member, like "features[3].geometry.coordinates[12]"; it names no file.
+/// Reads the content of a .geojson file, from any source. The error names the line and, if it is JSON, the path of the
+/// member, like "features[3].geometry.coordinates[12]"; it names no file.
 Result<Overlay, InputError> readGeoJson(const QByteArray &content);
 
 } // namespace skyseal::overlay

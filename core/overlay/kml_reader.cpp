@@ -141,7 +141,8 @@ void KmlReader::end(QStringView name)
     --m_depth;
 }
 
-/// Tuples "longitude,latitude[,height]" between white space.
+/// Tuples "longitude,latitude[,height]" between white space. More numbers are those of a program with decimal commas, whose
+/// places would be drawn somewhere else.
 void KmlReader::readCoordinates()
 {
     const qint64 firstLine = m_xml.lineNumber();
@@ -160,6 +161,10 @@ void KmlReader::readCoordinates()
         while (at < all.size() && !all[at].isSpace())
             ++at;
         const QStringView tuple = all.mid(from, at - from);
+        if (const auto numbers = tuple.count(QLatin1Char(',')) + 1; numbers > 3)
+            return fail(sentence("Reason", "\"%1\" has %2 numbers; a position has two or three, with decimal points")(
+                            tuple.left(40).toString().toStdString(), numbers),
+                        number);
         const auto comma = tuple.indexOf(QLatin1Char(',')), second = tuple.indexOf(QLatin1Char(','), comma + 1);
         bool hasLongitude = false, hasLatitude = false;
         const double longitude = tuple.left(std::max<qsizetype>(comma, 0)).toDouble(&hasLongitude);

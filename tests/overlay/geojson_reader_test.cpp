@@ -62,25 +62,36 @@ private Q_SLOTS:
 {"type":"Polygon","coordinates":[[[1,0],[9,0],[9,95]]]}}]})")
                                   << QStringLiteral(
                                          "features[0].geometry.coordinates[0][2]: the latitude 95 is not within -90 and 90")
-                                  << 0;
+                                  << 2;
         QTest::newRow("longitude") << QByteArray(R"({"type":"MultiPolygon","coordinates":[[[[1,0],[-181,0],[9,9]]]]})")
-                                   << QStringLiteral("coordinates[0][0][1]: the longitude -181 is not within") << 0;
+                                   << QStringLiteral("coordinates[0][0][1]: the longitude -181 is not within") << 1;
         QTest::newRow("words") << QByteArray(R"({"type":"LineString","coordinates":[[1,2],["1","2"]]})")
-                               << QStringLiteral("coordinates[1]: this is not a position") << 0;
+                               << QStringLiteral("coordinates[1]: this is not a position") << 1;
         QTest::newRow("type") << QByteArray(R"({"type":"Feature","geometry":{"type":"Circle"}})")
-                              << QStringLiteral("geometry.type: \"Circle\" is not a type of GeoJSON") << 0;
+                              << QStringLiteral("geometry.type: \"Circle\" is not a type of GeoJSON") << 1;
         QTest::newRow("no features") << QByteArray(R"({"type":"FeatureCollection"})")
-                                     << QStringLiteral("features: this is not an array") << 0;
+                                     << QStringLiteral("features: this is not an array") << 1;
         QTest::newRow("geometry") << QByteArray(R"({"type":"Feature","geometry":7})")
-                                  << QStringLiteral("geometry: this is not an object") << 0;
+                                  << QStringLiteral("geometry: this is not an object") << 1;
         QTest::newRow("system") << QByteArray(R"({"type":"Point","coordinates":[1,2],"crs":{"type":"name","properties":
 {"name":"urn:ogc:def:crs:EPSG::3857"}}})")
-                                << QStringLiteral("crs: the coordinates are not in WGS84") << 0;
+                                << QStringLiteral("crs: the coordinates are not in WGS84") << 1;
+        // Texts with brackets, quotation marks and names of members lie before the position.
+        const QByteArray four = "{'type': 'FeatureCollection', 'note': '~]}, coordinates',\n"
+                                "'features': [\n"
+                                "{'type': 'Feature', 'properties': {'geometry': [{}]}, 'geometry': null},\n"
+                                "{'type': 'Feature', 'geometry': { 'type' : 'LineString', 'coordinates' :\n"
+                                "[ [1, 2, 3],\n"
+                                "[8, 54, 47, 39] ] } } ] }";
+        QTest::newRow("four numbers") << QByteArray(four).replace('\'', '"').replace("~", QByteArray(1, '\\') + '"')
+                                      << QStringLiteral(
+                                             "features[1].geometry.coordinates[1]: a position has two or three numbers, not 4")
+                                      << 6;
         QTest::newRow("cut") << QByteArray("{\n\"type\":\n\"Poi") << QStringLiteral("this is not JSON: ") << 3;
         QTest::newRow("array") << QByteArray("[1]") << QStringLiteral("no JSON object") << 0;
         QTest::newRow("too deep") << QByteArray(R"({"type":"GeometryCollection","geometries":[)").repeated(70)
                 + QByteArray("]}").repeated(70)
-                                  << QStringLiteral("more than 64 objects") << 0;
+                                  << QStringLiteral("more than 64 objects") << 1;
     }
 
     void errorsNameTheirPlace()

@@ -86,6 +86,9 @@ private Q_SLOTS:
         QTest::newRow("words") << line("north,2") << 3 << QStringLiteral("\"north,2\" is not a position");
         QTest::newRow("one number") << line("1") << 3 << QStringLiteral("\"1\" is not a position");
         QTest::newRow("space in a tuple") << line("1, 2") << 3 << QStringLiteral("\"1,\" is not a position");
+        QTest::newRow("decimal commas") << line("8.5,47.3\n8,54,47,39") << 4
+                                        << QStringLiteral("\"8,54,47,39\" has 4 numbers; a position has two or three");
+        QTest::newRow("decimal commas with heights") << line("-10,5,45,25,174,0") << 3 << QStringLiteral("has 6 numbers");
         QTest::newRow("two coordinates") << placemark("<Point><coordinates>1,2 3,4</coordinates></Point>") << 3
                                          << QStringLiteral("more coordinates");
         QTest::newRow("nested") << placemark("<Polygon>\n<Point/></Polygon>") << 4 << QStringLiteral("within another");

@@ -30,7 +30,7 @@ private Q_SLOTS:
         QCOMPARE(problemOf(fileOf("bad.kml", "<kml>\n<Point><coordinates>1,200</coordinates></Point></kml>")),
                  QStringLiteral("bad.kml:2: the latitude 200 is not within -90 and 90"));
         QCOMPARE(problemOf(fileOf("bad.json", R"({"type":"Point","coordinates":[1]})")),
-                 QStringLiteral("bad.json: coordinates: this is not a position: [longitude, latitude]"));
+                 QStringLiteral("bad.json:1: coordinates: this is not a position: [longitude, latitude]"));
         QVERIFY(problemOf(fileOf("a.kmz", "PK")).contains(QStringLiteral("a.kmz: a .kmz is a zip file")));
         QVERIFY(problemOf(fileOf("a.txt", "")).startsWith(QStringLiteral("a.txt: the name ends neither")));
         QVERIFY(
