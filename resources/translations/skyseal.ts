@@ -981,23 +981,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>a column is not a number or is out of range, or the numbering has a gap</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>a mission has at most %1 items</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the mission has no items</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>NAME,VALUE or QGroundControl&apos;s five columns are expected</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 occurs twice</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1790,6 +1774,106 @@
     </message>
     <message>
         <source>optimised by %1 alone, as for tests: the figures are higher than those of a release</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it contains no MAVLink frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a position has two or three numbers, not %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has %2 numbers; a position has two or three, with decimal points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has a decimal comma; numbers in files have a point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a whole number from 0 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a latitude from -90 to 90</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a longitude from -180 to 180</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>version %1 of mission files is not known, only 110 and 120</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is a plan in JSON; mission files begin with &quot;QGC WPL 110&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>item %1 stands where item %2 is expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file has no items after its first line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a name and a value, or QGroundControl&apos;s five columns, are expected, not &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a name of at most 16 letters, digits and signs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a component from 1 to 255</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a type of parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not a parameter file: %1 lines before this one cannot be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 occurs again; this line counts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>item %1, %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>parameters 5 and 6 are too large for the mission protocol</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mission protocol carries parameters 5 and 6 of this command as whole numbers only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this vehicle keeps its home position as item 0, which the mission lacked: it was inserted, and the items moved up by one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this vehicle keeps its home position as item 0, so that it does not fly to the first waypoint of the mission</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>item 0 looks like the home position of an ArduPilot mission: this vehicle flies to it as its first waypoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the first item is the home position of a mission, which has no place in a list of this kind: it was left out</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2765,7 +2849,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Replays a telemetry log at the recorded pace; nothing is sent.</source>
+        <source>Replays a telemetry log at the recorded pace, with pauses of at most five seconds; nothing is sent.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -981,24 +981,8 @@
         <translation>ein Wegpunkt hat 12 Spalten, diese Zeile hat %1</translation>
     </message>
     <message>
-        <source>a column is not a number or is out of range, or the numbering has a gap</source>
-        <translation>eine Spalte ist keine Zahl oder außerhalb des Bereichs, oder die Nummerierung hat eine Lücke</translation>
-    </message>
-    <message>
         <source>a mission has at most %1 items</source>
         <translation>eine Mission hat höchstens %1 Wegpunkte</translation>
-    </message>
-    <message>
-        <source>the mission has no items</source>
-        <translation>die Mission hat keine Wegpunkte</translation>
-    </message>
-    <message>
-        <source>NAME,VALUE or QGroundControl&apos;s five columns are expected</source>
-        <translation>erwartet wird NAME,WERT oder die fünf Spalten von QGroundControl</translation>
-    </message>
-    <message>
-        <source>%1 occurs twice</source>
-        <translation>%1 kommt zweimal vor</translation>
     </message>
     <message>
         <source>more than %1 parameters</source>
@@ -1791,6 +1775,106 @@
     <message>
         <source>optimised by %1 alone, as for tests: the figures are higher than those of a release</source>
         <translation>nur mit %1 optimiert, wie für Tests: Die Werte sind höher als die eines Releases</translation>
+    </message>
+    <message>
+        <source>it contains no MAVLink frame</source>
+        <translation>sie enthält keinen MAVLink-Frame</translation>
+    </message>
+    <message>
+        <source>a position has two or three numbers, not %1</source>
+        <translation>eine Position hat zwei oder drei Zahlen, nicht %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has %2 numbers; a position has two or three, with decimal points</source>
+        <translation>„%1“ hat %2 Zahlen; eine Position hat zwei oder drei, mit Dezimalpunkten</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has a decimal comma; numbers in files have a point</source>
+        <translation>„%1“ hat ein Dezimalkomma; Zahlen in Dateien haben einen Punkt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number</source>
+        <translation>„%1“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a whole number from 0 to %2</source>
+        <translation>„%1“ ist keine ganze Zahl von 0 bis %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a latitude from -90 to 90</source>
+        <translation>„%1“ ist keine Breite von -90 bis 90</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a longitude from -180 to 180</source>
+        <translation>„%1“ ist keine Länge von -180 bis 180</translation>
+    </message>
+    <message>
+        <source>version %1 of mission files is not known, only 110 and 120</source>
+        <translation>die Version %1 von Missionsdateien ist nicht bekannt, nur 110 und 120</translation>
+    </message>
+    <message>
+        <source>this is a plan in JSON; mission files begin with &quot;QGC WPL 110&quot;</source>
+        <translation>das ist ein Plan in JSON; Missionsdateien beginnen mit „QGC WPL 110“</translation>
+    </message>
+    <message>
+        <source>item %1 stands where item %2 is expected</source>
+        <translation>der Wegpunkt %1 steht, wo der Wegpunkt %2 erwartet wird</translation>
+    </message>
+    <message>
+        <source>the file has no items after its first line</source>
+        <translation>die Datei hat nach ihrer ersten Zeile keine Wegpunkte</translation>
+    </message>
+    <message>
+        <source>a name and a value, or QGroundControl&apos;s five columns, are expected, not &quot;%1&quot;</source>
+        <translation>erwartet werden ein Name und ein Wert oder die fünf Spalten von QGroundControl, nicht „%1“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a name of at most 16 letters, digits and signs</source>
+        <translation>„%1“ ist kein Name aus höchstens 16 Buchstaben, Ziffern und Zeichen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a component from 1 to 255</source>
+        <translation>„%1“ ist keine Komponente von 1 bis 255</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a type of parameters</source>
+        <translation>„%1“ ist kein Typ von Parametern</translation>
+    </message>
+    <message>
+        <source>not a parameter file: %1 lines before this one cannot be read</source>
+        <translation>keine Parameterdatei: %1 Zeilen vor dieser sind nicht lesbar</translation>
+    </message>
+    <message>
+        <source>%1 occurs again; this line counts</source>
+        <translation>%1 kommt noch einmal vor; diese Zeile gilt</translation>
+    </message>
+    <message>
+        <source>item %1, %2: %3</source>
+        <translation>Wegpunkt %1, %2: %3</translation>
+    </message>
+    <message>
+        <source>parameters 5 and 6 are too large for the mission protocol</source>
+        <translation>die Parameter 5 und 6 sind zu groß für das Missionsprotokoll</translation>
+    </message>
+    <message>
+        <source>the mission protocol carries parameters 5 and 6 of this command as whole numbers only</source>
+        <translation>das Missionsprotokoll überträgt die Parameter 5 und 6 dieses Kommandos nur als ganze Zahlen</translation>
+    </message>
+    <message>
+        <source>this vehicle keeps its home position as item 0, which the mission lacked: it was inserted, and the items moved up by one</source>
+        <translation>dieses Fahrzeug hält als Wegpunkt 0 seine Home-Position, die der Mission fehlte: sie wurde eingefügt, und die Wegpunkte rückten um eins auf</translation>
+    </message>
+    <message>
+        <source>this vehicle keeps its home position as item 0, so that it does not fly to the first waypoint of the mission</source>
+        <translation>dieses Fahrzeug hält als Wegpunkt 0 seine Home-Position, so dass es den ersten Wegpunkt der Mission nicht anfliegt</translation>
+    </message>
+    <message>
+        <source>item 0 looks like the home position of an ArduPilot mission: this vehicle flies to it as its first waypoint</source>
+        <translation>der Wegpunkt 0 sieht wie die Home-Position einer Mission von ArduPilot aus: dieses Fahrzeug fliegt ihn als ersten an</translation>
+    </message>
+    <message>
+        <source>the first item is the home position of a mission, which has no place in a list of this kind: it was left out</source>
+        <translation>der erste Punkt ist die Home-Position einer Mission, die in eine Liste dieser Art nicht gehört: er wurde weggelassen</translation>
     </message>
 </context>
 <context>
@@ -2765,8 +2849,8 @@
         <translation>Aufgezeichnetes Log</translation>
     </message>
     <message>
-        <source>Replays a telemetry log at the recorded pace; nothing is sent.</source>
-        <translation>Gibt ein Telemetrie-Log im aufgezeichneten Tempo wieder; nichts wird gesendet.</translation>
+        <source>Replays a telemetry log at the recorded pace, with pauses of at most five seconds; nothing is sent.</source>
+        <translation>Spielt ein Telemetrie-Log im aufgezeichneten Tempo ab, mit Pausen von höchstens fünf Sekunden; gesendet wird nichts.</translation>
     </message>
 </context>
 <context>
