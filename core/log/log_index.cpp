@@ -1,8 +1,8 @@
 #include "core/log/log_index.h"
 
-#include "core/mavlink/autopilot_heartbeat.h"
 #include "core/mavlink/enums.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -65,21 +65,22 @@ void LogIndexer::takeHeartbeat(const mavlink::Frame &frame, Duration at)
 {
     const auto message = mavlink::Heartbeat::decode(frame.payload());
     HeardVehicle &vehicle = m_heard[frame.systemId()];
-    if (!vehicle.known && (frame.systemId() == 0 || !mavlink::isAutopilot(message)))
-        return;
-    if (vehicle.known && frame.componentId() != vehicle.component)
+    const mavlink::AutopilotClaim claim = mavlink::autopilotClaim(frame.componentId(), message);
+    const bool known = vehicle.claim != mavlink::AutopilotClaim::None;
+    const bool isAutopilot = known && frame.componentId() == vehicle.component;
+    if (frame.systemId() == 0 || (!isAutopilot && claim <= vehicle.claim))
         return;
     const ModeChange mode{at, frame.systemId(), message.type, message.autopilot, message.base_mode, message.custom_mode};
     const bool armed = (message.base_mode & mavlink::MAV_MODE_FLAG_SAFETY_ARMED) != 0;
-    if (!vehicle.known)
+    if (!known)
         m_index.vehicles.push_back(frame.systemId());
-    if (!vehicle.known || !isSameMode(mode, vehicle.mode))
+    if (!known || !isSameMode(mode, vehicle.mode))
         list(m_index.modes, mode);
     if (armed && !vehicle.armed)
         vehicle.armedAt = at;
     else if (!armed && vehicle.armed)
         list(m_index.armed, {{vehicle.armedAt, at}, frame.systemId()});
-    vehicle.known = true;
+    vehicle.claim = std::max(vehicle.claim, claim);
     vehicle.component = frame.componentId();
     vehicle.mode = mode;
     vehicle.armed = armed;

@@ -6,6 +6,7 @@
 #include "core/log/link_events.h"
 #include "core/log/log_reader.h"
 #include "core/log/log_time.h"
+#include "core/mavlink/autopilot_heartbeat.h"
 
 #include <array>
 #include <vector>
@@ -84,8 +85,9 @@ public:
 private:
     struct HeardVehicle
     {
-        bool known = false, armed = false;
+        mavlink::AutopilotClaim claim{}; ///< of its autopilot; None: no autopilot was heard
         std::uint8_t component = 0;
+        bool armed = false;
         ModeChange mode;
         Duration armedAt{};
     };

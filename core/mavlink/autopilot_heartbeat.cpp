@@ -7,10 +7,10 @@
 
 namespace skyseal::mavlink {
 
-bool isAutopilot(const Heartbeat &heartbeat)
+AutopilotClaim autopilotClaim(std::uint8_t componentId, const Heartbeat &heartbeat)
 {
     if (heartbeat.autopilot == MAV_AUTOPILOT_INVALID) // the component declares that it is no autopilot
-        return false;
+        return AutopilotClaim::None;
     constexpr std::array<std::uint8_t, 19> kNoVehicles{MAV_TYPE_GCS,         MAV_TYPE_ONBOARD_CONTROLLER,
                                                        MAV_TYPE_GIMBAL,      MAV_TYPE_ADSB,
                                                        MAV_TYPE_CAMERA,      MAV_TYPE_CHARGING_STATION,
@@ -21,7 +21,14 @@ bool isAutopilot(const Heartbeat &heartbeat)
                                                        MAV_TYPE_GPS,         MAV_TYPE_WINCH,
                                                        MAV_TYPE_ILLUMINATOR, MAV_TYPE_GRIPPER,
                                                        MAV_TYPE_RADIO};
-    return std::find(kNoVehicles.begin(), kNoVehicles.end(), heartbeat.type) == kNoVehicles.end();
+    if (std::find(kNoVehicles.begin(), kNoVehicles.end(), heartbeat.type) != kNoVehicles.end())
+        return AutopilotClaim::None;
+    if (componentId == MAV_COMP_ID_AUTOPILOT1)
+        return AutopilotClaim::Component;
+    if (heartbeat.autopilot != MAV_AUTOPILOT_GENERIC)
+        return AutopilotClaim::Named;
+    // A companion's library that fills the message with zeros names neither a vehicle nor an autopilot.
+    return heartbeat.type == MAV_TYPE_GENERIC ? AutopilotClaim::None : AutopilotClaim::Generic;
 }
 
 } // namespace skyseal::mavlink

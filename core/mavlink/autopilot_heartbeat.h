@@ -1,12 +1,21 @@
-// Which heartbeats are those of a vehicle.
+// Which component of a system is its autopilot. Components of a system share one system id; companion computers, gimbals, cameras
+// and radios send heartbeats of their own, often before the autopilot has started.
+// https://mavlink.io/en/services/heartbeat.html
 #pragma once
 
 #include "core/mavlink/messages.h"
 
 namespace skyseal::mavlink {
 
-/// True for the heartbeat of an autopilot, the only component that announces a vehicle: false for ground stations, gimbals,
-/// cameras, companion computers and other parts, by autopilot and type of the message.
-bool isAutopilot(const Heartbeat &heartbeat);
+/// How much speaks for a component being the autopilot of its system. A component with a greater claim takes over at any time.
+enum class AutopilotClaim : std::uint8_t {
+    None,     ///< a ground station, gimbal, camera, companion computer or another part
+    Generic,  ///< it names a kind of vehicle, and no known autopilot
+    Named,    ///< it names its autopilot
+    Component ///< component 1, the autopilot's (MAV_COMP_ID_AUTOPILOT1)
+};
+
+/// The claim of the component that sent this heartbeat, by autopilot and type of the message.
+AutopilotClaim autopilotClaim(std::uint8_t componentId, const Heartbeat &heartbeat);
 
 } // namespace skyseal::mavlink

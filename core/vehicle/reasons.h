@@ -12,6 +12,8 @@ inline constexpr Sentence kNothingSent = sentence("Reason", "nothing was sent: %
 inline constexpr Sentence kNotSupported = sentence("Reason", "not supported");
 inline constexpr Sentence kNoVehicle = sentence("Reason", "no vehicle with system ID %1");
 inline constexpr Sentence kNoAnswer = sentence("Reason", "no answer to %1 attempts");
+inline constexpr Sentence kOtherAutopilot = sentence("Reason",
+                                                     "another component turned out to be the autopilot; request it again");
 inline constexpr Sentence kCancelled = sentence("Reason", "cancelled");
 /// Only the agent's list contains the role of this station, and an agent answers neither an observer's commands nor late ones.
 inline constexpr Sentence kMaybeDropped = sentence(

@@ -22,6 +22,25 @@ std::uint8_t Vehicle::systemId() const
     return m_parts->context.addressing.system;
 }
 
+std::uint8_t Vehicle::componentId() const
+{
+    return m_parts->context.addressing.component;
+}
+
+mavlink::AutopilotClaim Vehicle::claim() const
+{
+    return m_parts->claim;
+}
+
+void Vehicle::replaceAutopilot(const VehicleConfig &config, std::uint8_t component)
+{
+    Addressing ends = m_parts->context.addressing;
+    ends.component = component;
+    auto parts = std::make_unique<Parts>(config, ends);
+    parts->takeOver(*m_parts);
+    m_parts = std::move(parts);
+}
+
 VehicleState Vehicle::state(TimePoint now) const
 {
     VehicleState out = m_parts->context.state;
@@ -33,6 +52,8 @@ VehicleState Vehicle::state(TimePoint now) const
     out.flightTime = m_parts->flightTimer.flightTime(now);
     out.takeOffSeen = m_parts->flightTimer.sawTakeOff();
     out.inAir = m_parts->flightTimer.isFlying();
+    for (Component &component : out.components)
+        component.age = seconds(now - component.heard);
     out.traffic = m_parts->traffic.aircraft(now);
     out.preArmReasons = m_parts->preArm.at(now);
     for (const MicroProtocol *client : m_parts->context.clients) {
@@ -75,8 +96,10 @@ TimePoint Vehicle::nextDeadline() const
 void Vehicle::perform(TimePoint now, RequestId id, const Request &request)
 {
     for (MicroProtocol *client : m_parts->context.clients) {
-        if (client->perform(now, id, request))
+        if (client->perform(now, id, request)) {
+            m_parts->unanswered.note(id, systemId(), request);
             return;
+        }
     }
     m_parts->context.events.push_back(failureOf(id, systemId(), request, nothingSent(reasons::kNotSupported)));
 }
@@ -99,6 +122,7 @@ std::optional<Event> Vehicle::pollEvent()
         return std::nullopt;
     Event event = std::move(events.front());
     events.pop_front();
+    m_parts->unanswered.handle(event);
     return event;
 }
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "core/base/clock.h"
+#include "core/mavlink/autopilot_heartbeat.h"
 #include "core/mavlink/frame.h"
 #include "core/vehicle/event.h"
 #include "core/vehicle/message_queue.h"
@@ -22,6 +23,8 @@ namespace skyseal::vehicle {
 class Vehicle
 {
 public:
+    static constexpr std::size_t kMostComponents = 32; ///< that are listed beside the autopilot
+
     /// `component` is the autopilot, whose heartbeat announced the vehicle; telemetry of other components is ignored.
     Vehicle(const VehicleConfig &config, std::uint8_t systemId, std::uint8_t component);
     ~Vehicle();
@@ -29,11 +32,18 @@ public:
     Vehicle &operator=(Vehicle &&) noexcept;
 
     std::uint8_t systemId() const;
+    std::uint8_t componentId() const; ///< of the autopilot
     /// A copy with the ages as of `now`. VehicleState::sequence stays zero, since the engine counts sequence numbers per link.
     VehicleState state(TimePoint now) const;
     /// The state with neither ages nor texts, without a copy; valid until the next call.
     const VehicleState &current() const;
     bool isLost(TimePoint now) const;
+
+    /// How much has spoken for the present component being the autopilot, by its heartbeats.
+    mavlink::AutopilotClaim claim() const;
+    /// Another component is the autopilot: its state begins anew, and requests to the former one end as failed. The texts and
+    /// the other components of the system remain.
+    void replaceAutopilot(const VehicleConfig &config, std::uint8_t component);
 
     /// All frames of the system id, of any component. `wall` becomes the time of status texts.
     void handleFrame(TimePoint now, WallTime wall, const mavlink::Frame &frame);

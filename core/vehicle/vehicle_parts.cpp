@@ -13,6 +13,22 @@ Vehicle::Parts::Parts(const VehicleConfig &config, const Addressing &ends)
     timeSync.setSlow(config.streams == StreamProfile::LowBandwidth);
 }
 
+void Vehicle::Parts::takeOver(Parts &former)
+{
+    context.events = std::move(former.context.events);
+    for (const Event &event : context.events)
+        former.unanswered.handle(event);
+    former.unanswered.fail(context.events);
+    texts = std::move(former.texts);
+    lastTextNumber = former.lastTextNumber;
+    lastWall = former.lastWall;
+    joiner = std::move(former.joiner);
+    traffic = std::move(former.traffic);
+    context.state.components = std::move(former.context.state.components);
+    std::erase_if(context.state.components,
+                  [this](const Component &component) { return component.id == context.addressing.component; });
+}
+
 void Vehicle::Parts::handleFrame(TimePoint now, WallTime wall, const mavlink::Frame &frame)
 {
     lastWall = wall;
@@ -20,8 +36,11 @@ void Vehicle::Parts::handleFrame(TimePoint now, WallTime wall, const mavlink::Fr
         handleStatusText(now, frame); // of any component, a camera's for example
     if (frame.messageId() == mavlink::AdsbVehicle::kId)
         traffic.handle(now, unpack<mavlink::AdsbVehicle>(frame), context.state.position); // the receiver may be a component
-    if (frame.componentId() != context.addressing.component)
+    if (frame.componentId() != context.addressing.component) {
+        if (frame.messageId() == mavlink::Heartbeat::kId)
+            noteComponent(now, frame);
         return;
+    }
     VehicleState &state = context.state;
     const bool wasLost = state.lastMessage != TimePoint{} && monitor.isLost(now);
     monitor.handleMessage(now, frame.messageId());
@@ -66,9 +85,25 @@ TimePoint Vehicle::Parts::nextDeadline() const
     return next;
 }
 
+void Vehicle::Parts::noteComponent(TimePoint now, const mavlink::Frame &heartbeat)
+{
+    const auto m = unpack<mavlink::Heartbeat>(heartbeat);
+    std::vector<Component> &known = context.state.components;
+    auto place = std::ranges::lower_bound(known, heartbeat.componentId(), {}, &Component::id);
+    if (place == known.end() || place->id != heartbeat.componentId()) {
+        if (known.size() >= kMostComponents)
+            return;
+        place = known.insert(place, Component{.id = heartbeat.componentId()});
+    }
+    place->type = m.type;
+    place->autopilot = m.autopilot;
+    place->heard = now;
+}
+
 void Vehicle::Parts::handleHeartbeat(TimePoint now, const mavlink::Frame &frame)
 {
     const auto m = unpack<mavlink::Heartbeat>(frame);
+    claim = std::max(claim, mavlink::autopilotClaim(frame.componentId(), m));
     VehicleState &state = context.state;
     const VehicleKind kind{m.type, m.autopilot};
     const bool first = state.modes.empty() && state.mode.empty();

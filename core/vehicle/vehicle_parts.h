@@ -17,6 +17,7 @@
 #include "core/vehicle/telemetry.h"
 #include "core/vehicle/time_sync_client.h"
 #include "core/vehicle/traffic.h"
+#include "core/vehicle/unanswered_requests.h"
 #include "core/vehicle/vehicle.h"
 
 #include <deque>
@@ -34,7 +35,12 @@ struct Vehicle::Parts
     void handleDeadline(TimePoint now);
     TimePoint nextDeadline() const;
 
+    /// Takes what belongs to the system rather than to its former autopilot, whose requests end as failed.
+    void takeOver(Parts &former);
+
     VehicleContext context;
+    mavlink::AutopilotClaim claim{}; ///< the greatest of the autopilot's heartbeats
+    UnansweredRequests unanswered;
     std::deque<StatusText> texts; ///< the last kMaxTexts, for the state
     HeartbeatMonitor monitor;
     FlightTimer flightTimer;
@@ -53,6 +59,7 @@ struct Vehicle::Parts
 
 private:
     bool offerToClients(TimePoint now, const mavlink::Frame &frame);
+    void noteComponent(TimePoint now, const mavlink::Frame &heartbeat);
     void handleHeartbeat(TimePoint now, const mavlink::Frame &frame);
     void handleStatusText(TimePoint now, const mavlink::Frame &frame);
     void handleTelemetry(TimePoint now, const mavlink::Frame &frame);

@@ -1,19 +1,34 @@
 #include "core/vehicle/vehicle_set.h"
 
-#include "core/mavlink/autopilot_heartbeat.h"
 #include "core/vehicle/message_io.h"
 
 #include <algorithm>
 
 namespace skyseal::vehicle {
 
+namespace {
+
+/// None for anything but a heartbeat.
+mavlink::AutopilotClaim claimOf(const mavlink::Frame &frame)
+{
+    if (frame.messageId() != mavlink::Heartbeat::kId)
+        return mavlink::AutopilotClaim::None;
+    return mavlink::autopilotClaim(frame.componentId(), unpack<mavlink::Heartbeat>(frame));
+}
+
+} // namespace
+
 bool VehicleSet::handleFrame(TimePoint now, WallTime wall, const mavlink::Frame &frame)
 {
     const std::uint8_t system = frame.systemId();
     const auto known = m_vehicles.find(system);
     if (known != m_vehicles.end()) {
-        known->second.handleFrame(now, wall, frame);
-        return false;
+        Vehicle &vehicle = known->second;
+        const bool replaces = frame.componentId() != vehicle.componentId() && claimOf(frame) > vehicle.claim();
+        if (replaces)
+            vehicle.replaceAutopilot(m_config, frame.componentId());
+        vehicle.handleFrame(now, wall, frame);
+        return replaces;
     }
     if (!announcesVehicle(frame))
         return false;
@@ -24,8 +39,7 @@ bool VehicleSet::handleFrame(TimePoint now, WallTime wall, const mavlink::Frame 
 
 bool VehicleSet::announcesVehicle(const mavlink::Frame &frame) const
 {
-    return frame.messageId() == mavlink::Heartbeat::kId && frame.systemId() != 0 && frame.systemId() != m_config.ownSystemId
-        && mavlink::isAutopilot(unpack<mavlink::Heartbeat>(frame));
+    return frame.systemId() != 0 && frame.systemId() != m_config.ownSystemId && claimOf(frame) != mavlink::AutopilotClaim::None;
 }
 
 void VehicleSet::handleDeadline(TimePoint now)

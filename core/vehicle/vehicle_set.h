@@ -1,5 +1,6 @@
 // All vehicles of a station by system id. The heartbeat of an autopilot announces a vehicle; ground stations, gimbals,
-// cameras and companion computers are not vehicles.
+// cameras and companion computers are not vehicles. Where several components of a system claim to be its autopilot, the one with
+// the greatest claim is, whichever was heard first.
 //
 // Sans-I/O. Frames of unknown vehicles are ignored, except the heartbeat that announces one. The engine keeps the route to
 // each vehicle.
@@ -18,7 +19,8 @@ class VehicleSet
 public:
     explicit VehicleSet(const VehicleConfig &config) : m_config(config) {}
 
-    /// Returns true if the frame announced a new vehicle, which find() then returns.
+    /// Returns true if the frame announced a new vehicle, or another component as the autopilot of a known one; find() then
+    /// returns the vehicle.
     bool handleFrame(TimePoint now, WallTime wall, const mavlink::Frame &frame);
     /// True for the heartbeat of an autopilot.
     bool announcesVehicle(const mavlink::Frame &frame) const;

@@ -64,14 +64,24 @@ struct Aircraft
     bool simulated = false;
 };
 
+/// Another component of the vehicle's system, such as a camera, a gimbal or a companion computer, as its newest HEARTBEAT says.
+struct Component
+{
+    std::uint8_t id = 0;        ///< MAV_COMPONENT
+    std::uint8_t type = 0;      ///< MAV_TYPE
+    std::uint8_t autopilot = 0; ///< MAV_AUTOPILOT
+    TimePoint heard{};
+    double age = 0; ///< seconds since that HEARTBEAT
+};
+
 struct VehicleState
 {
     std::uint8_t systemId = 0;
-    std::uint8_t componentId = 1;
-    std::uint8_t type = 0;      ///< MAV_TYPE
-    std::uint8_t autopilot = 0; ///< MAV_AUTOPILOT
-    std::string mode;           ///< as ArduPilot or PX4 name it, "MODE(17)" when not known
-    std::uint8_t baseMode = 0;  ///< MAV_MODE_FLAG
+    std::uint8_t componentId = 1; ///< of the autopilot
+    std::uint8_t type = 0;        ///< MAV_TYPE
+    std::uint8_t autopilot = 0;   ///< MAV_AUTOPILOT
+    std::string mode;             ///< as ArduPilot or PX4 name it, "MODE(17)" when not known
+    std::uint8_t baseMode = 0;    ///< MAV_MODE_FLAG
     std::uint32_t customMode = 0;
     std::vector<std::string> modes; ///< that can be asked for
     std::uint8_t systemStatus = 0;  ///< MAV_STATE
@@ -119,7 +129,8 @@ struct VehicleState
     SequenceCounters sequence;      ///< all components
     std::vector<StatusText> texts;  ///< the last 200
     std::vector<TransferProgress> transfers;
-    std::vector<Aircraft> traffic; ///< in the neighbourhood, see Traffic
+    std::vector<Component> components; ///< the others of its system, by id; see Vehicle::kMostComponents
+    std::vector<Aircraft> traffic;     ///< in the neighbourhood, see Traffic
 };
 
 } // namespace skyseal::vehicle

@@ -48,6 +48,9 @@ void VehicleRoutesTest::onlyHeartbeatsOfAutopilotsCount()
     QVERIFY(
         !isVehicle(frameOf(mavlink::Heartbeat{.type = mavlink::MAV_TYPE_GCS, .autopilot = mavlink::MAV_AUTOPILOT_INVALID}, 1)));
     QVERIFY(!isVehicle(frameOf(mavlink::Attitude{}, 1)));
+    // A companion beside the vehicle, whose library names no autopilot, has another address.
+    QVERIFY(!isVehicle(frameOf(mavlink::Heartbeat{.type = mavlink::MAV_TYPE_ONBOARD_CONTROLLER, .autopilot = 0}, 1, 191)));
+    QVERIFY(!isVehicle(frameOf(mavlink::Heartbeat{.type = 0, .autopilot = 0}, 1, 191)));
 }
 
 void VehicleRoutesTest::silentVehiclesAreForgotten()

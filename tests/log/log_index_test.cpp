@@ -97,6 +97,24 @@ private Q_SLOTS:
         QCOMPARE(index.damaged + index.omitted, std::uint64_t(0));
     }
 
+    void autopilotIsFoundWhoeverSpeaksFirst()
+    {
+        const std::string companion = beat(0, false, 1, 191, mavlink::MAV_TYPE_QUADROTOR, mavlink::MAV_AUTOPILOT_GENERIC);
+        std::string content;
+        for (int i = 0; i < 10; ++i) {
+            content += entry(kNoon + std::chrono::seconds(i), companion);
+            if (i >= 2)
+                content += entry(kNoon + std::chrono::seconds(i), beat(5, i >= 4));
+        }
+        const LogIndex index = indexOfText(content);
+        QCOMPARE(index.vehicles, std::vector<std::uint8_t>{1});
+        QCOMPARE(index.modes.back().at, Duration(2s));
+        QCOMPARE(index.modes.back().customMode, std::uint32_t(5));
+        QCOMPARE(index.armed.size(), std::size_t(1));
+        QCOMPARE(index.armed[0].span.from, Duration(4s));
+        QCOMPARE(index.armed[0].span.to, Duration(9s));
+    }
+
     void stillArmedAtTheEnd()
     {
         const LogIndex index = indexOfText(flight(31));

@@ -20,6 +20,11 @@ private Q_SLOTS:
     void lostAfterThreeAndAHalfSecondsAndBack();
     void radioStatusIsNoSignOfLife();
     void otherComponentsAreNotTheVehicle();
+    void autopilotIsFoundWhoeverSpeaksFirst();
+    void messageOfZerosNamesNoAutopilot();
+    void otherAutopilotsOnlyWithoutComponentOne();
+    void requestsToTheWrongComponentEnd();
+    void otherComponentsAreListed();
     void modeNamesRoundTrip();
     void unknownModesKeepTheirNumber();
     void ardupilotIsAskedForStreams();
@@ -118,6 +123,109 @@ void VehicleTest::otherComponentsAreNotTheVehicle()
     QVERIFY(h.vehicle.isLost(h.now));
     QVERIFY(!h.vehicle.current().armed);
     QCOMPARE(h.vehicle.current().mode, std::string("GUIDED"));
+}
+
+void VehicleTest::autopilotIsFoundWhoeverSpeaksFirst()
+{
+    VehicleSet set{VehicleConfig{}};
+    Sender companion(1, 191), autopilot(1, 1);
+    QVERIFY(set.handleFrame(at(1), {}, companion.frame(heartbeat(0, false, mavlink::MAV_TYPE_QUADROTOR, 0))));
+    set.handleFrame(at(1), {}, companion.frame(statusText("Companion: ready")));
+    QCOMPARE(int(set.find(1)->componentId()), 191);
+    QVERIFY(set.handleFrame(at(2), {}, autopilot.frame(heartbeat(5, true))));
+    Vehicle &vehicle = *set.find(1);
+    QCOMPARE(int(vehicle.state(at(2)).componentId), 1);
+    QCOMPARE(vehicle.current().mode, std::string("LOITER"));
+    QVERIFY(vehicle.current().armed);
+    QCOMPARE(vehicle.state(at(2)).texts.size(), std::size_t(1));
+    set.handleDeadline(at(2));
+    int requests = 0;
+    while (const OutMessage *message = vehicle.pollOutgoing()) {
+        if (const auto request = as<mavlink::RequestDataStream>(*message))
+            QCOMPARE(int(request->target_component), 1);
+        ++requests;
+    }
+    QVERIFY(requests > 0);
+    // The companion goes on.
+    QVERIFY(!set.handleFrame(at(3), {}, companion.frame(heartbeat(0, false, mavlink::MAV_TYPE_QUADROTOR, 0))));
+    QCOMPARE(int(vehicle.componentId()), 1);
+    QVERIFY(vehicle.current().armed);
+    QVERIFY(vehicle.isLost(at(6))); // is no sign of life of the autopilot either
+}
+
+void VehicleTest::messageOfZerosNamesNoAutopilot()
+{
+    VehicleSet set{VehicleConfig{}};
+    QVERIFY(!set.handleFrame(at(1), {}, Sender(1, 191).frame(heartbeat(0, false, 0, 0))));
+    QVERIFY(set.handleFrame(at(2), {}, Sender(1, 1).frame(heartbeat(0, false, 0, 0)))); // component 1 need not name it
+}
+
+void VehicleTest::otherAutopilotsOnlyWithoutComponentOne()
+{
+    using namespace mavlink;
+    const auto heard = [](VehicleSet &set, std::uint8_t component, std::uint8_t type, std::uint8_t autopilot) {
+        set.handleFrame(at(1), {}, Sender(1, component).frame(heartbeat(0, false, type, autopilot)));
+        return set.find(1) ? int(set.find(1)->componentId()) : 0;
+    };
+    VehicleSet set{VehicleConfig{}};
+    for (const std::uint8_t part : {MAV_TYPE_GCS, MAV_TYPE_GIMBAL, MAV_TYPE_CAMERA, MAV_TYPE_ONBOARD_CONTROLLER, MAV_TYPE_ADSB,
+                                    MAV_TYPE_RADIO, MAV_TYPE_ODID}) {
+        QCOMPARE(heard(set, 1, part, MAV_AUTOPILOT_ARDUPILOTMEGA), 0);
+        QCOMPARE(heard(set, 100, part, MAV_AUTOPILOT_GENERIC), 0);
+    }
+    QCOMPARE(heard(set, 20, MAV_TYPE_QUADROTOR, MAV_AUTOPILOT_GENERIC), 20);
+    QCOMPARE(heard(set, 21, MAV_TYPE_QUADROTOR, MAV_AUTOPILOT_GENERIC), 20); // the same claim: the first one
+    QCOMPARE(heard(set, 22, MAV_TYPE_QUADROTOR, MAV_AUTOPILOT_PX4), 22);
+    QCOMPARE(heard(set, 23, MAV_TYPE_QUADROTOR, MAV_AUTOPILOT_ARDUPILOTMEGA), 22);
+    QCOMPARE(heard(set, 1, MAV_TYPE_QUADROTOR, MAV_AUTOPILOT_GENERIC), 1);
+    QCOMPARE(heard(set, 22, MAV_TYPE_QUADROTOR, MAV_AUTOPILOT_PX4), 1);
+}
+
+void VehicleTest::requestsToTheWrongComponentEnd()
+{
+    VehicleSet set{VehicleConfig{}};
+    set.handleFrame(at(1), {}, Sender(1, 191).frame(heartbeat(0, false, mavlink::MAV_TYPE_QUADROTOR, 0)));
+    Vehicle &vehicle = *set.find(1);
+    vehicle.perform(at(1), RequestId(1), ReadParameters{});
+    vehicle.perform(at(1), RequestId(2), ReadMission{});
+    vehicle.perform(at(1), RequestId(3), VehicleCommand(vehicle::Arm{}));
+    set.handleFrame(at(2), {}, Sender(1, 1).frame(heartbeat()));
+    std::map<RequestId, std::string> reasons;
+    while (const auto event = vehicle.pollEvent())
+        std::visit(
+            [&](const auto &result) {
+                if constexpr (requires { result.id; })
+                    reasons[result.id] = result.reason.text();
+            },
+            *event);
+    QCOMPARE(reasons.size(), std::size_t(3));
+    for (const auto &[id, reason] : reasons)
+        QCOMPARE(reason, std::string("another component turned out to be the autopilot; request it again"));
+    vehicle.handleDeadline(at(600));
+    while (const auto event = vehicle.pollEvent())
+        QVERIFY(std::holds_alternative<TextReceived>(*event)); // each ended once
+}
+
+void VehicleTest::otherComponentsAreListed()
+{
+    Harness h = Harness::copter(4);
+    const auto heard = [&h](int component, std::uint8_t type) {
+        Sender sender(1, static_cast<std::uint8_t>(component));
+        h.vehicle.handleFrame(h.now, {}, sender.frame(heartbeat(0, false, type, mavlink::MAV_AUTOPILOT_INVALID)));
+    };
+    heard(191, mavlink::MAV_TYPE_ONBOARD_CONTROLLER);
+    heard(100, mavlink::MAV_TYPE_CAMERA);
+    h.now = at(102);
+    heard(191, mavlink::MAV_TYPE_ONBOARD_CONTROLLER);
+    const auto components = h.vehicle.state(at(103)).components;
+    QCOMPARE(components.size(), std::size_t(2));
+    QCOMPARE(int(components[0].id), 100);
+    QCOMPARE(int(components[0].type), int(mavlink::MAV_TYPE_CAMERA));
+    QCOMPARE(components[0].age, 3.);
+    QCOMPARE(components[1].age, 1.);
+    for (int component = 2; component < 256; ++component)
+        heard(component, mavlink::MAV_TYPE_CAMERA);
+    QCOMPARE(h.vehicle.current().components.size(), Vehicle::kMostComponents);
 }
 
 void VehicleTest::modeNamesRoundTrip()

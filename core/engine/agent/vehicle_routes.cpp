@@ -1,14 +1,14 @@
 #include "core/engine/agent/vehicle_routes.h"
 
-#include "core/mavlink/enums.h"
-#include "core/mavlink/messages.h"
+#include "core/mavlink/autopilot_heartbeat.h"
 
 namespace skyseal::engine {
 
 bool VehicleRoutes::isVehicleHeartbeat(const mavlink::Frame &frame)
 {
     return frame.messageId() == mavlink::Heartbeat::kId
-        && mavlink::Heartbeat::decode(frame.payload()).autopilot != mavlink::MAV_AUTOPILOT_INVALID;
+        && mavlink::autopilotClaim(frame.componentId(), mavlink::Heartbeat::decode(frame.payload()))
+        != mavlink::AutopilotClaim::None;
 }
 
 void VehicleRoutes::heard(TimePoint now, const Path &from, std::uint8_t systemId)

@@ -21,8 +21,8 @@ public:
     /// The remote of a link that has no others; every frame is sent there.
     void setFixed(const Path &path) { m_fixed = path; }
 
-    /// Returns true for heartbeats of autopilots. Ground stations, companion computers and gimbals send others, with
-    /// MAV_AUTOPILOT_INVALID.
+    /// Returns true for heartbeats of autopilots, but not of ground stations, companion computers and gimbals, which may have
+    /// the system id of the vehicle and another address.
     static bool isVehicleHeartbeat(const mavlink::Frame &frame);
     /// Takes a heartbeat of an autopilot: its system id is that of a vehicle at this address.
     void heard(TimePoint now, const Path &from, std::uint8_t systemId);

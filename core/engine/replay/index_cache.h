@@ -16,7 +16,7 @@ namespace skyseal::engine {
 struct IndexCache
 {
     /// Increase it with every change of what LogIndexer finds in a recording, or of how it is stored.
-    static constexpr std::uint32_t kVersion = 1;
+    static constexpr std::uint32_t kVersion = 2;
     /// Of the file; the index of a usual flight takes a few hundred bytes.
     static constexpr std::size_t kMostBytes = 16u << 20, kMostRecordings = 2000;
 };
