@@ -151,7 +151,7 @@ private:
             if (link.isStream())
                 m_intake.takeStream(block.path, block.bytes, take);
             else
-                m_intake.takeDatagram(block.bytes, take);
+                m_intake.takeDatagram(block.time, block.path, block.bytes, take);
         }
         turn();
     }

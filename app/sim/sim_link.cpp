@@ -50,7 +50,7 @@ void SimLink::linkReceived(link::Link &link, std::span<const link::ReceivedBlock
         if (link.isStream())
             m_intake.takeStream(block.path, block.bytes, deliver);
         else
-            m_intake.takeDatagram(block.bytes, deliver);
+            m_intake.takeDatagram(block.time, block.path, block.bytes, deliver);
     }
 }
 

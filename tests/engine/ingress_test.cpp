@@ -141,6 +141,7 @@ class IngressTest : public QObject
 private Q_SLOTS:
     void datagrams();
     void datagramsOfAPlainLink();
+    void framesCutOverDatagrams();
     void unsearchedDatagrams();
     void pairingComesFirst();
     void clearFramesOnASharedStream();
@@ -171,6 +172,28 @@ void IngressTest::datagramsOfAPlainLink()
     QCOMPARE(bench.take(firstMessage()), std::string("-g"));
     QCOMPARE(bench.take(kHeartbeat), std::string("f"));
     QCOMPARE(bench.take(inTunnel(firstMessage())), std::string("f"));
+}
+
+void IngressTest::framesCutOverDatagrams()
+{
+    const auto part = [](std::ptrdiff_t from, std::ptrdiff_t to) {
+        return Bytes(kHeartbeat.begin() + from, kHeartbeat.begin() + to);
+    };
+    Bytes endAndRecord = part(8, std::ssize(kHeartbeat));
+    Bench plain({.takesDatagrams = true}, "udpin:127.0.0.1:0");
+    QCOMPARE(plain.take(part(0, 8)), std::string("D")); // not counted before it is known to be damaged
+    QCOMPARE(plain.take(endAndRecord), std::string("f"));
+    QCOMPARE(plain.take(kHeartbeat), std::string("f"));
+    QCOMPARE(plain.take(part(0, 8)), std::string("D"));
+    QCOMPARE(plain.take(kHeartbeat), std::string("df"));
+    // A datagram that continues a frame and may be a record is both where records are opened: the beginning proves nothing.
+    IngressRules rules = sealedDatagrams();
+    rules.sealed = true;
+    Bench sealed(rules, "udpin:127.0.0.1:0");
+    QCOMPARE(sealed.take(firstMessage()), std::string("R"));
+    QCOMPARE(sealed.take(part(0, 8)), std::string("D"));
+    QCOMPARE(sealed.take(firstMessage()), std::string("d-R"));
+    QCOMPARE(sealed.take(firstMessage()), std::string("R"));
 }
 
 void IngressTest::unsearchedDatagrams()

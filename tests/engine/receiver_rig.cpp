@@ -3,7 +3,7 @@
 #include "core/channel/endpoint.h"
 #include "core/engine/common/channel_driver.h"
 #include "core/link/steady_now.h"
-#include "core/mavlink/dialect.h"
+#include "core/mavlink/frame_intake.h"
 #include "tests/support/addresses.h"
 
 #include <QtCore/QCoreApplication>
@@ -11,8 +11,7 @@
 namespace skyseal::test {
 
 Receiver::Receiver(crypto::SuiteId suite)
-    : m_secrets(m_keys.secrets(channel::Role::Station)), m_links(*this, [](link::Link &) {}),
-      m_intake(mavlink::Dialect::builtin())
+    : m_secrets(m_keys.secrets(channel::Role::Station)), m_links(*this, [](link::Link &) {})
 {
     channel::Config config;
     config.role = channel::Role::Station;
@@ -35,7 +34,8 @@ void Receiver::linkReceived(link::Link &, std::span<const link::ReceivedBlock> b
         if (!delivery)
             continue;
         std::size_t frames = 0;
-        m_intake.takeDatagram(delivery->frames, [&](const mavlink::ScanItem &item) { frames += item.frame.has_value(); });
+        mavlink::scanFrames(delivery->frames, mavlink::Dialect::builtin(),
+                            [&](const mavlink::ScanItem &item) { frames += item.frame.has_value(); });
         m_channel->costs().countFrames(delivery->session, frames);
         m_received += frames;
     }

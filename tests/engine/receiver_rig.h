@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/engine/common/link_pool.h"
-#include "core/mavlink/frame_intake.h"
 #include "tests/engine/engine_rig.h"
 
 #include <memory>
@@ -29,7 +28,6 @@ private:
     std::unique_ptr<engine::SecretFiles> m_secrets;
     engine::LinkPool m_links;
     std::unique_ptr<engine::ChannelDriver> m_channel;
-    mavlink::FrameIntake m_intake;
     std::unique_ptr<BareEnd> m_air;
     SampleTraffic m_telemetry{kFrames};
     std::size_t m_received = 0;

@@ -107,12 +107,12 @@ void MqttBrokerTest::framesArePublishedWhereAskedFor()
         flight.startSimulatedVehicle();
         int frames = 0;
         const auto wholeFrames = [&frames](const Message &message) {
-            mavlink::FrameIntake intake(mavlink::Dialect::builtin());
             qsizetype bytes = 0;
-            intake.takeDatagram(asBytes(message.payload.toStdString()), [&](const mavlink::ScanItem &item) {
-                frames += item.frame && item.frame->systemId() == 1;
-                bytes += mavlink::isWholeFrame(item) ? qsizetype(item.bytes.size()) : 0;
-            });
+            mavlink::scanFrames(asBytes(message.payload.toStdString()), mavlink::Dialect::builtin(),
+                                [&](const mavlink::ScanItem &item) {
+                                    frames += item.frame && item.frame->systemId() == 1;
+                                    bytes += mavlink::isWholeFrame(item) ? qsizetype(item.bytes.size()) : 0;
+                                });
             return bytes != message.payload.size() || frames > 100; // stop at the first damaged one
         };
         if (raw) {

@@ -78,6 +78,7 @@ IngressRules AgentReceiver::groundRules(const GroundLink &ground) const
     IngressRules out;
     out.isStream = cobs || (tunnel && ground.url.traits().isStream);
     out.takesDatagrams = ground.carrier == Carrier::Datagram;
+    out.sealed = true;
     out.takesCobs = cobs;
     out.takesTunnel = tunnel;
     // Anyone can send clear bytes, so they are searched only for useful frames: those that carry messages of the channel, those

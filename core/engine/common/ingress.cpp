@@ -57,14 +57,16 @@ void Ingress::takeStream(const Registered &to, const link::Link &link, const lin
 void Ingress::takeDatagram(const Registered &to, const link::Link &link, const link::ReceivedBlock &block)
 {
     const IngressRules &rules = to.rules;
-    if (rules.takesDatagrams && takeMessage(*to.sink, link, block))
+    // The middle of a cut clear frame can resemble a message of the channel.
+    const bool continues = rules.clear != ClearScan::Never && m_frames.isCut(block.path);
+    if (rules.takesDatagrams && !continues && takeMessage(*to.sink, link, block))
         return;
     if (rules.clear == ClearScan::Never) {
         const bool clear = !block.bytes.empty() && mavlink::isMagic(block.bytes[0]);
         return to.sink->takeUnusable(link, clear ? Unusable::Clear : Unusable::Garbage);
     }
     bool whole = false, damaged = false;
-    m_frames.takeDatagram(block.bytes, [&](const mavlink::ScanItem &item) {
+    const bool isPart = m_frames.takeDatagram(block.time, block.path, block.bytes, [&](const mavlink::ScanItem &item) {
         const bool inPlace = isSealedInPlace(item);
         whole = whole || inPlace || mavlink::isWholeFrame(item);
         damaged = damaged || item.fault != mavlink::FrameFault::Garbage;
@@ -73,8 +75,11 @@ void Ingress::takeDatagram(const Registered &to, const link::Link &link, const l
         else if (!takeTunnel(to, link, block, item))
             to.sink->takeClear(link, block, item);
     });
+    // Anybody can send the beginning of a frame from the address of an agent, so that what may be a record is one all the same.
+    if (continues && rules.sealed && rules.takesDatagrams && takeMessage(*to.sink, link, block))
+        return;
     if (!whole)
-        to.sink->takeUnusable(link, damaged ? Unusable::Damaged : Unusable::Garbage);
+        to.sink->takeUnusable(link, damaged || isPart ? Unusable::Damaged : Unusable::Garbage);
 }
 
 /// Returns false for a frame that does not belong to the channel.

@@ -27,6 +27,7 @@ struct IngressRules
 {
     bool isStream = false;            ///< blocks are pieces of a byte stream; otherwise each is a datagram
     bool takesDatagrams = false;      ///< a datagram may be a message of the channel, or hold frames sealed in place
+    bool sealed = false;              ///< records are opened, which is not so on plain links that only take pairings
     bool takesCobs = false;           ///< the stream may hold messages of the channel in COBS
     bool takesTunnel = false;         ///< TUNNEL frames may carry messages of the channel
     bool dropsNodeHeartbeats = false; ///< the clear heartbeat of an agent behind a router is not telemetry
@@ -39,7 +40,7 @@ struct IngressRules
 enum class Unusable : std::uint8_t {
     Garbage, ///< a datagram without anything that resembles a frame
     Clear,   ///< a datagram that begins like MAVLink, on a link whose bytes are not searched for it
-    Damaged, ///< a datagram whose frames are all damaged or of an unknown kind
+    Damaged, ///< a datagram whose frames are all damaged or of an unknown kind, or one that holds part of a frame
     Message  ///< a message in TUNNEL that does not belong to the channel
 };
 

@@ -131,7 +131,7 @@ void Gateway::receive(const link::Link &link, const link::ReceivedBlock &block)
     if (link.isStream())
         m_frames.takeStream(path, block.bytes, deliver);
     else
-        m_frames.takeDatagram(block.bytes, deliver);
+        m_frames.takeDatagram(block.time, path, block.bytes, deliver);
 }
 
 /// The client at this path. The first frame from a new address adds one, if there is room.

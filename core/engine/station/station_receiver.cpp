@@ -18,6 +18,7 @@ IngressRules StationReceiver::rulesFor(const link::LinkTraits &traits) const
     out.takesDatagrams = !traits.isStream;
     out.takesCobs = traits.isStream && sealing;
     out.takesTunnel = sealing;
+    out.sealed = sealing;
     out.dropsNodeHeartbeats = true;
     out.clear = ClearScan::UnlessCobs;
     return out;
