@@ -8,7 +8,7 @@ namespace skyseal::ui {
 
 bool ViewState::stale() const
 {
-    return vehicle && vehicle->state.messageAge > kStaleAfterSeconds;
+    return vehicle && vehicle->state.messageAge > vehicle->state.staleAfter;
 }
 
 const std::vector<engine::VehicleSnapshot> &ViewState::vehicles() const

@@ -55,16 +55,23 @@ bool LogIndexer::read(std::size_t most)
         if (item->time)
             takeEventsUntil(*item->time, at);
         ++m_index.frames;
-        if (item->frame && item->frame->messageId() == mavlink::Heartbeat::kId)
-            takeHeartbeat(*item->frame, at);
+        if (item->frame)
+            takeFrame(*item->frame, at);
     }
     return false;
 }
 
-void LogIndexer::takeHeartbeat(const mavlink::Frame &frame, Duration at)
+void LogIndexer::takeFrame(const mavlink::Frame &frame, Duration at)
 {
-    const auto message = mavlink::Heartbeat::decode(frame.payload());
     HeardVehicle &vehicle = m_heard[frame.systemId()];
+    const mavlink::Heartbeat before{.type = vehicle.mode.type,
+                                    .autopilot = vehicle.mode.autopilot,
+                                    .base_mode = vehicle.mode.baseMode,
+                                    .custom_mode = vehicle.mode.customMode};
+    const auto heartbeat = mavlink::heartbeatOf(frame, before);
+    if (!heartbeat)
+        return;
+    const mavlink::Heartbeat &message = *heartbeat;
     const mavlink::AutopilotClaim claim = mavlink::autopilotClaim(frame.componentId(), message);
     const bool known = vehicle.claim != mavlink::AutopilotClaim::None;
     const bool isAutopilot = known && frame.componentId() == vehicle.component;

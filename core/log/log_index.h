@@ -92,7 +92,7 @@ private:
         Duration armedAt{};
     };
 
-    void takeHeartbeat(const mavlink::Frame &frame, Duration at);
+    void takeFrame(const mavlink::Frame &frame, Duration at);
     void takeEventsUntil(WallTime time, Duration at);
     template<typename T> void list(std::vector<T> &entries, const T &entry);
 

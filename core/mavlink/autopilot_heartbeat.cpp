@@ -7,6 +7,46 @@
 
 namespace skyseal::mavlink {
 
+namespace {
+
+Heartbeat heartbeatFrom(const HighLatency2 &m, const Heartbeat &before)
+{
+    Heartbeat out = before;
+    out.type = m.type;
+    out.autopilot = m.autopilot;
+    out.custom_mode = m.autopilot == MAV_AUTOPILOT_PX4 ? m.custom_mode << 16 : m.custom_mode; // main and sub mode of PX4
+    bool armed = (before.base_mode & MAV_MODE_FLAG_SAFETY_ARMED) != 0 || m.throttle > 0;
+    if (m.autopilot == MAV_AUTOPILOT_ARDUPILOTMEGA) // GCS_MAVLINK::send_high_latency2() puts its base mode there
+        armed = (m.custom0 & MAV_MODE_FLAG_SAFETY_ARMED) != 0;
+    out.base_mode = MAV_MODE_FLAG_CUSTOM_MODE_ENABLED | (armed ? MAV_MODE_FLAG_SAFETY_ARMED : 0);
+    return out;
+}
+
+Heartbeat heartbeatFrom(const HighLatency &m, const Heartbeat &before)
+{
+    Heartbeat out = before;
+    out.custom_mode = m.custom_mode;
+    out.base_mode = m.base_mode;
+    return out;
+}
+
+} // namespace
+
+bool isHighLatency(std::uint32_t messageId)
+{
+    return messageId == HighLatency2::kId || messageId == HighLatency::kId;
+}
+
+std::optional<Heartbeat> heartbeatOf(const Frame &frame, const Heartbeat &before)
+{
+    switch (frame.messageId()) {
+    case Heartbeat::kId: return Heartbeat::decode(frame.payload());
+    case HighLatency2::kId: return heartbeatFrom(HighLatency2::decode(frame.payload()), before);
+    case HighLatency::kId: return heartbeatFrom(HighLatency::decode(frame.payload()), before);
+    default: return std::nullopt;
+    }
+}
+
 AutopilotClaim autopilotClaim(std::uint8_t componentId, const Heartbeat &heartbeat)
 {
     if (heartbeat.autopilot == MAV_AUTOPILOT_INVALID) // the component declares that it is no autopilot

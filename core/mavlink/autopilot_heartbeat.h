@@ -3,7 +3,10 @@
 // https://mavlink.io/en/services/heartbeat.html
 #pragma once
 
+#include "core/mavlink/frame.h"
 #include "core/mavlink/messages.h"
+
+#include <optional>
 
 namespace skyseal::mavlink {
 
@@ -14,6 +17,13 @@ enum class AutopilotClaim : std::uint8_t {
     Named,    ///< it names its autopilot
     Component ///< component 1, the autopilot's (MAV_COMP_ID_AUTOPILOT1)
 };
+
+/// What a HEARTBEAT says, or HIGH_LATENCY2 or HIGH_LATENCY, which an autopilot sends in its place over a satellite modem; nullopt
+/// for other messages. `before` is what the last one said, which counts for what the message does not say.
+/// https://mavlink.io/en/services/high_latency.html
+std::optional<Heartbeat> heartbeatOf(const Frame &frame, const Heartbeat &before = {});
+/// True for the two messages that stand for HEARTBEAT.
+bool isHighLatency(std::uint32_t messageId);
 
 /// The claim of the component that sent this heartbeat, by autopilot and type of the message.
 AutopilotClaim autopilotClaim(std::uint8_t componentId, const Heartbeat &heartbeat);

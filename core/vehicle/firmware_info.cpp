@@ -66,7 +66,7 @@ bool FirmwareInfo::handleFrame(TimePoint, const mavlink::Frame &frame)
 
 void FirmwareInfo::handleDeadline(TimePoint now)
 {
-    if (now < m_next)
+    if (now < nextDeadline())
         return;
     mavlink::CommandLong request;
     const bool older = m_attempts % 2 == 1;

@@ -70,6 +70,8 @@ protected:
     VehicleState &state() { return m_context.state; }
     const VehicleState &state() const { return m_context.state; }
     VehicleKind kind() const { return m_context.kind(); }
+    /// Whether messages may be sent that nobody has asked for. Not over a satellite modem, where each has its price.
+    bool mayAsk() const { return !state().highLatency; }
     template<typename Message> void send(const Message &message, bool urgent = true) { m_context.send(message, urgent); }
     void report(Event event) { m_context.events.push_back(std::move(event)); }
     /// Lets an estimator that has measured nothing begin with the round trip that TIMESYNC measures.

@@ -131,6 +131,8 @@ void StreamRequester::handleIntervalResult(TimePoint now, std::uint8_t result)
 
 void StreamRequester::handleDeadline(TimePoint now)
 {
+    if (!mayAsk())
+        return;
     const bool low = m_profile == StreamProfile::LowBandwidth;
     for (std::size_t i = 0; i < kGroups; ++i) {
         if (now < m_groups[i].due)
@@ -169,6 +171,8 @@ void StreamRequester::handleDeadline(TimePoint now)
 
 TimePoint StreamRequester::nextDeadline() const
 {
+    if (!mayAsk())
+        return kNever;
     TimePoint next = m_home.due;
     for (const Expectation &group : m_groups)
         next = std::min(next, group.due);

@@ -185,6 +185,31 @@ struct TelemetryReaders
         c.state.missionCurrent = m.wp_num;
     }
 
+    /// The older message of the same purpose.
+    static void read(const mavlink::HighLatency &m, Context &c)
+    {
+        if (isPlace(m.latitude, m.longitude)) {
+            c.state.position = {m.latitude * 1e-7, m.longitude * 1e-7, static_cast<double>(m.altitude_amsl)};
+            if (!std::isnan(c.state.home.altitude))
+                c.state.altitudeRelative = m.altitude_amsl - c.state.home.altitude;
+            c.update.positionChanged = true;
+        }
+        c.state.roll = m.roll * 0.01 * std::numbers::pi / 180; // centidegrees
+        c.state.pitch = m.pitch * 0.01 * std::numbers::pi / 180;
+        c.state.yaw = std::remainder(m.heading * 0.01 * std::numbers::pi / 180, 2 * std::numbers::pi);
+        c.state.heading = m.heading % 36000 * 0.01;
+        c.state.throttle = m.throttle;
+        c.state.airSpeed = m.airspeed;
+        c.state.groundSpeed = m.groundspeed;
+        c.state.climb = m.climb_rate;
+        c.state.gpsFix = m.gps_fix_type;
+        c.state.satellites = m.gps_nsat == 255 ? -1 : m.gps_nsat;
+        c.state.batteryPercent = m.battery_remaining <= 100 ? double(m.battery_remaining) : kUnknown;
+        c.state.missionCurrent = m.wp_num;
+        c.update.landed = m.landed_state <= mavlink::MAV_LANDED_STATE_LANDING ? static_cast<LandedState>(m.landed_state)
+                                                                              : LandedState::Undefined;
+    }
+
 private:
     /// ESTIMATOR_STATUS calls 1024 "GPS glitch" and 2048 "accelerometer error"; both speak against it, 32768 means nothing.
     static constexpr int kEstimatorOnly = 32768;
@@ -212,10 +237,10 @@ template<typename... Messages> constexpr auto makeTable()
     return table;
 }
 
-constexpr auto kReaders =
-    makeTable<mavlink::Attitude, mavlink::GlobalPositionInt, mavlink::GpsRawInt, mavlink::VfrHud, mavlink::SysStatus,
-              mavlink::BatteryStatus, mavlink::EkfStatusReport, mavlink::EstimatorStatus, mavlink::Vibration,
-              mavlink::MissionCurrent, mavlink::HomePosition, mavlink::ExtendedSysState, mavlink::HighLatency2>();
+constexpr auto kReaders = makeTable<
+    mavlink::Attitude, mavlink::GlobalPositionInt, mavlink::GpsRawInt, mavlink::VfrHud, mavlink::SysStatus,
+    mavlink::BatteryStatus, mavlink::EkfStatusReport, mavlink::EstimatorStatus, mavlink::Vibration, mavlink::MissionCurrent,
+    mavlink::HomePosition, mavlink::ExtendedSysState, mavlink::HighLatency, mavlink::HighLatency2>();
 
 } // namespace
 

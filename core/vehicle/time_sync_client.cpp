@@ -52,7 +52,7 @@ void TimeSyncClient::takeAnswer(TimePoint now, std::int64_t sentTime)
 
 void TimeSyncClient::handleDeadline(TimePoint now)
 {
-    if (now < m_next)
+    if (now < nextDeadline())
         return;
     m_next = now + (m_slow ? kSlowInterval : m_interval);
     mavlink::Timesync request;

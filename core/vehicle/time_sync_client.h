@@ -24,7 +24,7 @@ public:
     bool handleFrame(TimePoint now, const mavlink::Frame &frame) override;
     void handleHeartbeat(TimePoint now) override;
     void handleDeadline(TimePoint now) override;
-    TimePoint nextDeadline() const override { return m_next; }
+    TimePoint nextDeadline() const override { return mayAsk() ? m_next : kNever; }
 
 private:
     void takeAnswer(TimePoint now, std::int64_t sentTime);

@@ -48,6 +48,7 @@ VehicleState Vehicle::state(TimePoint now) const
     out.texts.assign(m_parts->texts.begin(), m_parts->texts.end());
     out.heartbeatAge = seconds(monitor.heartbeatAge(now));
     out.messageAge = seconds(monitor.messageAge(now));
+    out.staleAfter = seconds(monitor.lostAfter());
     out.lost = monitor.isLost(now);
     out.flightTime = m_parts->flightTimer.flightTime(now);
     out.takeOffSeen = m_parts->flightTimer.sawTakeOff();

@@ -49,9 +49,17 @@ void Vehicle::Parts::handleFrame(TimePoint now, WallTime wall, const mavlink::Fr
     state.lastMessage = monitor.lastMessage();
     state.lastHeartbeat = monitor.lastHeartbeat();
     const bool taken = offerToClients(now, frame);
-    if (frame.messageId() == mavlink::Heartbeat::kId)
-        handleHeartbeat(now, frame);
-    else if (!taken)
+    const mavlink::Heartbeat before{.type = state.type,
+                                    .autopilot = state.autopilot,
+                                    .base_mode = state.baseMode,
+                                    .custom_mode = state.customMode,
+                                    .system_status = state.systemStatus};
+    if (const auto heartbeat = mavlink::heartbeatOf(frame, before)) {
+        state.highLatency = mavlink::isHighLatency(frame.messageId());
+        claim = std::max(claim, mavlink::autopilotClaim(frame.componentId(), *heartbeat));
+        handleHeartbeat(now, *heartbeat);
+    }
+    if (!taken)
         handleTelemetry(now, frame);
 }
 
@@ -100,10 +108,8 @@ void Vehicle::Parts::noteComponent(TimePoint now, const mavlink::Frame &heartbea
     place->heard = now;
 }
 
-void Vehicle::Parts::handleHeartbeat(TimePoint now, const mavlink::Frame &frame)
+void Vehicle::Parts::handleHeartbeat(TimePoint now, const mavlink::Heartbeat &m)
 {
-    const auto m = unpack<mavlink::Heartbeat>(frame);
-    claim = std::max(claim, mavlink::autopilotClaim(frame.componentId(), m));
     VehicleState &state = context.state;
     const VehicleKind kind{m.type, m.autopilot};
     const bool first = state.modes.empty() && state.mode.empty();

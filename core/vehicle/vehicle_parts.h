@@ -60,7 +60,7 @@ struct Vehicle::Parts
 private:
     bool offerToClients(TimePoint now, const mavlink::Frame &frame);
     void noteComponent(TimePoint now, const mavlink::Frame &heartbeat);
-    void handleHeartbeat(TimePoint now, const mavlink::Frame &frame);
+    void handleHeartbeat(TimePoint now, const mavlink::Heartbeat &m);
     void handleStatusText(TimePoint now, const mavlink::Frame &frame);
     void handleTelemetry(TimePoint now, const mavlink::Frame &frame);
     void takeTexts(TimePoint now);

@@ -11,9 +11,8 @@ namespace {
 /// None for anything but a heartbeat.
 mavlink::AutopilotClaim claimOf(const mavlink::Frame &frame)
 {
-    if (frame.messageId() != mavlink::Heartbeat::kId)
-        return mavlink::AutopilotClaim::None;
-    return mavlink::autopilotClaim(frame.componentId(), unpack<mavlink::Heartbeat>(frame));
+    const auto heartbeat = mavlink::heartbeatOf(frame);
+    return heartbeat ? mavlink::autopilotClaim(frame.componentId(), *heartbeat) : mavlink::AutopilotClaim::None;
 }
 
 } // namespace

@@ -124,8 +124,10 @@ struct VehicleState
     TimePoint lastHeartbeat{};
     TimePoint lastMessage{};        ///< any message of the vehicle but RADIO_STATUS
     double heartbeatAge = kUnknown; ///< seconds
-    double messageAge = kUnknown;   ///< seconds; values older than 3.5 are stale
-    bool lost = false;              ///< no message for 3.5 s
+    double messageAge = kUnknown;   ///< seconds; values older than staleAfter are stale
+    double staleAfter = 3.5;        ///< seconds; follows the rate of HIGH_LATENCY2, see HeartbeatMonitor
+    bool lost = false;              ///< no message for staleAfter
+    bool highLatency = false;       ///< behind a satellite modem, which sends HIGH_LATENCY2 in place of HEARTBEAT
     SequenceCounters sequence;      ///< all components
     std::vector<StatusText> texts;  ///< the last 200
     std::vector<TransferProgress> transfers;

@@ -31,7 +31,7 @@ std::string beat(std::uint32_t mode, bool armed, std::uint8_t systemId = 1, std:
     if (armed)
         message.base_mode |= mavlink::MAV_MODE_FLAG_SAFETY_ARMED;
     std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
-    return std::string(asText(writer.write(message, buffer)));
+    return std::string(std::string(asText(writer.write(message, buffer))));
 }
 
 LogIndex indexOfText(const std::string &content)
@@ -113,6 +113,26 @@ private Q_SLOTS:
         QCOMPARE(index.armed.size(), std::size_t(1));
         QCOMPARE(index.armed[0].span.from, Duration(4s));
         QCOMPARE(index.armed[0].span.to, Duration(9s));
+    }
+
+    void highLatencyStandsForAHeartbeat()
+    {
+        mavlink::FrameWriter writer(7, 1);
+        mavlink::HighLatency2 message;
+        message.type = mavlink::MAV_TYPE_FIXED_WING;
+        message.autopilot = mavlink::MAV_AUTOPILOT_PX4;
+        message.custom_mode = 0x0404;
+        message.throttle = 60;
+        std::string content;
+        for (int i = 0; i < 3; ++i) {
+            std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
+            content += entry(kNoon + std::chrono::seconds(5 * i), std::string(asText(writer.write(message, buffer))));
+        }
+        const LogIndex index = indexOfText(content);
+        QCOMPARE(index.vehicles, std::vector<std::uint8_t>{7});
+        QCOMPARE(index.modes.size(), std::size_t(1));
+        QCOMPARE(index.modes[0].customMode, std::uint32_t(0x04040000));
+        QCOMPARE(index.armed.size(), std::size_t(1));
     }
 
     void stillArmedAtTheEnd()

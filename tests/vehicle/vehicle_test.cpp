@@ -25,6 +25,11 @@ private Q_SLOTS:
     void otherAutopilotsOnlyWithoutComponentOne();
     void requestsToTheWrongComponentEnd();
     void otherComponentsAreListed();
+    void highLatencyStandsForAHeartbeat();
+    void timeOutFollowsTheRateOfHighLatency();
+    void nothingIsAskedOverASatelliteModem();
+    void armingOverASatelliteModem();
+    void olderHighLatencyKeepsTheKind();
     void modeNamesRoundTrip();
     void unknownModesKeepTheirNumber();
     void ardupilotIsAskedForStreams();
@@ -226,6 +231,128 @@ void VehicleTest::otherComponentsAreListed()
     for (int component = 2; component < 256; ++component)
         heard(component, mavlink::MAV_TYPE_CAMERA);
     QCOMPARE(h.vehicle.current().components.size(), Vehicle::kMostComponents);
+}
+
+namespace {
+
+mavlink::HighLatency2 px4HighLatency(std::uint8_t throttle = 0)
+{
+    mavlink::HighLatency2 out;
+    out.type = mavlink::MAV_TYPE_FIXED_WING;
+    out.autopilot = mavlink::MAV_AUTOPILOT_PX4;
+    out.custom_mode = 0x0404;
+    out.latitude = 473977420;
+    out.longitude = 85455940;
+    out.altitude = 520;
+    out.battery = 77;
+    out.throttle = throttle;
+    return out;
+}
+
+} // namespace
+
+void VehicleTest::highLatencyStandsForAHeartbeat()
+{
+    VehicleSet set{VehicleConfig{}};
+    QVERIFY(set.handleFrame(at(1), {}, Sender(7).frame(px4HighLatency())));
+    const VehicleState state = set.find(7)->state(at(1));
+    QCOMPARE(int(state.type), int(mavlink::MAV_TYPE_FIXED_WING));
+    QCOMPARE(state.mode, modeName({1, 12}, 1, 0x04040000));
+    QVERIFY(!state.mode.starts_with("MODE("));
+    QCOMPARE(state.position.latitude, 47.397742);
+    QCOMPARE(state.batteryPercent, 77.);
+    QVERIFY(state.highLatency && !state.lost);
+    QCOMPARE(state.heartbeatAge, 0.);
+    QVERIFY(!set.handleFrame(at(2), {}, Sender(7, 191).frame(px4HighLatency()))); // component 1 is the autopilot
+}
+
+void VehicleTest::timeOutFollowsTheRateOfHighLatency()
+{
+    for (const double every : {5., 67.}) {
+        Harness h = Harness::px4();
+        for (int second = 0; second < 4; ++second) {
+            h.feed(heartbeat(0, false, mavlink::MAV_TYPE_FIXED_WING, mavlink::MAV_AUTOPILOT_PX4));
+            h.now += std::chrono::seconds(1);
+        }
+        const auto pass = [&h](double seconds) {
+            h.now += std::chrono::duration_cast<Duration>(std::chrono::duration<double>(seconds));
+        };
+        for (int i = 0; i < 20; ++i) {
+            h.feed(px4HighLatency());
+            pass(i == 10 ? every * 2 : every); // one is lost
+            QVERIFY(!h.vehicle.isLost(h.now));
+        }
+        QCOMPARE(h.vehicle.state(h.now).staleAfter, 2.5 * every);
+        pass(1.6 * every);
+        QVERIFY(h.vehicle.isLost(h.now));
+        // Back on a usual link, its messages decide again, once those of the modem are overdue.
+        h.feed(heartbeat(0, false, mavlink::MAV_TYPE_FIXED_WING, mavlink::MAV_AUTOPILOT_PX4));
+        QVERIFY(!h.vehicle.isLost(h.now));
+        pass(3.6);
+        QVERIFY(h.vehicle.isLost(h.now));
+    }
+}
+
+void VehicleTest::nothingIsAskedOverASatelliteModem()
+{
+    const auto requests = [](Harness &h, double seconds) {
+        h.runUntil(h.now + std::chrono::duration_cast<Duration>(std::chrono::duration<double>(seconds)));
+        return h.sent().size();
+    };
+    Harness satellite;
+    for (int i = 0; i < 20; ++i) {
+        satellite.feed(px4HighLatency());
+        QCOMPARE(requests(satellite, 5), std::size_t(0));
+    }
+    // A request of the operator goes out.
+    satellite.vehicle.perform(satellite.now, RequestId(1), ReadParameter{"SYSID_THISMAV"});
+    QCOMPARE(satellite.sentOf<mavlink::ParamRequestRead>().size(), std::size_t(1));
+    Harness both = Harness::px4();
+    both.feed(px4HighLatency());
+    QCOMPARE(requests(both, 5), std::size_t(0));
+    both.feed(heartbeat(0, false, mavlink::MAV_TYPE_QUADROTOR, mavlink::MAV_AUTOPILOT_PX4));
+    QVERIFY(requests(both, 5) > 0); // the usual link is back
+}
+
+/// HIGH_LATENCY2 has no field for it. ArduPilot uses a free one; of PX4, running motors say so.
+void VehicleTest::armingOverASatelliteModem()
+{
+    Harness px4 = Harness::px4();
+    px4.feed(px4HighLatency());
+    QVERIFY(!px4.vehicle.current().armed);
+    px4.feed(px4HighLatency(60));
+    QVERIFY(px4.vehicle.current().armed);
+    px4.feed(px4HighLatency(0)); // glides
+    QVERIFY(px4.vehicle.current().armed);
+    Harness copter = Harness::copter(5, true);
+    mavlink::HighLatency2 message;
+    message.type = mavlink::MAV_TYPE_QUADROTOR;
+    message.autopilot = mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA;
+    message.custom_mode = 6;
+    message.custom0 = 81;
+    copter.feed(message);
+    QVERIFY(!copter.vehicle.current().armed);
+    QCOMPARE(copter.vehicle.current().mode, std::string("RTL"));
+    message.custom0 = static_cast<std::int8_t>(209);
+    copter.feed(message);
+    QVERIFY(copter.vehicle.current().armed);
+}
+
+void VehicleTest::olderHighLatencyKeepsTheKind()
+{
+    Harness h = Harness::copter(5, false);
+    mavlink::HighLatency message;
+    message.base_mode = 209;
+    message.custom_mode = 6;
+    message.battery_remaining = 60;
+    message.heading = 9000;
+    h.feed(message);
+    const VehicleState state = h.vehicle.state(h.now);
+    QCOMPARE(int(state.type), int(mavlink::MAV_TYPE_QUADROTOR));
+    QCOMPARE(state.mode, std::string("RTL"));
+    QVERIFY(state.armed && state.highLatency);
+    QCOMPARE(state.heading, 90.);
+    QCOMPARE(state.batteryPercent, 60.);
 }
 
 void VehicleTest::modeNamesRoundTrip()

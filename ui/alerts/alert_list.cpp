@@ -84,7 +84,7 @@ void AlertList::showVehicle(const engine::VehicleSnapshot &vehicle, double now)
 {
     const vehicle::VehicleState &state = vehicle.state;
     const std::uint8_t id = state.systemId;
-    if (state.messageAge > kStaleAfterSeconds)
+    if (state.messageAge > state.staleAfter)
         raiseState({{AlertKind::LinkLost, id},
                     AlertSeverity::Severe,
                     AlertListText::tr("Link lost %1").arg(ageText(state.messageAge)),
@@ -108,7 +108,7 @@ void AlertList::showVehicle(const engine::VehicleSnapshot &vehicle, double now)
                said != m_failsafeTexts.end() && now - said->second.time > kFailsafeTextAge) {
         m_failsafeTexts.erase(said);
     }
-    if (const auto near = nearestOf(state); near && state.messageAge <= kStaleAfterSeconds) {
+    if (const auto near = nearestOf(state); near && state.messageAge <= state.staleAfter) {
         Alert aircraft{
             {AlertKind::AircraftNear, id},
             AlertSeverity::Severe,

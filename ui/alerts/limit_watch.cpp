@@ -70,7 +70,7 @@ void LimitWatch::checkVehicle(const ViewState &view, double now)
             continue;
         const ValueReading reading = readValue(choice.source, view);
         Course &course = m_courses[{view.vehicle->state.systemId, static_cast<std::uint16_t>(i)}];
-        if (!std::isfinite(reading.number) || reading.age > kStaleAfterSeconds) {
+        if (!std::isfinite(reading.number) || reading.isStale()) {
             course.since = now;
             continue;
         }

@@ -87,7 +87,7 @@ std::vector<Preflight::Item> Preflight::items(std::uint8_t systemId) const
     if (list == m_lists.constEnd())
         return out;
     const vehicle::VehicleState *state = stateOf(systemId);
-    const bool current = state && state->messageAge <= kStaleAfterSeconds;
+    const bool current = state && state->messageAge <= state->staleAfter;
     for (const vehicle::ChecklistItem &item : list->items) {
         const QString text = fromStd(item.text);
         out.push_back({text, fromStd(item.conditionText),

@@ -30,7 +30,7 @@ bool looksTheSame(const VehicleMarker &a, const VehicleMarker &b, double metresP
 
 int staleAge(const vehicle::VehicleState &state)
 {
-    return state.messageAge > kStaleAfterSeconds ? static_cast<int>(std::min(state.messageAge, 1e6)) : 0;
+    return state.messageAge > state.staleAfter ? static_cast<int>(std::min(state.messageAge, 1e6)) : 0;
 }
 
 std::vector<VehicleMarker> otherVehicles(const ViewState &view)

@@ -56,7 +56,7 @@ public:
     }
 
 private:
-    bool heard() const { return m_vehicle.state.heartbeatAge <= kStaleAfterSeconds; }
+    bool heard() const { return m_vehicle.state.heartbeatAge <= m_vehicle.state.staleAfter; }
     QString disarmed() const
     {
         return heard() && !m_vehicle.state.armed ? ActionPermitsText::tr("the vehicle is disarmed") : QString();

@@ -33,7 +33,7 @@ void ValueCell::showReading(const ValueReading &reading, UnitSystem units)
     const Figure figure = m_choice.source.isNumber() && reading.word.isEmpty()
         ? valueFigure(reading.number, m_shown, m_choice.decimals, units)
         : Figure{!reading.word.isEmpty() ? reading.word : number(reading.number, 0), {}};
-    const bool stale = reading.age > kStaleAfterSeconds;
+    const bool stale = reading.isStale();
     const LimitSide limit = m_choice.sideOf(reading.number);
     QString note = limit == LimitSide::Low ? tr("▼ low") : limit == LimitSide::High ? tr("▲ high") : reading.note;
     // The age of the derived quantities is that of the vehicle, which stands below the grid once.
@@ -61,7 +61,7 @@ void ValueCell::addSample(double time, const ValueReading &reading)
 {
     if (!m_choice.line)
         return;
-    if (m_line.add(time, reading.age <= kStaleAfterSeconds ? reading.number : vehicle::kUnknown))
+    if (m_line.add(time, !reading.isStale() ? reading.number : vehicle::kUnknown))
         update(QRect(0, height() - kLineHeight, width(), kLineHeight));
 }
 

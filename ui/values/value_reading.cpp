@@ -21,6 +21,7 @@ ValueReading readState(const ValueSource &source, const vehicle::VehicleState &s
 {
     ValueReading out;
     out.age = state.messageAge;
+    out.staleAfter = state.staleAfter;
     const vehicle::StateField &field = *source.state;
     if (field.text) {
         out.word = fromStd(field.text(state));

@@ -3,10 +3,9 @@
 
 #include "core/vehicle/vehicle_state.h"
 #include "ui/text/value_source.h"
+#include "ui/view_state.h"
 
 namespace skyseal::ui {
-
-struct ViewState;
 
 struct ValueReading
 {
@@ -17,6 +16,9 @@ struct ValueReading
     QString explanation = {};          ///< of the note, a sentence
     double age = vehicle::kUnknown;    ///< seconds; unknown if the source never came
 
+    double staleAfter = kStaleAfterSeconds;
+
+    bool isStale() const { return age > staleAfter; }
     bool isKnown() const { return !word.isEmpty() || std::isfinite(number); }
 };
 

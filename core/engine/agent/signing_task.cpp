@@ -2,6 +2,7 @@
 
 #include "core/engine/agent/vehicle_routes.h"
 #include "core/engine/agent/vehicle_signing.h"
+#include "core/mavlink/autopilot_heartbeat.h"
 #include "core/mavlink/messages.h"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ void SigningTask::handleFrame(TimePoint now, const Path &from, const mavlink::Fr
 
 void SigningTask::takeHeartbeat(TimePoint now, const Path &from, const mavlink::Frame &frame)
 {
-    const bool isArmed = (mavlink::Heartbeat::decode(frame.payload()).base_mode & mavlink::MAV_MODE_FLAG_SAFETY_ARMED) != 0;
+    const bool isArmed = (mavlink::heartbeatOf(frame)->base_mode & mavlink::MAV_MODE_FLAG_SAFETY_ARMED) != 0;
     if (!m_vehicle) {
         m_vehicle = Vehicle{from, frame.systemId(), frame.componentId(), isArmed, {}};
         m_deadline = now + kSettle;

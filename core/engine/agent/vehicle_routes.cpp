@@ -6,9 +6,8 @@ namespace skyseal::engine {
 
 bool VehicleRoutes::isVehicleHeartbeat(const mavlink::Frame &frame)
 {
-    return frame.messageId() == mavlink::Heartbeat::kId
-        && mavlink::autopilotClaim(frame.componentId(), mavlink::Heartbeat::decode(frame.payload()))
-        != mavlink::AutopilotClaim::None;
+    const auto heartbeat = mavlink::heartbeatOf(frame);
+    return heartbeat && mavlink::autopilotClaim(frame.componentId(), *heartbeat) != mavlink::AutopilotClaim::None;
 }
 
 void VehicleRoutes::heard(TimePoint now, const Path &from, std::uint8_t systemId)
