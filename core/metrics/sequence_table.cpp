@@ -4,7 +4,8 @@ namespace skyseal::metrics {
 
 std::size_t SequenceTable::Hash::operator()(const Sender &sender) const
 {
-    return static_cast<std::size_t>(sender.link) * 65536u + sender.system * 256u + sender.component;
+    const std::size_t place = sender.remote.ip[15] * 65536u + sender.remote.port;
+    return (static_cast<std::size_t>(sender.link) * 65536u + sender.system * 256u + sender.component) ^ place << 24;
 }
 
 SequenceTable::SequenceTable()

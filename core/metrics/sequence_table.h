@@ -1,5 +1,5 @@
-// One SequenceTracker for each sender (link, system, component): every MAVLink component has its own sequence, and every link
-// its own losses.
+// One SequenceTracker for each sender (link, system, component, address): every MAVLink component has its own sequence, and every
+// link its own losses. A vehicle with two modems numbers the frames of each by itself, also where both end at one listening link.
 #pragma once
 
 #include "core/base/path.h"
@@ -19,6 +19,7 @@ public:
         LinkId link{};
         std::uint8_t system = 0;
         std::uint8_t component = 0;
+        Address remote = {}; ///< all zero where the sequence is the same from any address, as in a session
         bool operator==(const Sender &) const = default;
     };
 

@@ -49,6 +49,11 @@ constexpr StateField kFields[] = {
     {"latency", "s", Kind::Number, [](const State &s) { return s.latency; }},
     {"message_age", "s", Kind::Number, [](const State &s) { return s.messageAge; }},
     {"lost", "", Kind::Flag, [](const State &s) -> double { return s.lost; }},
+    {"radio_signal", "", Kind::Integer, [](const State &s) { return s.radio.signal; }},
+    {"radio_remote_signal", "", Kind::Integer, [](const State &s) { return s.radio.remoteSignal; }},
+    {"radio_noise", "", Kind::Integer, [](const State &s) { return s.radio.noise; }},
+    {"radio_remote_noise", "", Kind::Integer, [](const State &s) { return s.radio.remoteNoise; }},
+    {"radio_buffer", "%", Kind::Integer, [](const State &s) { return s.radio.buffer; }},
     {"firmware", "", Kind::Text, nullptr, [](const State &s) -> const std::string & { return s.firmware; }},
 };
 

@@ -84,6 +84,17 @@ void Vehicle::handleLateFrame(TimePoint now, const mavlink::Frame &frame)
     m_parts->handleLateFrame(now, frame);
 }
 
+void Vehicle::handleRadioStatus(const mavlink::RadioStatus &status)
+{
+    const auto known = [](std::uint8_t value) { return value == 255 ? kUnknown : double(value); };
+    RadioState &radio = m_parts->context.state.radio;
+    radio.signal = known(status.rssi);
+    radio.remoteSignal = known(status.remrssi);
+    radio.noise = known(status.noise);
+    radio.remoteNoise = known(status.remnoise);
+    radio.buffer = status.txbuf <= 100 ? double(status.txbuf) : kUnknown;
+}
+
 void Vehicle::handleDeadline(TimePoint now)
 {
     m_parts->handleDeadline(now);

@@ -50,6 +50,8 @@ public:
     /// A frame that newer ones of its kind have overtaken, or that was delayed on its way: it can answer a request or bring a
     /// text, but changes no present value and is no sign of life.
     void handleLateFrame(TimePoint now, const mavlink::Frame &frame);
+    /// The state of the radio over which the vehicle is heard.
+    void handleRadioStatus(const mavlink::RadioStatus &status);
     void handleDeadline(TimePoint now);
     TimePoint nextDeadline() const;
 

@@ -24,6 +24,7 @@ void Vehicle::Parts::takeOver(Parts &former)
     lastWall = former.lastWall;
     joiner = std::move(former.joiner);
     traffic = std::move(former.traffic);
+    context.state.radio = former.context.state.radio;
     context.state.components = std::move(former.context.state.components);
     std::erase_if(context.state.components,
                   [this](const Component &component) { return component.id == context.addressing.component; });

@@ -74,6 +74,14 @@ struct Component
     double age = 0; ///< seconds since that HEARTBEAT
 };
 
+/// The radio that carries the link of the vehicle, by its RADIO_STATUS. Signal and noise are 0..254 in units of the radio.
+struct RadioState
+{
+    double signal = kUnknown, remoteSignal = kUnknown; ///< here, and at the other end
+    double noise = kUnknown, remoteNoise = kUnknown;
+    double buffer = kUnknown; ///< percent of the transmit buffer that are free
+};
+
 struct VehicleState
 {
     std::uint8_t systemId = 0;
@@ -119,6 +127,7 @@ struct VehicleState
     std::uint64_t trips = 0;   ///< answers that came
     double tripSeconds = 0;    ///< their times added up: two readings give the mean between them
 
+    RadioState radio;
     std::string firmware; ///< "ArduCopter 4.5.7"; empty until known
     std::uint64_t capabilities = 0;
     TimePoint lastHeartbeat{};

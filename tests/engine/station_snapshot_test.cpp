@@ -27,7 +27,7 @@ struct Parts : private link::LinkListener
         const QByteArray bytes = clearHeartbeat(systemId, 1, false);
         const Bytes frame(bytes.begin(), bytes.end());
         mavlink::FrameScanner scanner(frame, mavlink::Dialect::builtin());
-        fleet.take(kShownAt, {}, kLink, *scanner.next()->frame, std::nullopt);
+        fleet.take(kShownAt, {}, {kLink, {}}, *scanner.next()->frame, std::nullopt);
     }
 
     LinkPool links{*this, [](link::Link &) {}};

@@ -72,8 +72,8 @@ void WatchesTest::endedSessionIsShown()
 {
     Watches watches;
     watches.begin(up(kOld, 1));
-    watches.vehicles.heard(5, LinkId{1}, kOld);
-    watches.vehicles.heard(6, LinkId{1}, std::nullopt);
+    watches.vehicles.heard(5, {LinkId{1}, {}}, kOld);
+    watches.vehicles.heard(6, {LinkId{1}, {}}, std::nullopt);
     QVERIFY(watches.vehicles.isOrWasSealed(5) && !watches.vehicles.isOrWasSealed(6));
     watches.end(kOld);
     const VehicleSnapshot shown = watches.vehicle(5);
@@ -83,7 +83,7 @@ void WatchesTest::endedSessionIsShown()
     QCOMPARE(shown.ended->age, 2.0);
     QVERIFY(watches.vehicles.isEnded(5) && watches.vehicles.isOrWasSealed(5));
     QVERIFY(!watches.vehicle(6).ended);
-    watches.vehicles.heard(5, LinkId{2}, std::nullopt);
+    watches.vehicles.heard(5, {LinkId{2}, {}}, std::nullopt);
     QVERIFY(!watches.vehicles.isEnded(5) && !watches.vehicles.isOrWasSealed(5));
 }
 
@@ -92,7 +92,7 @@ void WatchesTest::vehicleMovesToTheSuccessor()
     Watches watches;
     watches.begin(up(kOld, 1));
     watches.begin(up(kThird, 2));
-    watches.vehicles.heard(5, LinkId{1}, kOld);
+    watches.vehicles.heard(5, {LinkId{1}, {}}, kOld);
     watches.begin(up(kNew, 1));
     watches.end(kOld);
     QVERIFY(watches.vehicle(5).session == kNew && !watches.vehicle(5).ended);
@@ -102,7 +102,7 @@ void WatchesTest::returningAgentTakesItsVehicleBack()
 {
     Watches watches;
     watches.begin(up(kOld, 1));
-    watches.vehicles.heard(5, LinkId{1}, kOld);
+    watches.vehicles.heard(5, {LinkId{1}, {}}, kOld);
     watches.end(kOld);
     watches.begin(up(kThird, 2));
     QVERIFY(watches.vehicles.isEnded(5)); // another agent
@@ -135,7 +135,7 @@ void WatchesTest::attackersRecordsOfTheLastMinute()
 void WatchesTest::lostAndBack()
 {
     Watches watches;
-    watches.vehicles.heard(5, LinkId{1}, std::nullopt);
+    watches.vehicles.heard(5, {LinkId{1}, {}}, std::nullopt);
     metrics::SequenceCounts counts;
     QCOMPARE(int(watches.vehicles.sample(5, counts, false)), int(Presence::Unchanged));
     counts.received = 30;

@@ -60,6 +60,11 @@ public:
         {"latency", QT_TR_NOOP("Round-trip time of the link"), QT_TR_NOOP("latency"), Measure::Plain, 3},
         {"message_age", QT_TR_NOOP("Time since the last message"), QT_TR_NOOP("age")},
         {"lost", QT_TR_NOOP("Link lost"), QT_TR_NOOP("lost")},
+        {"radio_signal", QT_TR_NOOP("Signal of the radio, in its units"), QT_TR_NOOP("signal")},
+        {"radio_remote_signal", QT_TR_NOOP("Signal of the radio at the vehicle, in its units"), QT_TR_NOOP("signal there")},
+        {"radio_noise", QT_TR_NOOP("Noise of the radio, in its units"), QT_TR_NOOP("noise")},
+        {"radio_remote_noise", QT_TR_NOOP("Noise of the radio at the vehicle, in its units"), QT_TR_NOOP("noise there")},
+        {"radio_buffer", QT_TR_NOOP("Free part of the radio's transmit buffer"), QT_TR_NOOP("buffer")},
         {"firmware", QT_TR_NOOP("Firmware"), QT_TR_NOOP("firmware")},
     };
     // clang-format on

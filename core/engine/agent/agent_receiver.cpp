@@ -99,7 +99,8 @@ void AgentReceiver::takeFromVehicle(TimePoint now, const Path &from, const mavli
         m_parts.links.noteUse(from);
         if (VehicleRoutes::isVehicleHeartbeat(*item.frame) && !takeVehicleHeartbeat(now, from, *item.frame))
             return;
-        m_fromVehicle.note({from.link, item.frame->systemId(), item.frame->componentId()}, item.frame->sequence(), now);
+        m_fromVehicle.note({from.link, item.frame->systemId(), item.frame->componentId(), from.remote}, item.frame->sequence(),
+                           now);
     }
     if (isPlain()) {
         m_clear.add(item.bytes);

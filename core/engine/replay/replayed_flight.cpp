@@ -81,7 +81,7 @@ void ReplayedFlight::take(const NextEntry &entry)
     if (frame.systemId() == m_config.systemId && frame.componentId() == m_config.componentId)
         return; // the station's own, which is recorded as well
     const TimePoint now = kBeginning + entry.at;
-    if (const auto found = m_fleet.take(now, m_wall.value_or(WallTime{}), kLink, frame, std::nullopt))
+    if (const auto found = m_fleet.take(now, m_wall.value_or(WallTime{}), {kLink, {}}, frame, std::nullopt))
         m_notify(*found);
     if (vehicle::Vehicle *vehicle = m_fleet.find(frame.systemId()))
         drain(*vehicle);

@@ -1,5 +1,6 @@
 #include "core/engine/station/fleet.h"
 
+#include "core/vehicle/message_io.h"
 #include "core/vehicle/reasons.h"
 
 namespace skyseal::engine {
@@ -21,30 +22,44 @@ vehicle::VehicleConfig vehicleConfig(const StationConfig &config)
 
 Fleet::Fleet(const StationConfig &config) : m_vehicles(vehicleConfig(config)) {}
 
-std::optional<VehicleFound> Fleet::take(TimePoint now, WallTime wall, LinkId link, const mavlink::Frame &frame,
+std::optional<VehicleFound> Fleet::take(TimePoint now, WallTime wall, const Path &from, const mavlink::Frame &frame,
                                         std::optional<channel::SessionId> session)
 {
     const std::uint8_t systemId = frame.systemId();
     m_frameBytes += frame.bytes().size();
     m_messages.note(frame.messageId());
-    m_sequences.note({link, systemId, frame.componentId()}, frame.sequence(), now);
+    // A session may move to another address within one sequence; clear frames of each address have their own.
+    m_sequences.note({from.link, systemId, frame.componentId(), session ? Address{} : from.remote}, frame.sequence(), now);
     m_inspector.note(now, frame);
     m_fields.note(now, frame);
+    if (frame.messageId() == mavlink::RadioStatus::kId)
+        takeRadioStatus(from, frame, session);
+    if (frame.messageId() == mavlink::Statustext::kId && !session && m_copies.isCopy(now, from, frame))
+        return std::nullopt;
     const bool found = m_vehicles.handleFrame(now, wall, frame);
     const vehicle::Vehicle *vehicle = m_vehicles.find(systemId);
     if (!vehicle)
         return std::nullopt;
-    m_watches.heard(systemId, link, session);
+    m_watches.heard(systemId, from, session);
     if (!found)
         return std::nullopt;
     return VehicleFound{systemId, vehicle->current().type, vehicle->current().autopilot, session.has_value()};
 }
 
-void Fleet::takeLate(TimePoint now, LinkId link, const mavlink::Frame &frame)
+void Fleet::takeRadioStatus(const Path &from, const mavlink::Frame &frame, std::optional<channel::SessionId> session)
+{
+    const auto status = vehicle::unpack<mavlink::RadioStatus>(frame);
+    for (auto &[systemId, vehicle] : m_vehicles.all()) {
+        if (m_watches.isHeardOver(systemId, from, session))
+            vehicle.handleRadioStatus(status);
+    }
+}
+
+void Fleet::takeLate(TimePoint now, const Path &from, const mavlink::Frame &frame)
 {
     m_frameBytes += frame.bytes().size();
     m_messages.note(frame.messageId());
-    m_sequences.note({link, frame.systemId(), frame.componentId()}, frame.sequence(), now);
+    m_sequences.note({from.link, frame.systemId(), frame.componentId()}, frame.sequence(), now);
     if (vehicle::Vehicle *vehicle = m_vehicles.find(frame.systemId()))
         vehicle->handleLateFrame(now, frame);
 }

@@ -8,6 +8,7 @@
 #include "core/engine/station/inspector_table.h"
 #include "core/engine/station/message_counts.h"
 #include "core/engine/station/station_config.h"
+#include "core/engine/station/text_copies.h"
 #include "core/engine/station/vehicle_watches.h"
 #include "core/vehicle/vehicle_set.h"
 
@@ -20,11 +21,15 @@ class Fleet
 public:
     explicit Fleet(const StationConfig &config);
 
-    /// Takes an accepted frame; `session` is empty for a clear one. Returns an event if it makes a vehicle known.
-    std::optional<VehicleFound> take(TimePoint now, WallTime wall, LinkId link, const mavlink::Frame &frame,
+    /// Takes an accepted frame; `session` is empty for a clear one. Returns an event if it makes a vehicle known,
+    /// or the autopilot of a known one.
+    std::optional<VehicleFound> take(TimePoint now, WallTime wall, const Path &from, const mavlink::Frame &frame,
                                      std::optional<channel::SessionId> session);
     /// Takes an accepted frame that is not the newest of its kind any more, see FrameOrder.
-    void takeLate(TimePoint now, LinkId link, const mavlink::Frame &frame);
+    void takeLate(TimePoint now, const Path &from, const mavlink::Frame &frame);
+    /// Takes the state of a radio, which inserts RADIO_STATUS with a system id of its own. It is that of the vehicles that are
+    /// heard over this session, or in clear from the same address.
+    void takeRadioStatus(const Path &from, const mavlink::Frame &frame, std::optional<channel::SessionId> session);
 
     /// Null if the vehicle is not known.
     vehicle::Vehicle *find(std::uint8_t systemId) { return m_vehicles.find(systemId); }
@@ -55,6 +60,7 @@ public:
 private:
     vehicle::VehicleSet m_vehicles;
     VehicleWatches m_watches;
+    TextCopies m_copies;
     metrics::SequenceTable m_sequences;
     InspectorTable m_inspector;
     MessageCounts m_messages;

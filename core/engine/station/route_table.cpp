@@ -46,10 +46,10 @@ void RouteTable::removeLink(LinkId link)
 
 void RouteTable::heardSealed(std::uint8_t systemId, channel::SessionId session)
 {
-    m_targets[systemId] = {session, {}};
+    m_targets[systemId] = {session, {}, {}, false};
 }
 
-void RouteTable::heardClear(TimePoint now, std::uint8_t systemId, const Path &path)
+void RouteTable::heardClear(TimePoint now, std::uint8_t systemId, const Path &path, bool isAutopilot, bool highLatency)
 {
     Route *route = find(path);
     if (!route) {
@@ -60,15 +60,19 @@ void RouteTable::heardClear(TimePoint now, std::uint8_t systemId, const Path &pa
         route = &m_routes.emplace_back(fresh);
     }
     route->heard = now;
-    const auto target = m_targets.find(systemId);
-    if (target == m_targets.end() || !target->second.session)
-        m_targets[systemId] = {std::nullopt, path};
+    route->highLatency = highLatency;
+    const auto [target, isNew] = m_targets.try_emplace(systemId);
+    const Target &present = target->second;
+    const bool overdue = present.path == path || now - present.heard > kSwitchAfter || !find(present.path);
+    const bool mayReplace = present.isAutopilot ? isAutopilot && overdue : true;
+    if (isNew || (!present.session && mayReplace))
+        target->second = {std::nullopt, path, now, isAutopilot};
 }
 
 void RouteTable::forgetSilent(TimePoint now)
 {
     for (Route &route : m_routes) {
-        if (route.heard && now - *route.heard > kForgetAfter)
+        if (route.heard && now - *route.heard > (route.highLatency ? kForgetHighLatencyAfter : kForgetAfter))
             route.heard.reset();
     }
     removeIf([](const Route &route) { return !route.session && !route.fixed && !route.heard; });

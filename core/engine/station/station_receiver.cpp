@@ -6,6 +6,7 @@
 #include "core/engine/station/recording_link_events.h"
 #include "core/link/steady_now.h"
 #include "core/mavlink/frame_header.h"
+#include "core/mavlink/autopilot_heartbeat.h"
 #include "core/mavlink/messages.h"
 
 namespace skyseal::engine {
@@ -203,13 +204,10 @@ void StationReceiver::acceptFrame(TimePoint now, const Path &from, const mavlink
     if (session) {
         m_parts.routes.heardSealed(systemId, *session);
         m_notedPlain.reset(systemId);
-    } else if (frame.messageId() == mavlink::Heartbeat::kId && live) {
-        m_parts.routes.heardClear(now, systemId, from);
-        m_parts.links.noteRemote(from.link, from.remote);
     }
     if (!session && live)
         notePlain(frame, wall);
-    if (const auto found = m_parts.fleet.take(now, wall, from.link, frame, session))
+    if (const auto found = m_parts.fleet.take(now, wall, from, frame, session))
         m_parts.notify(*found);
 }
 
@@ -222,6 +220,13 @@ void StationReceiver::notePlain(const mavlink::Frame &frame, WallTime wall)
     m_notedPlain.set(systemId);
     m_recorder->note(plainVehicle(wall, systemId));
 }
+    const bool highLatency = mavlink::isHighLatency(frame.messageId());
+    if (!session && live && (highLatency || frame.messageId() == mavlink::Heartbeat::kId)) {
+        const vehicle::Vehicle *vehicle = m_parts.fleet.find(systemId);
+        const bool isAutopilot = vehicle && vehicle->componentId() == frame.componentId();
+        m_parts.routes.heardClear(now, systemId, from, isAutopilot, highLatency);
+        m_parts.links.noteRemote(from.link, from.remote);
+    }
 
 /// Does not change the routes: the vehicle may have another address by now.
 void StationReceiver::acceptLateFrame(TimePoint now, const Path &from, const mavlink::Frame &frame,
@@ -230,7 +235,7 @@ void StationReceiver::acceptLateFrame(TimePoint now, const Path &from, const mav
     record(frame, wallNow());
     if (freshness == channel::Freshness::Fresh && isLateAnswer(frame.messageId()))
         serve(frame.bytes());
-    m_parts.fleet.takeLate(now, from.link, frame);
+    m_parts.fleet.takeLate(now, from, frame);
 }
 
 void StationReceiver::record(const mavlink::Frame &frame, WallTime wall)

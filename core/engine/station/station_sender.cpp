@@ -62,6 +62,8 @@ void StationSender::sendHeartbeats(TimePoint now, const SenderPolicy &policy)
 /// vehicle in clear and where no agent is or was.
 bool StationSender::mayHeartbeat(const Route &route, const SenderPolicy &policy) const
 {
+    if (route.highLatency)
+        return false;
     if (route.session || !m_sealing || !policy.knowsAnybody())
         return true;
     const std::vector<channel::Unanswered> silent = m_channel->endpoint().unanswered();

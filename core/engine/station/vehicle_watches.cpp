@@ -8,12 +8,18 @@ const VehicleWatches::Watch *VehicleWatches::find(std::uint8_t systemId) const
     return found == m_watches.end() ? nullptr : &found->second;
 }
 
-void VehicleWatches::heard(std::uint8_t systemId, LinkId link, std::optional<channel::SessionId> session)
+void VehicleWatches::heard(std::uint8_t systemId, const Path &from, std::optional<channel::SessionId> session)
 {
     Watch &watch = m_watches[systemId];
-    watch.link = link;
+    watch.from = from;
     watch.session = session;
     watch.ended.reset();
+}
+
+bool VehicleWatches::isHeardOver(std::uint8_t systemId, const Path &from, std::optional<channel::SessionId> session) const
+{
+    const Watch *watch = find(systemId);
+    return watch && watch->session == session && (session || watch->from.sharesPlace(from));
 }
 
 void VehicleWatches::sessionUp(const channel::SessionUp &up)
@@ -69,7 +75,7 @@ void VehicleWatches::describe(TimePoint now, std::uint8_t systemId, VehicleSnaps
     const Watch *watch = find(systemId);
     if (!watch)
         return;
-    out.link = watch->link;
+    out.link = watch->from.link;
     out.session = watch->session;
     if (watch->ended)
         out.ended = EndedSession{watch->ended->peerName, watch->ended->reason, seconds(now - watch->ended->at)};

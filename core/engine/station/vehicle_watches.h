@@ -1,4 +1,4 @@
-// A station's records about each vehicle beside the vehicle's own state: the link and session over which it was heard last, the
+// A station's records about each vehicle beside the vehicle's own state: the path and session over which it was heard last, the
 // end of that session, whether it is lost, and the loss of its frames. No I/O and no clock.
 #pragma once
 
@@ -19,7 +19,9 @@ class VehicleWatches
 {
 public:
     /// A frame of a known vehicle was accepted; `session` is empty for clear frames.
-    void heard(std::uint8_t systemId, LinkId link, std::optional<channel::SessionId> session);
+    void heard(std::uint8_t systemId, const Path &from, std::optional<channel::SessionId> session);
+    /// Whether the vehicle was heard last over this session, or in clear from this link and address.
+    bool isHeardOver(std::uint8_t systemId, const Path &from, std::optional<channel::SessionId> session) const;
     /// Assigns vehicles of this peer whose former session ended to the new one.
     void sessionUp(const channel::SessionUp &up);
     void sessionDown(channel::SessionId session, const SessionEnd &end);
@@ -38,7 +40,7 @@ public:
 private:
     struct Watch
     {
-        LinkId link{};
+        Path from;
         std::optional<channel::SessionId> session;
         std::optional<SessionEnd> ended; ///< of `session`
         LossMeter loss;
