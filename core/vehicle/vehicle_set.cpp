@@ -8,7 +8,7 @@ namespace skyseal::vehicle {
 
 namespace {
 
-/// None for anything but a heartbeat.
+/// None for anything but a heartbeat, or what stands for one.
 mavlink::AutopilotClaim claimOf(const mavlink::Frame &frame)
 {
     const auto heartbeat = mavlink::heartbeatOf(frame);
@@ -39,6 +39,11 @@ bool VehicleSet::handleFrame(TimePoint now, WallTime wall, const mavlink::Frame 
 bool VehicleSet::announcesVehicle(const mavlink::Frame &frame) const
 {
     return frame.systemId() != 0 && frame.systemId() != m_config.ownSystemId && claimOf(frame) != mavlink::AutopilotClaim::None;
+}
+
+bool VehicleSet::claimsOwnId(const mavlink::Frame &frame) const
+{
+    return frame.systemId() == m_config.ownSystemId && claimOf(frame) != mavlink::AutopilotClaim::None;
 }
 
 void VehicleSet::handleDeadline(TimePoint now)

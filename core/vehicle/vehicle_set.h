@@ -24,6 +24,8 @@ public:
     bool handleFrame(TimePoint now, WallTime wall, const mavlink::Frame &frame);
     /// True for the heartbeat of an autopilot.
     bool announcesVehicle(const mavlink::Frame &frame) const;
+    /// True for the heartbeat of an autopilot that has the system id of this station.
+    bool claimsOwnId(const mavlink::Frame &frame) const;
     void handleDeadline(TimePoint now);
     TimePoint nextDeadline() const;
 

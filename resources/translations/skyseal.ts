@@ -1876,6 +1876,10 @@
         <source>the first item is the home position of a mission, which has no place in a list of this kind: it was left out</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>another component turned out to be the autopilot; request it again</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Sweep</name>
@@ -2559,6 +2563,14 @@
         <source>Handshake counters cannot be stored: %1. The links stay up. If this station restarts now, agents will refuse its first handshake and return the correct counter</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1. To show vehicle %2, bind its system ID to %3 in the list of peers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A vehicle at %1 is not shown: it has the system ID %2, which is this station&apos;s own. Change one of the two</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::engine::Number</name>
@@ -2799,6 +2811,97 @@
     </message>
     <message>
         <source>there are too many handshakes; only senders that prove their address are answered</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::engine::SystemText</name>
+    <message>
+        <source>ground station</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>companion computer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gimbal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ADS-B receiver</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>charging station</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FLARM receiver</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>servo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>remote ID</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>battery</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>parachute</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>logger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on-screen display</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>inertial sensor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>GPS receiver</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>winch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gripper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>radio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>autopilot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>component</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other systems behind %1: %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7688,6 +7791,14 @@ with a pre-shared key</source>
         <source>the default folder</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>System ID %1 is a vehicle&apos;s: choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Why the system ID cannot be chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::ShortcutDialog</name>
@@ -9142,6 +9253,46 @@ A click opens the links.</source>
     </message>
     <message>
         <source>Vibration, worst axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signal of the radio, in its units</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>signal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signal of the radio at the vehicle, in its units</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>signal there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Noise of the radio, in its units</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>noise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Noise of the radio at the vehicle, in its units</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>noise there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Free part of the radio&apos;s transmit buffer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>buffer</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

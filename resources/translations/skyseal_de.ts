@@ -1876,6 +1876,10 @@
         <source>the first item is the home position of a mission, which has no place in a list of this kind: it was left out</source>
         <translation>der erste Punkt ist die Home-Position einer Mission, die in eine Liste dieser Art nicht gehört: er wurde weggelassen</translation>
     </message>
+    <message>
+        <source>another component turned out to be the autopilot; request it again</source>
+        <translation>eine andere Komponente ist der Autopilot; bitte erneut anfordern</translation>
+    </message>
 </context>
 <context>
     <name>Sweep</name>
@@ -2559,6 +2563,14 @@
         <source>Handshake counters cannot be stored: %1. The links stay up. If this station restarts now, agents will refuse its first handshake and return the correct counter</source>
         <translation>Handshake-Zähler lassen sich nicht speichern: %1. Die Verbindungen bleiben bestehen. Startet diese Station jetzt neu, lehnen Agenten ihren ersten Handshake ab und senden den richtigen Zähler zurück</translation>
     </message>
+    <message>
+        <source>%1. To show vehicle %2, bind its system ID to %3 in the list of peers</source>
+        <translation>%1. Um Fahrzeug %2 zu zeigen, seine System-ID in der Liste der Gegenstellen an %3 binden</translation>
+    </message>
+    <message>
+        <source>A vehicle at %1 is not shown: it has the system ID %2, which is this station&apos;s own. Change one of the two</source>
+        <translation>Ein Fahrzeug unter %1 wird nicht gezeigt: Es hat die System-ID %2, die auch diese Station hat. Eine von beiden ändern</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::engine::Number</name>
@@ -2800,6 +2812,97 @@
     <message>
         <source>there are too many handshakes; only senders that prove their address are answered</source>
         <translation>es sind zu viele Handshakes; nur Absender, die ihre Adresse nachweisen, erhalten eine Antwort</translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::engine::SystemText</name>
+    <message>
+        <source>ground station</source>
+        <translation>Bodenstation</translation>
+    </message>
+    <message>
+        <source>companion computer</source>
+        <translation>Begleitrechner</translation>
+    </message>
+    <message>
+        <source>gimbal</source>
+        <translation>Gimbal</translation>
+    </message>
+    <message>
+        <source>ADS-B receiver</source>
+        <translation>ADS-B-Empfänger</translation>
+    </message>
+    <message>
+        <source>camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>charging station</source>
+        <translation>Ladestation</translation>
+    </message>
+    <message>
+        <source>FLARM receiver</source>
+        <translation>FLARM-Empfänger</translation>
+    </message>
+    <message>
+        <source>servo</source>
+        <translation>Servo</translation>
+    </message>
+    <message>
+        <source>remote ID</source>
+        <translation>Remote ID</translation>
+    </message>
+    <message>
+        <source>battery</source>
+        <translation>Akku</translation>
+    </message>
+    <message>
+        <source>parachute</source>
+        <translation>Fallschirm</translation>
+    </message>
+    <message>
+        <source>logger</source>
+        <translation>Aufzeichner</translation>
+    </message>
+    <message>
+        <source>on-screen display</source>
+        <translation>Bildschirmeinblendung</translation>
+    </message>
+    <message>
+        <source>inertial sensor</source>
+        <translation>Inertialsensor</translation>
+    </message>
+    <message>
+        <source>GPS receiver</source>
+        <translation>GPS-Empfänger</translation>
+    </message>
+    <message>
+        <source>winch</source>
+        <translation>Winde</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>Leuchte</translation>
+    </message>
+    <message>
+        <source>gripper</source>
+        <translation>Greifer</translation>
+    </message>
+    <message>
+        <source>radio</source>
+        <translation>Funkgerät</translation>
+    </message>
+    <message>
+        <source>autopilot</source>
+        <translation>Autopilot</translation>
+    </message>
+    <message>
+        <source>component</source>
+        <translation>Komponente</translation>
+    </message>
+    <message>
+        <source>Other systems behind %1: %2</source>
+        <translation>Weitere Systeme hinter %1: %2</translation>
     </message>
 </context>
 <context>
@@ -7723,6 +7826,14 @@ mit PSK</translation>
         <source>the default folder</source>
         <translation>Standardordner</translation>
     </message>
+    <message>
+        <source>System ID %1 is a vehicle&apos;s: choose another one.</source>
+        <translation>Die System-ID %1 hat ein Fahrzeug: eine andere wählen.</translation>
+    </message>
+    <message>
+        <source>Why the system ID cannot be chosen</source>
+        <translation>Warum die System-ID nicht gewählt werden kann</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::ShortcutDialog</name>
@@ -9183,6 +9294,46 @@ Ein Klick öffnet die Verbindungen.</translation>
     <message>
         <source>Vibration, worst axis</source>
         <translation>Vibration, schlechteste Achse</translation>
+    </message>
+    <message>
+        <source>Signal of the radio, in its units</source>
+        <translation>Signal des Funkgeräts, in seinen Einheiten</translation>
+    </message>
+    <message>
+        <source>signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>Signal of the radio at the vehicle, in its units</source>
+        <translation>Signal des Funkgeräts am Fahrzeug, in seinen Einheiten</translation>
+    </message>
+    <message>
+        <source>signal there</source>
+        <translation>Signal dort</translation>
+    </message>
+    <message>
+        <source>Noise of the radio, in its units</source>
+        <translation>Rauschen des Funkgeräts, in seinen Einheiten</translation>
+    </message>
+    <message>
+        <source>noise</source>
+        <translation>Rauschen</translation>
+    </message>
+    <message>
+        <source>Noise of the radio at the vehicle, in its units</source>
+        <translation>Rauschen des Funkgeräts am Fahrzeug, in seinen Einheiten</translation>
+    </message>
+    <message>
+        <source>noise there</source>
+        <translation>Rauschen dort</translation>
+    </message>
+    <message>
+        <source>Free part of the radio&apos;s transmit buffer</source>
+        <translation>Freier Teil des Sendepuffers des Funkgeräts</translation>
+    </message>
+    <message>
+        <source>buffer</source>
+        <translation>Puffer</translation>
     </message>
 </context>
 <context>

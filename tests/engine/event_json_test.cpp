@@ -22,6 +22,9 @@ private Q_SLOTS:
     void agentThatDoesNotAnswerIsNamed();
     void unknownAgeOfCommandsIsNull();
     void brokerIsInTheStatistics();
+    void componentsOfAVehicleAreListed();
+    void otherSystemsAreListed();
+    void conflictOfSystemIdsIsNamed();
 };
 
 void EventJsonTest::droppedEventsAreReported()
@@ -60,6 +63,41 @@ void EventJsonTest::brokerIsInTheStatistics()
     const QJsonObject event = parsed(brokerEvent("mqtts://broker:8883/skyseal", *snapshot.broker));
     QCOMPARE(event.value(QStringLiteral("event")).toString(), QStringLiteral("mqtt"));
     QCOMPARE(event.value(QStringLiteral("state")).toString(), QStringLiteral("waiting"));
+}
+
+void EventJsonTest::componentsOfAVehicleAreListed()
+{
+    Snapshot snapshot;
+    snapshot.vehicles.emplace_back().state.components = {{.id = 100, .type = mavlink::MAV_TYPE_CAMERA, .age = 0.5}};
+    const QJsonObject vehicle = parsed(statsEvent("stats", snapshot, 1))[QStringLiteral("vehicles")][0].toObject();
+    QCOMPARE(vehicle.value(QStringLiteral("component")).toInt(), 1);
+    const QJsonValue camera = vehicle.value(QStringLiteral("components"))[0];
+    QCOMPARE(camera[QStringLiteral("component")].toInt(), 100);
+    QCOMPARE(camera[QStringLiteral("type")].toInt(), int(mavlink::MAV_TYPE_CAMERA));
+    QCOMPARE(camera[QStringLiteral("heartbeat_age")].toDouble(), 0.5);
+}
+
+void EventJsonTest::otherSystemsAreListed()
+{
+    const OtherSystemsHeard heard{"air-1", {51, 255}, {}, 12};
+    const QJsonObject event = parsed(otherSystemsEvent(heard));
+    QCOMPARE(event.value(QStringLiteral("event")).toString(), QStringLiteral("other_systems"));
+    QCOMPARE(event.value(QStringLiteral("peer")).toString(), QStringLiteral("air-1"));
+    QCOMPARE(event.value(QStringLiteral("systems"))[1].toInt(), 255);
+    Snapshot snapshot;
+    QVERIFY(!parsed(statsEvent("stats", snapshot, 1)).contains(QStringLiteral("other_systems")));
+    snapshot.otherSystems = {heard};
+    const QJsonValue listed = parsed(statsEvent("stats", snapshot, 1))[QStringLiteral("other_systems")][0];
+    QCOMPARE(listed[QStringLiteral("systems")][0].toInt(), 51);
+    QCOMPARE(listed[QStringLiteral("frames")].toInt(), 12);
+}
+
+void EventJsonTest::conflictOfSystemIdsIsNamed()
+{
+    const QJsonObject event = parsed(ownIdEvent({255, 1, "10.0.0.9:14550"}));
+    QCOMPARE(event.value(QStringLiteral("event")).toString(), QStringLiteral("system_id_conflict"));
+    QCOMPARE(event.value(QStringLiteral("sysid")).toInt(), 255);
+    QCOMPARE(event.value(QStringLiteral("address")).toString(), QStringLiteral("10.0.0.9:14550"));
 }
 
 void EventJsonTest::unknownAgeOfCommandsIsNull()

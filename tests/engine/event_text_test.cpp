@@ -241,6 +241,14 @@ void EventTextTest::numbersAgreeWithTheirNouns()
 void EventTextTest::vehicleIsNamedInALine()
 {
     QCOMPARE(eventText(VehicleLost{3}, {}).line(), QStringLiteral("Vehicle 3: Link to the vehicle lost"));
+    QCOMPARE(eventText(OtherSystemsHeard{"air-1", {51, 255}, {}, 9}, {}).sentence,
+             QStringLiteral("Other systems behind air-1: 51, 255"));
+    QCOMPARE(eventText(OtherSystemsHeard{"air-1", {7, 51}, {7}, 9}, {}).sentence,
+             QStringLiteral(
+                 "Other systems behind air-1: 7, 51. To show vehicle 7, bind its system ID to air-1 in the list of peers"));
+    QCOMPARE(eventText(OwnIdClaimed{255, 1, "10.0.0.9:14550"}, {}).sentence,
+             QStringLiteral("A vehicle at 10.0.0.9:14550 is not shown: it has the system ID 255, which is this station's own. "
+                            "Change one of the two"));
     QCOMPARE(eventText(VehicleFound{3, 2, 3, false}, {}).line(), QStringLiteral("Vehicle 3: Found: quadrotor, not sealed"));
     LinkSnapshot link;
     link.url = "udpin:0.0.0.0:0";

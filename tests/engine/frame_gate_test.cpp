@@ -51,7 +51,62 @@ private Q_SLOTS:
     void oneEventASecond();
     void refusalIsNamedThoughItsSessionEnded();
     void olderFramesAreNotPresent();
+    void otherSystemsAreNoForgery();
+    void otherSystemsAreSaidOnce();
 };
+
+/// A ground station, a radio and a gimbal behind the agent of vehicle 7: authentic, and of nobody.
+void FrameGateTest::otherSystemsAreNoForgery()
+{
+    FrameGate gate(SecureMode::Preferred);
+    PublishedFrames published;
+    gate.policy().setPeers({peer(1, {7}), peer(2, {8}), peer(3)});
+    gate.sessionUp(upOf(peer(1, {7})));
+    for (const std::uint8_t other : {255, 51, 71}) {
+        QVERIFY(!gate.acceptSealed(kGateSession, other));
+        QVERIFY(!gate.refuseSealed(kStart, kGateSession, other, false));
+    }
+    gate.publishRefusals(kStart + std::chrono::minutes(1), published.notify);
+    QCOMPARE(published.events.size(), std::size_t(1));
+    const auto &heard = std::get<OtherSystemsHeard>(published.events[0]);
+    QCOMPARE(heard.peer, std::string("peer-1"));
+    QCOMPARE(heard.systems, (std::vector<std::uint8_t>{51, 71, 255}));
+    QVERIFY(heard.vehicles.empty());
+    QCOMPARE(gate.refusals().systemFrames(), std::uint64_t(0));
+    QCOMPARE(gate.otherSystems().frames(), std::uint64_t(3));
+    // The vehicle of another agent among them is an impersonation.
+    QVERIFY(gate.refuseSealed(kStart, kGateSession, 8, true));
+    QCOMPARE(gate.refusals().systemFrames(), std::uint64_t(1));
+    QCOMPARE(gate.otherSystems().frames(), std::uint64_t(3));
+}
+
+void FrameGateTest::otherSystemsAreSaidOnce()
+{
+    FrameGate gate(SecureMode::Preferred);
+    PublishedFrames published;
+    gate.policy().setPeers({peer(1, {7})});
+    gate.sessionUp(upOf(peer(1, {7})));
+    const auto second = [&](int number, std::initializer_list<std::uint8_t> systems, bool isVehicle = false) {
+        const TimePoint now = kStart + std::chrono::seconds(number);
+        for (const std::uint8_t other : systems)
+            gate.refuseSealed(now, kGateSession, other, isVehicle);
+        gate.publishRefusals(now, published.notify);
+    };
+    second(0, {255});
+    for (int number = 1; number < 100; ++number)
+        second(number, {255, 51});
+    QCOMPARE(published.events.size(), std::size_t(1));
+    QCOMPARE(std::get<OtherSystemsHeard>(published.events[0]).systems, (std::vector<std::uint8_t>{51, 255}));
+    gate.sessionDown(kGateSession);
+    gate.sessionUp(upOf(peer(1, {7})));
+    for (int number = 100; number < 110; ++number)
+        second(number, {255, 51}); // of the same agent
+    QCOMPARE(published.events.size(), std::size_t(1));
+    for (int number = 110; number < 120; ++number)
+        second(number, {9}, true);
+    QCOMPARE(published.events.size(), std::size_t(2));
+    QCOMPARE(std::get<OtherSystemsHeard>(published.events[1]).vehicles, std::vector<std::uint8_t>{9});
+}
 
 void FrameGateTest::olderFramesAreNotPresent()
 {
@@ -135,18 +190,20 @@ void FrameGateTest::refusalIsNamedThoughItsSessionEnded()
 {
     FrameGate gate(SecureMode::Required);
     PublishedFrames published;
-    gate.policy().setPeers({peer(1, {7}), peer(2, {8})});
+    gate.policy().setPeers({peer(1, {7}), peer(2, {8, 9})});
     gate.sessionUp(upOf(peer(1, {7})));
     QVERIFY(!gate.acceptSealed(kGateSession, 9));
+    QVERIFY(gate.refuseSealed(kStart, kGateSession, 9, false));
     gate.publishRefusals(kStart, published.notify);
-    QVERIFY(!gate.acceptSealed(kGateSession, 8)); // within the second, so it waits
+    QVERIFY(!gate.acceptSealed(kGateSession, 8));
+    QVERIFY(gate.refuseSealed(kStart, kGateSession, 8, false)); // within the second, so it waits
     gate.publishRefusals(kStart, published.notify);
     gate.sessionDown(kGateSession);
     gate.publishRefusals(kStart + std::chrono::seconds(1), published.notify);
     QCOMPARE(published.events.size(), std::size_t(2));
     const auto &first = std::get<SystemRefused>(published.events[0]), &second = std::get<SystemRefused>(published.events[1]);
     QCOMPARE(first.peer, std::string("peer-1"));
-    QVERIFY(first.owner.empty());
+    QCOMPARE(first.owner, std::string("peer-2"));
     QCOMPARE(second.peer, std::string("peer-1"));
     QCOMPARE(second.owner, std::string("peer-2"));
     QCOMPARE(gate.refusals().systemFrames(), std::uint64_t(2));

@@ -130,8 +130,9 @@ void SeveralVehiclesTest::agentIsBoundToSomeOfThem()
     flight.rig.startAgent(pilot.ears->listening());
     flight.startAll();
     EVENTUALLY_EQUAL(heardBy(pilot), std::size_t(2));
-    EVENTUALLY(!pilot.ears->all<engine::SystemRefused>().empty());
-    QCOMPARE(int(pilot.ears->all<engine::SystemRefused>()[0].systemId), 3);
+    EVENTUALLY(!pilot.ears->all<engine::OtherSystemsHeard>().empty());
+    QCOMPARE(pilot.ears->all<engine::OtherSystemsHeard>()[0].vehicles, std::vector<std::uint8_t>{3});
+    QVERIFY(pilot.ears->all<engine::SystemRefused>().empty());
     QVERIFY(setSpeed(pilot, 2, 720));
     QCOMPARE(heardBy(pilot), std::size_t(2));
 }

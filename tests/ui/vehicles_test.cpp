@@ -106,6 +106,10 @@ private Q_SLOTS:
     {
         engine::Snapshot snapshot = fleet(1, 2);
         snapshot.vehicles[0].state.batteryPercent = 12;
+        snapshot.vehicles[0].state.firmware = "ArduCopter 4.7.0";
+        snapshot.vehicles[0].state.components = {{.id = 100, .type = mavlink::MAV_TYPE_CAMERA},
+                                                 {.id = 154, .type = mavlink::MAV_TYPE_GIMBAL},
+                                                 {.id = 191, .type = mavlink::MAV_TYPE_GENERIC}};
         const auto alert = [](AlertKind kind, std::uint8_t systemId, AlertSeverity severity) {
             return Alert{.id = {kind, systemId}, .severity = severity, .text = {}, .details = {}};
         };
@@ -114,6 +118,7 @@ private Q_SLOTS:
                                         alert(AlertKind::ModeChanged, 2, AlertSeverity::Information)};
         const Row row = vehicleListRowOf(viewOfVehicle(snapshot, 1), alerts);
         QCOMPARE(row[Row::Vehicle].text, QStringLiteral("1 · air-1"));
+        QCOMPARE(row[Row::Kind].tip, QStringLiteral("ArduCopter 4.7.0\ncamera 100\ngimbal 154\ncompanion computer 191"));
         QCOMPARE(row[Row::Mode].text, QStringLiteral("GUIDED"));
         QCOMPARE(row[Row::Armed].text, QStringLiteral("Armed"));
         QCOMPARE(row[Row::Battery].text, QStringLiteral("12 % · low"));

@@ -2,6 +2,7 @@
 
 #include "core/engine/station/snapshot.h"
 #include "core/engine/text/event_text.h"
+#include "core/engine/text/system_text.h"
 #include "ui/security/counters_table.h"
 #include "ui/security/suite_actions.h"
 #include "ui/security/suite_row.h"
@@ -287,7 +288,12 @@ void SecureLinkPanel::showHead(const ViewState &view)
         m_fingerprint->setText(fingerprint);
     const auto age = commandAgeOf(view);
     m_since->setToolTip(age ? age->sentence + QLatin1Char('\n') + age->limits : QString());
-    m_peer->setToolTip(m_since->text() + QLatin1Char('\n') + fingerprint);
+    QStringList tip{m_since->text(), fingerprint};
+    for (const engine::OtherSystemsHeard &heard : view.snapshot->otherSystems) {
+        if (heard.peer == info.peerName)
+            tip << engine::otherSystemsText(heard);
+    }
+    m_peer->setToolTip(tip.join(QLatin1Char('\n')));
 }
 
 void SecureLinkPanel::showSessions(const ViewState &view)

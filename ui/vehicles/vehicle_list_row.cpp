@@ -3,6 +3,7 @@
 #include "core/engine/station/session_snapshot.h"
 #include "core/engine/station/vehicle_snapshot.h"
 #include "core/engine/text/state_text.h"
+#include "core/engine/text/system_text.h"
 #include "ui/text/lock_face.h"
 #include "ui/text/units.h"
 #include "ui/text/vehicle_text.h"
@@ -36,6 +37,17 @@ VehicleListCell nameCell(const ViewState &view)
     cell.tip = peer.isEmpty() ? VehicleListRowText::tr("Vehicle %1").arg(id)
                               : VehicleListRowText::tr("Vehicle %1, agent %2").arg(id).arg(peer);
     return cell;
+}
+
+/// The tip names the firmware, and the other components of the system.
+VehicleListCell kindCell(const vehicle::VehicleState &state)
+{
+    QStringList tip;
+    if (!state.firmware.empty())
+        tip << fromStd(state.firmware);
+    for (const vehicle::Component &component : state.components)
+        tip << engine::componentText(component);
+    return {.text = engine::vehicleTypeText(state.type), .tip = tip.join(QLatin1Char('\n'))};
 }
 
 VehicleListCell batteryCell(const vehicle::VehicleState &state)
@@ -137,7 +149,7 @@ VehicleListRow vehicleListRowOf(const ViewState &view, std::span<const Alert> al
     const vehicle::VehicleState &state = view.vehicle->state;
     VehicleListRow row{.systemId = state.systemId, .cells = {}};
     row[Vehicle] = nameCell(view);
-    row[Kind] = {.text = engine::vehicleTypeText(state.type), .tip = fromStd(state.firmware)};
+    row[Kind] = kindCell(state);
     row[Mode] = {.text = state.mode.empty() ? dash() : fromStd(state.mode)};
     row[Armed] = {.text = state.armed ? VehicleListRowText::tr("Armed") : VehicleListRowText::tr("Disarmed"),
                   .tone = state.armed ? CellTone::Alarm : CellTone::Usual,

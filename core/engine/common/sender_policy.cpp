@@ -176,6 +176,12 @@ const channel::Peer *SenderPolicy::holderOf(std::uint8_t systemId, const channel
     return found == m_peers.end() ? nullptr : &*found;
 }
 
+bool SenderPolicy::belongsToAnother(std::uint8_t systemId, channel::SessionId asker) const
+{
+    const auto found = m_speakers.find(asker);
+    return found == m_speakers.end() || holderOf(systemId, found->second.peer);
+}
+
 std::string SenderPolicy::ownerOf(std::uint8_t systemId, channel::SessionId asker) const
 {
     const auto found = m_speakers.find(asker);

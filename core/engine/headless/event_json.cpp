@@ -65,6 +65,41 @@ std::string systemRefusedEvent(const SystemRefused &refused)
     return endEvent(json);
 }
 
+namespace {
+
+void writeSystems(JsonWriter &json, std::string_view name, const std::vector<std::uint8_t> &systems)
+{
+    json.key(name).beginArray();
+    for (const std::uint8_t systemId : systems)
+        json.value(number(systemId));
+    json.endArray();
+}
+
+void writeOtherSystems(JsonWriter &json, const OtherSystemsHeard &heard)
+{
+    json.field("peer", heard.peer);
+    writeSystems(json, "systems", heard.systems);
+    writeSystems(json, "vehicles", heard.vehicles);
+    json.field("frames", heard.frames);
+}
+
+} // namespace
+
+std::string otherSystemsEvent(const OtherSystemsHeard &heard)
+{
+    JsonWriter json = beginEvent("other_systems");
+    writeOtherSystems(json, heard);
+    return endEvent(json);
+}
+
+std::string ownIdEvent(const OwnIdClaimed &claim)
+{
+    JsonWriter json = beginEvent("system_id_conflict");
+    json.field("sysid", number(claim.systemId)).field("component", number(claim.componentId));
+    json.field("address", claim.remoteAddress);
+    return endEvent(json);
+}
+
 std::string commandEvent(const vehicle::StepReport &report)
 {
     JsonWriter json = beginEvent("command");
@@ -139,6 +174,8 @@ std::string eventJson(const Event &event, const PeerNames &names)
                           [](const vehicle::TextReceived &e) { return statusTextEvent(e); },
                           [](const PlaintextRefused &e) { return plaintextEvent(e); },
                           [](const SystemRefused &e) { return systemRefusedEvent(e); },
+                          [](const OtherSystemsHeard &e) { return otherSystemsEvent(e); },
+                          [](const OwnIdClaimed &e) { return ownIdEvent(e); },
                           [](const AgentUnanswering &e) { return unansweringEvent(e); },
                           [](const RecordingProblem &e) { return recordingEvent(e); },
                           [](const EventsDropped &e) { return eventsDroppedEvent(e); },
@@ -189,6 +226,17 @@ void writeBroker(JsonWriter &json, const mqtt::PublisherStatus &broker)
     json.endObject();
 }
 
+void writeVehicle(JsonWriter &json, const vehicle::VehicleState &state)
+{
+    vehicle::writeStateFields(json, state);
+    json.field("component", number(state.componentId)).key("components").beginArray();
+    for (const vehicle::Component &component : state.components) {
+        json.beginObject().field("component", number(component.id)).field("type", number(component.type));
+        json.field("autopilot", number(component.autopilot)).field("heartbeat_age", component.age).endObject();
+    }
+    json.endArray();
+}
+
 void writeStatistics(JsonWriter &json, const Snapshot &snapshot, double time)
 {
     json.field("t", time);
@@ -202,10 +250,19 @@ void writeStatistics(JsonWriter &json, const Snapshot &snapshot, double time)
         writeClients(json, snapshot.clients);
     if (snapshot.broker)
         writeBroker(json, *snapshot.broker);
+    if (!snapshot.otherSystems.empty()) {
+        json.key("other_systems").beginArray();
+        for (const OtherSystemsHeard &heard : snapshot.otherSystems) {
+            json.beginObject();
+            writeOtherSystems(json, heard);
+            json.endObject();
+        }
+        json.endArray();
+    }
     json.key("vehicles").beginArray();
     for (const VehicleSnapshot &vehicle : snapshot.vehicles) {
         json.beginObject();
-        vehicle::writeStateFields(json, vehicle.state);
+        writeVehicle(json, vehicle.state);
         json.endObject();
     }
     json.endArray();
@@ -232,7 +289,7 @@ std::string vehicleStateEvent(const Snapshot &snapshot, const VehicleSnapshot &v
         json.field("under_attack", isAttacked(*session));
     }
     json.field("loss_percent", vehicle.lossPercent);
-    vehicle::writeStateFields(json, vehicle.state);
+    writeVehicle(json, vehicle.state);
     return endEvent(json);
 }
 

@@ -24,6 +24,8 @@ std::string statusTextEvent(const vehicle::TextReceived &text);
 std::string unansweringEvent(const AgentUnanswering &event);
 std::string plaintextEvent(const PlaintextRefused &refused);
 std::string systemRefusedEvent(const SystemRefused &refused);
+std::string otherSystemsEvent(const OtherSystemsHeard &heard);
+std::string ownIdEvent(const OwnIdClaimed &claim);
 /// One step of a flight script.
 std::string commandEvent(const vehicle::StepReport &report);
 /// Number of events that were dropped before this line, because the reader of the output did not keep up.

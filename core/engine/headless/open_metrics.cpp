@@ -93,6 +93,9 @@ void writeLink(Exposition &out, const Snapshot &snapshot)
     out.sample({}, snapshot.plaintextRefused);
     out.counter("system_frames_refused", "Sealed frames with a system ID that their peer may not use.");
     out.sample({}, snapshot.spoofed);
+    out.counter("other_system_frames", "Sealed frames of systems behind an agent that belong to no peer.");
+    for (const OtherSystemsHeard &heard : snapshot.otherSystems)
+        out.sample({{"peer", heard.peer}}, heard.frames);
     out.counter("events_dropped", "Events that were dropped because this program did not keep up.");
     out.sample({}, snapshot.eventsDropped);
 }

@@ -8,6 +8,7 @@
 #include "core/engine/common/link_snapshot.h"
 #include "core/engine/common/storage_watch.h"
 #include "core/engine/gateway/gateway_event.h"
+#include "core/engine/station/other_systems_heard.h"
 #include "core/engine/station/unanswering_agent.h"
 #include "core/vehicle/event.h"
 
@@ -22,6 +23,7 @@ struct LinkChanged
 {
     LinkSnapshot link;
 };
+/// Also published when another component turned out to be the autopilot of the system.
 struct VehicleFound
 {
     std::uint8_t systemId = 0, type = 0, autopilot = 0;
@@ -52,6 +54,12 @@ struct SystemRefused
     std::string peer, owner;
     std::uint64_t frames = 0;
 };
+/// A vehicle has the system id of this station, so that neither can be told from the other; at most once a minute. It is not shown.
+struct OwnIdClaimed
+{
+    std::uint8_t systemId = 0, componentId = 0;
+    std::string remoteAddress;
+};
 /// A known agent announces itself and answers no handshake: most likely it does not know this station's key, whose
 /// fingerprint is included for the operator to compare. Published at the beginning and at the end (the agent has answered, or
 /// is gone).
@@ -81,8 +89,9 @@ template<typename... T, typename... U, typename... Rest>
 struct Joined<std::variant<T...>, std::variant<U...>, Rest...> : Joined<std::variant<T..., U...>, Rest...>
 {};
 
-using StationEvent = std::variant<LinkChanged, VehicleFound, VehicleLost, VehicleBack, PlaintextRefused, SystemRefused,
-                                  AgentUnanswering, RecordingProblem, EventsDropped, CounterStorage>;
+using StationEvent =
+    std::variant<LinkChanged, VehicleFound, VehicleLost, VehicleBack, PlaintextRefused, SystemRefused, OtherSystemsHeard,
+                 OwnIdClaimed, AgentUnanswering, RecordingProblem, EventsDropped, CounterStorage>;
 using EventVariant = Joined<StationEvent, GatewayEvent, vehicle::Event, channel::Event>::Type;
 
 /// An event of the station itself, of its gateway, of a vehicle or of the channel.

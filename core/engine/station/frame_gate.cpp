@@ -38,12 +38,15 @@ FrameGate::Verdict FrameGate::judgeClear(const Path &from, std::uint8_t systemId
     return origin == FrameOrigin::Live ? Verdict::AwaitApproval : Verdict::Accept;
 }
 
-bool FrameGate::acceptSealed(channel::SessionId session, std::uint8_t systemId)
+bool FrameGate::refuseSealed(TimePoint now, channel::SessionId session, std::uint8_t systemId, bool announcesVehicle)
 {
-    if (m_policy.acceptSealed(session, systemId))
-        return true;
-    m_refusals.refuseSystem(systemId, session);
-    return false;
+    const auto name = m_peerNames.find(session);
+    const bool others = name == m_peerNames.end() || m_policy.belongsToAnother(systemId, session);
+    if (others)
+        m_refusals.refuseSystem(systemId, session);
+    else
+        m_otherSystems.note(now, name->second, systemId, announcesVehicle);
+    return others;
 }
 
 bool FrameGate::isPresent(const mavlink::Frame &frame, const channel::Delivery &delivery)
@@ -82,6 +85,8 @@ void FrameGate::publishRefusals(TimePoint now, const Notify &notify)
 {
     if (auto refused = m_refusals.takePlaintext(now))
         notify(std::move(*refused));
+    if (auto heard = m_otherSystems.take(now))
+        notify(std::move(*heard));
     if (!m_refusals.isSystemDue(now))
         return;
     namePeerOfRefusal();

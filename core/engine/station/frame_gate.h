@@ -1,9 +1,10 @@
-// Decides by the sender policy which MAVLink frames the station accepts, and counts the others: refused frames, and vehicles in
-// clear that await the operator's approval. No I/O and no clock.
+// Decides by the sender policy which MAVLink frames the station accepts, and counts the others: refused frames, those of other
+// systems behind agents, and vehicles in clear that await the operator's approval. No I/O and no clock.
 #pragma once
 
 #include "core/engine/common/sender_policy.h"
 #include "core/engine/station/frame_order.h"
+#include "core/engine/station/other_systems.h"
 #include "core/engine/station/pending_vehicles.h"
 #include "core/engine/station/refusal_log.h"
 
@@ -28,6 +29,7 @@ public:
     SenderPolicy &policy() { return m_policy; }
     const SenderPolicy &policy() const { return m_policy; }
     const RefusalLog &refusals() const { return m_refusals; }
+    const OtherSystems &otherSystems() const { return m_otherSystems; }
     const PendingVehicles &pending() const { return m_pending; }
 
     void sessionUp(const channel::SessionUp &up);
@@ -41,11 +43,14 @@ public:
     /// Recordings and listen-only streams are accepted, since the operator opened them as such. The recorded frames of a sealed
     /// vehicle can be replayed, but not if that vehicle is or was connected in this run.
     Verdict judgeClear(const Path &from, std::uint8_t systemId, FrameOrigin origin, bool wasSealed) const;
-    /// Judges a sealed frame; counts it if it is refused.
-    bool acceptSealed(channel::SessionId session, std::uint8_t systemId);
+    /// Judges a sealed frame. Counts nothing.
+    bool acceptSealed(channel::SessionId session, std::uint8_t systemId) { return m_policy.acceptSealed(session, systemId); }
     /// Notes an accepted frame of a delivery. Returns false if it must not change present values.
     bool isPresent(const mavlink::Frame &frame, const channel::Delivery &delivery);
 
+    /// Counts a refused sealed frame. `announcesVehicle`: it is the heartbeat of an autopilot. Returns true if its system belongs
+    /// to another peer, false if it is only another system behind the agent.
+    bool refuseSealed(TimePoint now, channel::SessionId session, std::uint8_t systemId, bool announcesVehicle);
     /// Counts a refused clear frame. Returns the session to which it is charged, if any.
     std::optional<channel::SessionId> refuseClear(const Path &from, std::uint8_t systemId);
     /// Counts a frame that awaits approval. `isHeartbeat`: it announces a vehicle. Returns an event for the first heartbeat
@@ -54,7 +59,7 @@ public:
     /// A frame of this system was accepted from a live link.
     void heardLive(std::uint8_t systemId) { m_pending.release(systemId); }
 
-    /// Publishes refusals that are due; call after each refusal and once a second.
+    /// Publishes refusals and other systems that are due; call after each refusal and once a second.
     void publishRefusals(TimePoint now, const Notify &notify);
     void forgetSilent(TimePoint now)
     {
@@ -67,6 +72,7 @@ private:
 
     SenderPolicy m_policy;
     RefusalLog m_refusals;
+    OtherSystems m_otherSystems;
     PendingVehicles m_pending;
     std::map<channel::SessionId, std::string> m_peerNames;
     std::map<channel::SessionId, FrameOrder> m_orders;

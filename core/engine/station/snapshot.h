@@ -9,6 +9,7 @@
 #include "core/engine/station/field_reading.h"
 #include "core/engine/station/inspector_row.h"
 #include "core/engine/station/metrics_sample.h"
+#include "core/engine/station/other_systems_heard.h"
 #include "core/engine/station/probe.h"
 #include "core/engine/station/recording_snapshot.h"
 #include "core/engine/station/replay_status.h"
@@ -50,13 +51,14 @@ struct Snapshot
     std::uint64_t residentBytes = 0;
     std::uint64_t plaintextRefused = 0; ///< clear frames, including those of vehicles that await approval; see SenderPolicy
     std::uint64_t spoofed = 0;          ///< sealed frames with a system id that their peer may not use
-    std::uint64_t unreadable = 0;       ///< frames that Station::setBareCipher() did not decrypt
-    std::uint64_t eventsDropped = 0;    ///< events that a hung reader did not receive, see OutputQueue
-    MavlinkTotals mavlink;              ///< since the start, all links
-    ChannelTotals channel;              ///< since the start, including ended sessions
-    std::optional<ReplayStatus> replay; ///< set if this is the picture of a replay
-    std::shared_ptr<const Probe> probe; ///< null unless it was requested, see Station::requestProbe()
-    std::vector<FieldReading> fields;   ///< only those chosen by Station::chooseFields()
+    std::vector<OtherSystemsHeard> otherSystems; ///< behind agents, and of no peer
+    std::uint64_t unreadable = 0;                ///< frames that Station::setBareCipher() did not decrypt
+    std::uint64_t eventsDropped = 0;             ///< events that a hung reader did not receive, see OutputQueue
+    MavlinkTotals mavlink;                       ///< since the start, all links
+    ChannelTotals channel;                       ///< since the start, including ended sessions
+    std::optional<ReplayStatus> replay;          ///< set if this is the picture of a replay
+    std::shared_ptr<const Probe> probe;          ///< null unless it was requested, see Station::requestProbe()
+    std::vector<FieldReading> fields;            ///< only those chosen by Station::chooseFields()
 };
 
 } // namespace skyseal::engine

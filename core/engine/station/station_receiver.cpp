@@ -4,9 +4,10 @@
 #include "core/crypto/mavsec_cipher.h"
 #include "core/engine/gateway/late_answers.h"
 #include "core/engine/station/recording_link_events.h"
+#include "core/link/address_text.h"
 #include "core/link/steady_now.h"
-#include "core/mavlink/frame_header.h"
 #include "core/mavlink/autopilot_heartbeat.h"
+#include "core/mavlink/frame_header.h"
 #include "core/mavlink/messages.h"
 
 namespace skyseal::engine {
@@ -17,9 +18,9 @@ IngressRules StationReceiver::rulesFor(const link::LinkTraits &traits) const
     IngressRules out;
     out.isStream = traits.isStream;
     out.takesDatagrams = !traits.isStream;
+    out.sealed = sealing;
     out.takesCobs = traits.isStream && sealing;
     out.takesTunnel = sealing;
-    out.sealed = sealing;
     out.dropsNodeHeartbeats = true;
     out.clear = ClearScan::UnlessCobs;
     return out;
@@ -126,7 +127,7 @@ void StationReceiver::takeDelivery(const link::ReceivedBlock &block, const chann
         }
         ++frames;
         if (!m_gate.acceptSealed(delivery.session, item.frame->systemId()))
-            m_gate.publishRefusals(block.time, m_parts.notify);
+            refuseFrame(block, *item.frame, delivery.session);
         else if (m_gate.isPresent(*item.frame, delivery))
             acceptFrame(block.time, block.path, *item.frame, FrameOrigin::Live, delivery.session);
         else
@@ -134,6 +135,16 @@ void StationReceiver::takeDelivery(const link::ReceivedBlock &block, const chann
     });
     m_channel->driver.costs().countFrames(delivery.session, frames);
     m_parts.links.noteRemote(block.path.link, block.path.remote);
+}
+
+/// The sender is authentic, but may not use this system id.
+void StationReceiver::refuseFrame(const link::ReceivedBlock &block, const mavlink::Frame &frame, channel::SessionId session)
+{
+    const bool announces = m_parts.fleet.vehicles().announcesVehicle(frame);
+    const bool others = m_gate.refuseSealed(block.time, session, frame.systemId(), announces);
+    if (!others && frame.messageId() == mavlink::RadioStatus::kId)
+        m_parts.fleet.takeRadioStatus(block.path, frame, session);
+    m_gate.publishRefusals(block.time, m_parts.notify);
 }
 
 /// A message that may be known to clients only. Without its definition it can neither be shown nor be compared with newer ones,
@@ -209,6 +220,15 @@ void StationReceiver::acceptFrame(TimePoint now, const Path &from, const mavlink
         notePlain(frame, wall);
     if (const auto found = m_parts.fleet.take(now, wall, from, frame, session))
         m_parts.notify(*found);
+    const bool highLatency = mavlink::isHighLatency(frame.messageId());
+    if (!session && live && (highLatency || frame.messageId() == mavlink::Heartbeat::kId)) {
+        const vehicle::Vehicle *vehicle = m_parts.fleet.find(systemId);
+        const bool isAutopilot = vehicle && vehicle->componentId() == frame.componentId();
+        m_parts.routes.heardClear(now, systemId, from, isAutopilot, highLatency);
+        m_parts.links.noteRemote(from.link, from.remote);
+    }
+    if (live && m_parts.fleet.vehicles().claimsOwnId(frame) && m_ownIdLimit.take(now))
+        m_parts.notify(OwnIdClaimed{systemId, frame.componentId(), link::toText(from.remote)});
 }
 
 /// The frames of a recording do not say whether they were sealed.
@@ -220,13 +240,6 @@ void StationReceiver::notePlain(const mavlink::Frame &frame, WallTime wall)
     m_notedPlain.set(systemId);
     m_recorder->note(plainVehicle(wall, systemId));
 }
-    const bool highLatency = mavlink::isHighLatency(frame.messageId());
-    if (!session && live && (highLatency || frame.messageId() == mavlink::Heartbeat::kId)) {
-        const vehicle::Vehicle *vehicle = m_parts.fleet.find(systemId);
-        const bool isAutopilot = vehicle && vehicle->componentId() == frame.componentId();
-        m_parts.routes.heardClear(now, systemId, from, isAutopilot, highLatency);
-        m_parts.links.noteRemote(from.link, from.remote);
-    }
 
 /// Does not change the routes: the vehicle may have another address by now.
 void StationReceiver::acceptLateFrame(TimePoint now, const Path &from, const mavlink::Frame &frame,

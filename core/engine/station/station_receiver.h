@@ -2,6 +2,7 @@
 // accepted frames passed to the fleet, the routes and the recorder. I/O thread.
 #pragma once
 
+#include "core/channel/interval_limit.h"
 #include "core/engine/common/ingress.h"
 #include "core/engine/common/link_pool.h"
 #include "core/engine/gateway/gateway.h"
@@ -106,6 +107,7 @@ private:
     void acceptFrame(TimePoint now, const Path &from, const mavlink::Frame &frame, FrameOrigin origin,
                      std::optional<channel::SessionId> session);
     void acceptLateFrame(TimePoint now, const Path &from, const mavlink::Frame &frame, channel::Freshness freshness);
+    void refuseFrame(const link::ReceivedBlock &block, const mavlink::Frame &frame, channel::SessionId session);
     void takeUnknownMessage(const channel::Delivery &delivery, ByteView frame);
     void record(const mavlink::Frame &frame, WallTime wall);
     void notePlain(const mavlink::Frame &frame, WallTime wall);
@@ -133,6 +135,7 @@ private:
     DatagramCounters m_datagrams;
     std::optional<BareSink> m_bare;
     CallPlaces m_callPlaces;
+    channel::IntervalLimit m_ownIdLimit{std::chrono::minutes(1), TimePoint::min()}; ///< of OwnIdClaimed
 };
 
 } // namespace skyseal::engine

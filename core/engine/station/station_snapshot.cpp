@@ -89,6 +89,7 @@ std::shared_ptr<Snapshot> buildSnapshot(const SnapshotSources &from, TimePoint n
     out->residentBytes = from.sampler.residentBytes();
     out->plaintextRefused = from.gate.refusals().plaintextFrames() + from.gate.pending().frames();
     out->spoofed = from.gate.refusals().systemFrames();
+    out->otherSystems = from.gate.otherSystems().all();
     out->unreadable = from.datagrams.unreadable;
     out->mavlink = mavlinkTotals(from);
     out->channel = channelTotals(from);

@@ -2,6 +2,7 @@
 
 #include "core/engine/text/qt_text.h"
 #include "core/engine/text/state_text.h"
+#include "core/engine/text/system_text.h"
 #include "core/mavlink/enums.h"
 
 #include <QtCore/QCoreApplication>
@@ -58,6 +59,22 @@ public:
                    "agent of the same vehicle, remove %3 from the list of peers or bind the system ID to %2")
                     .arg(frames, peer, owner),
                 kError, e.systemId};
+    }
+    EventText operator()(const OtherSystemsHeard &e) const
+    {
+        const QString all = otherSystemsText(e);
+        if (e.vehicles.empty())
+            return {all, kNotice};
+        return {tr("%1. To show vehicle %2, bind its system ID to %3 in the list of peers")
+                    .arg(all, systemsText(e.vehicles), qt(e.peer)),
+                kWarning};
+    }
+    EventText operator()(const OwnIdClaimed &e) const
+    {
+        return {tr("A vehicle at %1 is not shown: it has the system ID %2, which is this station's own. Change one of the two")
+                    .arg(qt(e.remoteAddress))
+                    .arg(e.systemId),
+                kError};
     }
     EventText operator()(const AgentUnanswering &e) const
     {
