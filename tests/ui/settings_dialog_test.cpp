@@ -7,8 +7,11 @@
 
 #include <QtTest/QTest>
 #include <QtWidgets/QCheckBox>
+#include <QtWidgets/QDialogButtonBox>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QSpinBox>
 
 using namespace skyseal;
 using namespace skyseal::ui;
@@ -29,6 +32,24 @@ private Q_SLOTS:
             QVERIFY2(label->buddy(), qPrintable(label->text())); // without one the label shows the ampersand
         }
         QCOMPARE(mnemonics, 9);
+    }
+
+    void idOfAVehicleCannotBeChosen()
+    {
+        SettingsDialog dialog{Settings()};
+        std::bitset<256> vehicles;
+        dialog.setVehicles(vehicles.set(1));
+        auto *id = dialog.findChild<QSpinBox *>(QStringLiteral("settingSystemId"));
+        const auto *why = dialog.findChild<QLabel *>(QStringLiteral("settingIdTaken"));
+        const auto *ok = dialog.findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok);
+        QVERIFY(ok->isEnabled() && why->isHidden());
+        id->setValue(1);
+        QVERIFY(!ok->isEnabled() && !why->isHidden());
+        QVERIFY(why->text().contains(QLatin1Char('1')));
+        dialog.findChild<QLineEdit *>(QStringLiteral("settingLink"))->setText(QStringLiteral("udpin:127.0.0.1:14550"));
+        QVERIFY(!ok->isEnabled()); // a valid link does not outweigh it
+        id->setValue(254);
+        QVERIFY(ok->isEnabled() && why->isHidden());
     }
 
     void folderIsReachedByItsKey()

@@ -65,13 +65,29 @@ SettingsDialog::SettingsDialog(const Settings &settings, QWidget *parent) : QDia
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    // An invalid link URL is not accepted.
-    connect(m_link, &QLineEdit::textChanged, this, [this, buttons] {
-        const auto parsed = link::LinkUrl::parse(m_link->text().toStdString());
-        buttons->button(QDialogButtonBox::Ok)->setEnabled(parsed.has_value());
-        m_link->setToolTip(parsed ? QString() : engine::reasonText(parsed.error().message));
-    });
+    m_ok = buttons->button(QDialogButtonBox::Ok);
+    connect(m_link, &QLineEdit::textChanged, this, &SettingsDialog::check);
+    connect(m_systemId, &QSpinBox::valueChanged, this, &SettingsDialog::check);
+    check();
     fitToScreen(*this);
+}
+
+void SettingsDialog::setVehicles(const std::bitset<256> &systems)
+{
+    m_vehicles = systems;
+    check();
+}
+
+/// An invalid link URL is not accepted, nor the system id of a vehicle.
+void SettingsDialog::check()
+{
+    const auto parsed = link::LinkUrl::parse(m_link->text().toStdString());
+    m_link->setToolTip(parsed ? QString() : engine::reasonText(parsed.error().message));
+    const int id = m_systemId->value();
+    const bool taken = m_vehicles.test(static_cast<std::size_t>(id));
+    m_idTaken->setText(taken ? tr("System ID %1 is a vehicle's: choose another one.").arg(id) : QString());
+    m_idTaken->setVisible(taken);
+    m_ok->setEnabled(parsed.has_value() && !taken);
 }
 
 QWidget *SettingsDialog::makeView()
@@ -143,6 +159,9 @@ QWidget *SettingsDialog::makeStation()
     where->addWidget(m_folder, 1);
     where->addWidget(browse);
     form->addRow(tr("MAVLink &system"), m_systemId);
+    m_idTaken = named(new QLabel(box), "settingIdTaken", tr("Why the system ID cannot be chosen"));
+    m_idTaken->setWordWrap(true);
+    form->addRow(QString(), m_idTaken);
     form->addRow(tr("MAVLink c&omponent"), m_componentId);
     form->addRow(tr("&Link at start"), m_link);
     form->addRow(QString(), m_record);

@@ -88,6 +88,18 @@ void WindowDialogs::openSettings()
     if (raiseOpen<SettingsDialog>(m_window))
         return;
     auto *dialog = make<SettingsDialog>(m_settings, &m_window);
+    std::bitset<256> vehicles;
+    if (m_live) {
+        for (const engine::VehicleSnapshot &vehicle : m_live->vehicles)
+            vehicles.set(vehicle.state.systemId);
+    }
+    if (m_keyring) {
+        for (const KnownPeer &peer : m_keyring->peerList().peers) {
+            for (const std::uint8_t systemId : peer.systems)
+                vehicles.set(systemId);
+        }
+    }
+    dialog->setVehicles(vehicles);
     connect(dialog, &QDialog::accepted, this, [this, dialog] {
         Settings changed = dialog->settings();
         changed.takeOffAltitude = m_settings.takeOffAltitude; // set in the panels, perhaps while the dialog was open
