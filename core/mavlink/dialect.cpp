@@ -67,7 +67,7 @@ Result<Dialect, InputError> Dialect::extended(const DialectDefinition &more) con
         std::vector<FieldInfo> &fields = storage->fields.emplace_back();
         for (const FieldDefinition &field : message.fields) {
             fields.push_back({field.name, field.type, field.arrayLength, field.offset, field.extension, field.isMavlinkVersion,
-                              field.enumName, field.units, field.printFormat, field.invalid});
+                              field.enumName, field.units, field.printFormat, field.unknown});
         }
         allMessages.push_back({message.id, message.name, message.crcExtra, message.minLength, message.maxLength,
                                message.targetSystemOffset, message.targetComponentOffset, fields});

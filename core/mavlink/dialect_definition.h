@@ -17,8 +17,9 @@ struct FieldDefinition
     std::uint8_t arrayLength = 0;
     bool extension = false;
     bool isMavlinkVersion = false;
-    std::string enumName, units, printFormat, invalid;
-    std::uint8_t offset = 0; ///< by layOut()
+    std::string enumName, units, printFormat;
+    std::vector<std::uint64_t> unknown; ///< as in FieldInfo
+    std::uint8_t offset = 0;            ///< by layOut()
 
     std::size_t size() const { return sizeOf(type) * (arrayLength ? arrayLength : 1u); }
 };

@@ -1,5 +1,7 @@
 #include "core/mavlink/dialect_xml.h"
 
+#include "core/mavlink/field_value.h"
+
 #include <pugixml.hpp>
 
 #include <algorithm>
@@ -236,8 +238,37 @@ private:
         field.enumName = node.attribute("enum").value();
         field.units = node.attribute("units").value();
         field.printFormat = node.attribute("print_format").value();
-        field.invalid = node.attribute("invalid").value();
+        field.unknown = readUnknown(node.attribute("invalid").value(), field);
         return field;
+    }
+
+    /// The values of an `invalid` attribute: "UINT16_MAX", "-1", "[0]" for each element of an array, an entry of the field's
+    /// enum (https://mavlink.io/en/guide/xml_schema.html). "[NaN:]" speaks of the first element for all. Texts that state no
+    /// value are ignored, since a dialect can be used without them.
+    std::vector<std::uint64_t> readUnknown(std::string_view text, const FieldDefinition &field) const
+    {
+        if (field.type == FieldType::Char) // a text says so by being empty
+            return {};
+        if (text.starts_with('[') && text.ends_with(']'))
+            text = text.substr(1, text.size() - 2);
+        static constexpr std::pair<std::string_view, std::string_view> kLimits[] = {
+            {"UINT8_MAX", "255"}, {"UINT16_MAX", "65535"}, {"UINT32_MAX", "4294967295"},
+            {"INT8_MAX", "127"},  {"INT16_MAX", "32767"},  {"INT32_MAX", "2147483647"},
+        };
+        for (const auto &[name, number] : kLimits) {
+            if (text == name)
+                text = number;
+        }
+        if (const auto names = m_enums.find(field.enumName); names != m_enums.end()) {
+            for (const EnumEntryDefinition &entry : names->second.entries) {
+                if (entry.name == text)
+                    return {entry.value};
+            }
+        }
+        auto value = parseFieldValue(field.type, text);
+        if (const auto whole = value ? std::nullopt : parsePlainNumber(text)) // "0xFFFF" of a float
+            value = FieldValue::fromNumber(field.type, static_cast<double>(*whole));
+        return value && isKnown(*value, {}) ? std::vector{value->bits()} : std::vector<std::uint64_t>();
     }
 
     DialectDefinition m_result;

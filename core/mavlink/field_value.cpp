@@ -123,6 +123,13 @@ bool setFieldValue(MutableByteView payload, const FieldInfo &field, std::size_t 
     return true;
 }
 
+bool isKnown(FieldValue value, std::span<const std::uint64_t> unknown)
+{
+    if (value.isFloating() && std::isnan(value.asDouble()))
+        return false;
+    return std::find(unknown.begin(), unknown.end(), value.bits()) == unknown.end();
+}
+
 std::string_view fieldText(ByteView payload, const FieldInfo &field)
 {
     const std::size_t begin = std::min<std::size_t>(field.offset, payload.size());

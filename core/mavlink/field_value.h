@@ -48,6 +48,9 @@ FieldValue fieldValue(ByteView payload, const FieldInfo &field, std::size_t inde
 /// Writes element `index`. Returns false, and writes nothing, if the types differ, there is no such element or no room for it.
 bool setFieldValue(MutableByteView payload, const FieldInfo &field, std::size_t index, FieldValue value);
 
+/// False for NaN and for the values of `unknown` (FieldInfo::unknown), by which an element of a field says "not known".
+bool isKnown(FieldValue value, std::span<const std::uint64_t> unknown);
+
 /// The bytes of a char array without the zeros at its end; a view into the payload. It may contain any
 /// bytes, including zeros.
 std::string_view fieldText(ByteView payload, const FieldInfo &field);

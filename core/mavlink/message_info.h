@@ -32,7 +32,7 @@ struct FieldInfo
     std::string_view enumName{};
     std::string_view units{};
     std::string_view printFormat{};
-    std::string_view invalid{};
+    std::span<const std::uint64_t> unknown{}; ///< bits of the values by which an element says "not known"; NaN always does
 
     std::size_t elements() const { return arrayLength ? arrayLength : 1; }
     std::size_t size() const { return elements() * sizeOf(type); }

@@ -8,6 +8,7 @@
 #include <bit>
 #include <cstring>
 #include <string_view>
+#include <type_traits>
 
 namespace skyseal::mavlink {
 
@@ -43,6 +44,24 @@ template<typename T> void storeField(std::uint8_t *out, const T &field)
 template<std::size_t N> std::string_view textOf(const std::array<char, N> &field)
 {
     return {field.data(), static_cast<std::size_t>(std::find(field.begin(), field.end(), '\0') - field.begin())};
+}
+
+/// The values by which a field of a generated message says "not known", for each of its elements: a specialisation for every
+/// field that has some, from its `invalid` attribute in the definitions and from resources/dialects/unknown_values.txt.
+template<auto Field> inline constexpr std::array<std::uint8_t, 0> kNotKnown{};
+
+/// False for NaN and for the values of kNotKnown. `value` is the field, or one element of it.
+template<auto Field, typename Value> constexpr bool isKnown(Value value)
+{
+    if constexpr (std::is_floating_point_v<Value>) {
+        if (value != value)
+            return false;
+    }
+    for (const auto unknown : kNotKnown<Field>) {
+        if (value == unknown)
+            return false;
+    }
+    return true;
 }
 
 /// Copies a text into a char array, cut to its length, the rest zero.

@@ -4,6 +4,7 @@
 #include "core/mavlink/user_dialect.h"
 #include "tests/support/test_runner.h"
 
+#include <QtCore/QRegularExpression>
 #include <QtCore/QTemporaryDir>
 #include <QtTest/QTest>
 
@@ -45,6 +46,8 @@ class UserDialectTest : public QObject
 private Q_SLOTS:
     void ownMessagesWorkLikeBuiltInOnes();
     void theBuiltInOneStaysAsItWas();
+    void unknownValuesOfADialect();
+    void everyUnknownValueOfTheDefinitionsIsRead();
     void includesAreFollowedOnce();
     void wrongFilesAreRefused_data();
     void wrongFilesAreRefused();
@@ -102,6 +105,58 @@ void UserDialectTest::theBuiltInOneStaysAsItWas()
     const auto second = first->extended({});
     first.reset();
     QCOMPARE(std::string(second->find(60001)->name), std::string("KITE_STATUS"));
+}
+
+void UserDialectTest::unknownValuesOfADialect()
+{
+    const auto dialect = load(R"(<mavlink>
+      <enums><enum name="GAIT"><entry value="7" name="GAIT_NONE"/></enum></enums>
+      <messages><message id="60002" name="HORSE">
+        <field type="uint16_t" name="hoof" invalid="UINT16_MAX"/>
+        <field type="int8_t[2]" name="ears" invalid="[-1]"/>
+        <field type="uint8_t" name="gait" enum="GAIT" invalid="GAIT_NONE"/>
+        <field type="float" name="speed" invalid="NaN"/>
+        <field type="float" name="height" invalid="-1.0"/>
+        <field type="char[9]" name="name" invalid="[0]"/>
+        <field type="uint8_t" name="odd" invalid="as the rider says"/>
+      </message></messages></mavlink>)");
+    QVERIFY2(dialect.has_value(), dialect ? "" : dialect.error().text().c_str());
+    const auto knows = [&](const char *name, double number) {
+        const FieldInfo &field = *dialect->find(60002)->field(name);
+        return isKnown(FieldValue::fromNumber(field.type, number), field.unknown);
+    };
+    QVERIFY(!knows("hoof", 65535) && knows("hoof", 65534));
+    QVERIFY(!knows("ears", -1) && knows("ears", 1));
+    QVERIFY(!knows("gait", 7) && knows("gait", 0));
+    QVERIFY(!knows("speed", std::nan("")) && knows("speed", 0));
+    QVERIFY(!knows("height", -1) && !knows("height", std::nan("")) && knows("height", 0));
+    QVERIFY(dialect->find(60002)->field("name")->unknown.empty() && dialect->find(60002)->field("odd")->unknown.empty());
+}
+
+void UserDialectTest::everyUnknownValueOfTheDefinitionsIsRead()
+{
+    static const QRegularExpression kField(
+        QStringLiteral("<field type=\"(\\w+)[^\"]*\" name=\"(\\w+)\".* invalid=\"([^\"]*)\""));
+    static const QRegularExpression kMessage(QStringLiteral("<message .*name=\"(\\w+)\""));
+    int read = 0;
+    for (const char *name : {"minimal", "standard", "common", "ardupilotmega"}) {
+        QFile file(QStringLiteral(SKYSEAL_SOURCE_DIR "/resources/dialects/") + QLatin1String(name) + QStringLiteral(".xml"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const MessageInfo *message = nullptr;
+        while (!file.atEnd()) {
+            const QString line = QString::fromUtf8(file.readLine());
+            if (const auto found = kMessage.match(line); found.hasMatch())
+                message = Dialect::builtin().find(found.captured(1).toStdString());
+            const auto found = kField.match(line);
+            const bool isText = found.captured(1) == QLatin1String("char");
+            if (!found.hasMatch() || isText || found.captured(3).contains(QLatin1String("nan"), Qt::CaseInsensitive))
+                continue;
+            const FieldInfo *field = message ? message->field(found.captured(2).toStdString()) : nullptr;
+            QVERIFY2(field && !field->unknown.empty(), qPrintable(line));
+            ++read;
+        }
+    }
+    QVERIFY2(read > 200, qPrintable(QString::number(read)));
 }
 
 void UserDialectTest::includesAreFollowedOnce()

@@ -215,23 +215,6 @@ std::span<const ValueSource> valueSources()
     return kSources;
 }
 
-bool meansUnknown(const mavlink::FieldInfo &field, mavlink::FieldValue value)
-{
-    // "[0]" stands for each element. NaN needs no rule, since it is never a number.
-    std::string_view unknown = field.invalid;
-    if (unknown.starts_with('[') && unknown.ends_with(']'))
-        unknown = unknown.substr(1, unknown.size() - 2);
-    static constexpr std::pair<std::string_view, std::string_view> kLimits[] = {
-        {"UINT8_MAX", "255"}, {"UINT16_MAX", "65535"}, {"UINT32_MAX", "4294967295"},
-        {"INT8_MAX", "127"},  {"INT16_MAX", "32767"},  {"INT32_MAX", "2147483647"},
-    };
-    for (const auto &[name, number] : kLimits) {
-        if (unknown == name)
-            unknown = number;
-    }
-    return !unknown.empty() && mavlink::parseFieldValue(field.type, unknown) == value;
-}
-
 QString enumEntryText(const mavlink::FieldInfo &field, mavlink::FieldValue value)
 {
     const mavlink::EnumInfo *names = field.enumName.empty() ? nullptr : mavlink::Dialect::builtin().enumeration(field.enumName);

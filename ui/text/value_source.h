@@ -47,9 +47,6 @@ std::optional<ValueSource> findValueSource(const QString &id);
 /// All sources, the derived ones first; an array appears once, with its first element.
 std::span<const ValueSource> valueSources();
 
-/// True if the definition says that this value of the field means "unknown".
-bool meansUnknown(const mavlink::FieldInfo &field, mavlink::FieldValue value);
-
 /// The entry of the field's enumeration without what all its entries begin with ("3D FIX"); empty if there is none.
 QString enumEntryText(const mavlink::FieldInfo &field, mavlink::FieldValue value);
 

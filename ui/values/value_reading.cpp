@@ -77,7 +77,7 @@ ValueReading readValue(const ValueSource &source, const ViewState &view)
         return {};
     ValueReading out;
     out.age = reading->age;
-    if (meansUnknown(*source.field, reading->value))
+    if (!isKnown(reading->value, source.field->unknown))
         return out;
     if (!source.isNumber())
         out.word = enumEntryText(*source.field, reading->value);

@@ -1,6 +1,7 @@
-// dialectgen ROOT.xml TYPED-LIST OUTPUT-FOLDER: writes the message tables, the enums, the message ids and the typed messages
-// that core/mavlink compiles.
+// dialectgen ROOT.xml TYPED-LIST UNKNOWN-VALUES OUTPUT-FOLDER: writes the message tables, the enums, the message ids and the
+// typed messages that core/mavlink compiles.
 #include "core/mavlink/dialect_xml.h"
+#include "core/mavlink/field_value.h"
 
 #include <algorithm>
 #include <cctype>
@@ -58,16 +59,55 @@ std::string typeNameOf(const std::string &message)
     return out;
 }
 
+FieldDefinition *findField(DialectDefinition &dialect, std::string_view message, std::string_view field)
+{
+    for (MessageDefinition &m : dialect.messages) {
+        for (FieldDefinition &f : m.fields) {
+            if (m.name == message && f.name == field)
+                return &f;
+        }
+    }
+    return nullptr;
+}
+
+/// Adds the values of unknown_values.txt to the fields. Returns the first line that names no field, has no value of its type or
+/// no reason; empty if there is none.
+std::string addUnknownValues(DialectDefinition &dialect, std::istream &list)
+{
+    for (std::string line; std::getline(list, line);) {
+        if (line.empty() || line.front() == '#')
+            continue;
+        std::istringstream words(line);
+        std::string name, number, reason;
+        words >> name >> number >> reason;
+        const std::size_t dot = name.find('.');
+        FieldDefinition *field = findField(dialect, name.substr(0, dot), dot == name.npos ? "" : name.substr(dot + 1));
+        const auto value = field ? parseFieldValue(field->type, number) : std::nullopt;
+        if (!value || reason.empty())
+            return line;
+        field->unknown.push_back(value->bits());
+    }
+    return {};
+}
+
 void writeTables(const DialectDefinition &dialect, std::ostream &out)
 {
     out << kHead << "#include \"core/mavlink/builtin_tables.h\"\n\nnamespace skyseal::mavlink::builtin {\n\nnamespace {\n\n";
     for (const MessageDefinition &m : dialect.messages) {
+        for (const FieldDefinition &f : m.fields) {
+            if (f.unknown.empty())
+                continue;
+            out << "constexpr std::uint64_t k" << m.name << '_' << f.name << "[] = {";
+            for (const std::uint64_t bits : f.unknown)
+                out << bits << "u, ";
+            out << "};\n";
+        }
         out << "constexpr FieldInfo k" << m.name << "[] = {\n";
         for (const FieldDefinition &f : m.fields) {
             out << "    {" << quoted(f.name) << ", FieldType::" << enumeratorOf(f.type) << ", " << int(f.arrayLength) << ", "
                 << int(f.offset) << ", " << (f.extension ? "true" : "false") << ", " << (f.isMavlinkVersion ? "true" : "false")
                 << ", " << quoted(f.enumName) << ", " << quoted(f.units) << ", " << quoted(f.printFormat) << ", "
-                << quoted(f.invalid) << "},\n";
+                << (f.unknown.empty() ? "{}" : "k" + m.name + "_" + f.name) << "},\n";
         }
         out << "};\n";
     }
@@ -149,6 +189,15 @@ void writeMessage(const MessageDefinition &m, std::ostream &out)
     for (const FieldDefinition &f : m.fields)
         out << "        storeField(out.data() + " << int(f.offset) << ", " << f.name << ");\n";
     out << "    }\n};\n\n";
+    for (const FieldDefinition &f : m.fields) {
+        if (f.unknown.empty())
+            continue;
+        out << "template<> inline constexpr std::array<" << cppTypeOf(f.type) << ", " << f.unknown.size() << "> kNotKnown<&"
+            << type << "::" << f.name << ">{";
+        for (const std::uint64_t bits : f.unknown)
+            out << toText(FieldValue::fromBits(f.type, bits)) << ", ";
+        out << "};\n\n";
+    }
 }
 
 /// Does not rewrite a file that already has this content, so that a change of the generator does not rebuild all its users.
@@ -166,13 +215,18 @@ bool update(const std::string &path, const std::string &content)
 
 int main(int argc, char **argv)
 {
-    if (argc != 4) {
-        std::fprintf(stderr, "usage: dialectgen ROOT.xml TYPED-LIST OUTPUT-FOLDER\n");
+    if (argc != 5) {
+        std::fprintf(stderr, "usage: dialectgen ROOT.xml TYPED-LIST UNKNOWN-VALUES OUTPUT-FOLDER\n");
         return 2;
     }
-    const auto dialect = readDialectXml(argv[1]);
+    auto dialect = readDialectXml(argv[1]);
     if (!dialect) {
         std::fprintf(stderr, "%s\n", dialect.error().text().c_str());
+        return 1;
+    }
+    std::ifstream unknownValues(argv[3]);
+    if (const std::string line = addUnknownValues(*dialect, unknownValues); !unknownValues.eof() || !line.empty()) {
+        std::fprintf(stderr, "%s: expected MESSAGE.field, a value of its type and a reason: %s\n", argv[3], line.c_str());
         return 1;
     }
     std::set<std::string> typed;
@@ -196,7 +250,7 @@ int main(int argc, char **argv)
         std::fprintf(stderr, "%s: no message is named %s\n", argv[2], typed.begin()->c_str());
         return 1;
     }
-    const std::string folder = argv[3];
+    const std::string folder = argv[4];
     return update(folder + "/builtin_tables.cpp", tables.str()) && update(folder + "/enums.h", enums.str())
             && update(folder + "/message_ids.h", ids.str()) && update(folder + "/messages.h", messages.str())
         ? 0
