@@ -57,6 +57,27 @@ constexpr StateField kFields[] = {
     {"firmware", "", Kind::Text, nullptr, [](const State &s) -> const std::string & { return s.firmware; }},
 };
 
+void writeNumber(JsonWriter &json, double value)
+{
+    if (std::isfinite(value))
+        json.value(value);
+    else
+        json.null();
+}
+
+void writeBatteries(JsonWriter &json, const VehicleState &state)
+{
+    json.key("batteries").beginArray();
+    for (const Battery &battery : state.batteries) {
+        json.beginObject().field("id", std::uint32_t{battery.id}).field("function", std::uint32_t{battery.function});
+        writeNumber(json.key("v"), battery.voltage);
+        writeNumber(json.key("a"), battery.current);
+        writeNumber(json.key("percent"), battery.percent);
+        json.endObject();
+    }
+    json.endArray();
+}
+
 } // namespace
 
 std::span<const StateField> stateFields()
@@ -91,6 +112,7 @@ void writeStateFields(JsonWriter &json, const VehicleState &state)
         else
             json.value(value);
     }
+    writeBatteries(json, state);
 }
 
 } // namespace skyseal::vehicle

@@ -27,7 +27,7 @@ std::span<const StateField> stateFields();
 /// Null when there is none of this name.
 const StateField *findStateField(std::string_view name);
 
-/// Writes all fields as members of the open object; unknown values as null.
+/// Writes all fields as members of the open object, and the batteries as an array; unknown values as null.
 void writeStateFields(JsonWriter &json, const VehicleState &state);
 
 } // namespace skyseal::vehicle

@@ -4,6 +4,7 @@
 #include "core/vehicle/message_io.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -12,6 +13,7 @@ namespace skyseal::vehicle {
 /// Input and output of the readers.
 struct TelemetryContext
 {
+    TimePoint now;
     VehicleState &state;
     Telemetry &memory;
     TelemetryUpdate &update;
@@ -19,13 +21,13 @@ struct TelemetryContext
 
 namespace {
 
-constexpr std::uint16_t kNo16 = 65535; // "not known" of many 16-bit fields
-
-/// Autopilots send 0°, 0° until they have a position.
-bool isPlace(std::int32_t latitude, std::int32_t longitude)
+/// The position of a message in degrees · 1e7, its altitude in metres; unknown unless it is on Earth. Autopilots send 0°, 0° until
+/// they have a position, and again when they lose it: neither field has a value of its own for that.
+Position placeOf(std::int32_t latitude, std::int32_t longitude, double altitude)
 {
-    return (latitude != 0 || longitude != 0) && std::abs(std::int64_t{latitude}) <= 900000000
+    const bool isPlace = (latitude != 0 || longitude != 0) && std::abs(std::int64_t{latitude}) <= 900000000
         && std::abs(std::int64_t{longitude}) <= 1800000000;
+    return isPlace ? Position{latitude * 1e-7, longitude * 1e-7, altitude} : Position{};
 }
 
 /// Limits of what a vehicle can mean. Greater values, infinities and NaN are errors or attacks, and count as not known: nothing
@@ -34,13 +36,12 @@ constexpr double kGreatestAngle = 1e3;     // radians
 constexpr double kGreatestSpeed = 1e5;     // metres or radians a second
 constexpr double kGreatestVibration = 1e5; // m/s²
 
-/// The flags of EKF_STATUS_REPORT and ESTIMATOR_STATUS, which agree in these bits.
-bool isEstimateGood(std::uint16_t flags)
+/// What every estimator needs to fly by: EKF_STATUS_REPORT and ESTIMATOR_STATUS agree in these bits.
+bool hasEstimate(std::uint16_t flags)
 {
     using namespace mavlink;
     constexpr std::uint16_t kNeeded = EKF_ATTITUDE | EKF_VELOCITY_HORIZ | EKF_POS_HORIZ_ABS | EKF_POS_VERT_ABS;
-    constexpr std::uint16_t kForbidden = EKF_CONST_POS_MODE | EKF_UNINITIALIZED | EKF_GPS_GLITCHING;
-    return (flags & kNeeded) == kNeeded && (flags & kForbidden) == 0;
+    return (flags & kNeeded) == kNeeded;
 }
 
 } // namespace
@@ -61,10 +62,8 @@ struct TelemetryReaders
 
     static void read(const mavlink::GlobalPositionInt &m, Context &c)
     {
-        if (isPlace(m.lat, m.lon)) {
-            c.state.position = {m.lat * 1e-7, m.lon * 1e-7, m.alt * 1e-3};
-            c.memory.m_hasGlobalPosition = true;
-        }
+        c.memory.m_estimate = placeOf(m.lat, m.lon, m.alt * 1e-3);
+        showPosition(c);
         constexpr std::uint32_t kLate = 3000; // milliseconds that a frame may be delayed
         c.update.restarted = m.time_boot_ms < c.memory.m_sinceBoot && c.memory.m_sinceBoot - m.time_boot_ms > kLate;
         if (c.update.restarted || m.time_boot_ms > c.memory.m_sinceBoot)
@@ -72,22 +71,22 @@ struct TelemetryReaders
         c.state.altitudeRelative = m.relative_alt * 1e-3;
         c.state.groundSpeed = std::hypot(m.vx * 0.01, m.vy * 0.01);
         c.state.climb = m.vz * -0.01;
-        if (m.hdg != kNo16)
-            c.state.heading = m.hdg % 36000 * 0.01;
-        c.update.positionChanged = true;
+        c.state.heading = std::fmod(known<&mavlink::GlobalPositionInt::hdg>(m, 0.01), 360);
+        c.memory.m_headingKnown = !std::isnan(c.state.heading);
     }
 
     static void read(const mavlink::GpsRawInt &m, Context &c)
     {
         c.state.gpsFix = m.fix_type;
-        c.state.satellites = m.satellites_visible == 255 ? -1 : m.satellites_visible;
-        c.state.hdop = m.eph == kNo16 ? kUnknown : m.eph * 0.01;
-        if (c.memory.m_hasGlobalPosition || m.fix_type < mavlink::GPS_FIX_TYPE_2D_FIX || !isPlace(m.lat, m.lon))
+        c.state.satellites = knownWhole<&mavlink::GpsRawInt::satellites_visible>(m);
+        c.state.hdop = known<&mavlink::GpsRawInt::eph>(m, 0.01);
+        const bool hasPlace = m.fix_type >= mavlink::GPS_FIX_TYPE_2D_FIX;
+        const double altitude = m.fix_type >= mavlink::GPS_FIX_TYPE_3D_FIX ? m.alt * 1e-3 : kUnknown;
+        c.memory.m_raw = hasPlace ? placeOf(m.lat, m.lon, altitude) : Position{};
+        if (c.memory.m_estimate.known())
             return;
-        c.state.position = {m.lat * 1e-7, m.lon * 1e-7, m.alt * 1e-3};
-        if (m.vel != kNo16)
-            c.state.groundSpeed = m.vel * 0.01;
-        c.update.positionChanged = true;
+        showPosition(c);
+        c.state.groundSpeed = hasPlace ? known<&mavlink::GpsRawInt::vel>(m, 0.01) : kUnknown;
     }
 
     static void read(const mavlink::VfrHud &m, Context &c)
@@ -96,67 +95,76 @@ struct TelemetryReaders
         c.state.groundSpeed = within(m.groundspeed, kGreatestSpeed);
         c.state.climb = within(m.climb, kGreatestSpeed);
         c.state.throttle = m.throttle;
-        if (m.heading >= 0)
-            c.state.heading = m.heading % 360;
+        if (c.memory.m_headingKnown)
+            c.state.heading = m.heading >= 0 ? m.heading % 360 : kUnknown;
     }
 
     static void read(const mavlink::SysStatus &m, Context &c)
     {
-        // ArduPilot always has the bit among those present, and enabled and healthy only if any check is enabled.
+        // ArduPilot and PX4 before 1.14 have the bit among those present and enabled. Later PX4 sets it in the health alone, when
+        // all checks pass.
+        const bool passes = (m.onboard_control_sensors_health & mavlink::MAV_SYS_STATUS_PREARM_CHECK) != 0;
+        const bool isPresent = (m.onboard_control_sensors_present & mavlink::MAV_SYS_STATUS_PREARM_CHECK) != 0;
+        const bool isEnabled = (m.onboard_control_sensors_enabled & mavlink::MAV_SYS_STATUS_PREARM_CHECK) != 0;
+        c.memory.m_checksByHealth = !isPresent && (passes || c.memory.m_checksByHealth);
         c.state.preArmOk.reset();
-        if (m.onboard_control_sensors_present & m.onboard_control_sensors_enabled & mavlink::MAV_SYS_STATUS_PREARM_CHECK)
-            c.state.preArmOk = (m.onboard_control_sensors_health & mavlink::MAV_SYS_STATUS_PREARM_CHECK) != 0;
+        if ((isPresent && isEnabled) || c.memory.m_checksByHealth)
+            c.state.preArmOk = passes;
         c.state.cpuLoad = m.load * 0.1;
-        if (m.voltage_battery != kNo16)
-            c.state.batteryVoltage = m.voltage_battery * 1e-3;
-        if (m.current_battery >= 0)
-            c.state.batteryCurrent = m.current_battery * 0.01;
-        if (m.battery_remaining >= 0)
-            c.state.batteryPercent = m.battery_remaining;
+        c.memory.m_batteries.handle(c.now, m);
+        c.memory.m_batteries.show(c.state);
     }
 
     static void read(const mavlink::BatteryStatus &m, Context &c)
     {
-        if (m.id != 0)
-            return; // the first one is the main one
-        double millivolts = 0;
-        for (const std::uint16_t cell : m.voltages) {
-            if (cell != kNo16)
-                millivolts += cell;
-        }
-        if (millivolts > 0)
-            c.state.batteryVoltage = millivolts * 1e-3;
-        if (m.current_battery >= 0)
-            c.state.batteryCurrent = m.current_battery * 0.01;
-        if (m.battery_remaining >= 0)
-            c.state.batteryPercent = m.battery_remaining;
+        c.memory.m_batteries.handle(c.now, m);
+        c.memory.m_batteries.show(c.state);
     }
 
     static void read(const mavlink::EkfStatusReport &m, Context &c)
     {
+        using namespace mavlink;
         c.state.ekfFlags = m.flags;
-        const bool consistent = std::max({m.velocity_variance, m.pos_horiz_variance, m.pos_vert_variance, m.compass_variance})
-            < 1;
-        c.state.ekfOk = isEstimateGood(m.flags) && consistent;
+        c.state.ekfOk.reset();
+        const std::array variances{m.velocity_variance, m.pos_horiz_variance, m.pos_vert_variance, m.compass_variance};
+        const bool runsNone = m.flags == 0 && std::ranges::all_of(variances, [](float one) { return one == 0; });
+        if (runsNone) // ArduPilot that is set to fly without an EKF reports zeros
+            return;
+        constexpr std::uint16_t kAgainst = EKF_CONST_POS_MODE | EKF_UNINITIALIZED | EKF_GPS_GLITCHING;
+        const bool consistent = std::ranges::all_of(variances, [](float one) { return one < 1; });
+        c.state.ekfOk = hasEstimate(m.flags) && (m.flags & kAgainst) == 0 && consistent;
     }
 
+    /// PX4. Its constant-position bit is set whenever the vehicle is at rest and says nothing against the estimate; an estimator
+    /// that holds its position for want of measurements lacks the absolute position.
     static void read(const mavlink::EstimatorStatus &m, Context &c)
     {
+        using namespace mavlink;
         c.state.ekfFlags = m.flags;
-        c.state.ekfOk = isEstimateGood(static_cast<std::uint16_t>(m.flags & ~kEstimatorOnly));
+        c.state.ekfOk = hasEstimate(m.flags) && (m.flags & (ESTIMATOR_GPS_GLITCH | ESTIMATOR_ACCEL_ERROR)) == 0;
     }
 
     static void read(const mavlink::Vibration &m, Context &c)
     {
-        c.state.vibration = within(std::max({m.vibration_x, m.vibration_y, m.vibration_z}), kGreatestVibration);
+        double worst = 0;
+        for (const float axis : {m.vibration_x, m.vibration_y, m.vibration_z}) {
+            const double one = within(axis, kGreatestVibration);
+            worst = std::isnan(one) ? kUnknown : std::max(worst, one); // max() keeps an unknown first value
+        }
+        c.state.vibration = worst;
     }
 
-    static void read(const mavlink::MissionCurrent &m, Context &c) { c.state.missionCurrent = m.seq == kNo16 ? -1 : m.seq; }
+    static void read(const mavlink::MissionCurrent &m, Context &c)
+    {
+        c.state.missionCurrent = knownWhole<&mavlink::MissionCurrent::seq>(m);
+        if (m.mission_state == mavlink::MISSION_STATE_NO_MISSION)
+            c.state.missionCurrent = -1;
+    }
 
     static void read(const mavlink::HomePosition &m, Context &c)
     {
-        if (isPlace(m.latitude, m.longitude))
-            c.update.home = Position{m.latitude * 1e-7, m.longitude * 1e-7, m.altitude * 1e-3};
+        if (const Position home = placeOf(m.latitude, m.longitude, m.altitude * 1e-3); home.known())
+            c.update.home = home;
     }
 
     static void read(const mavlink::ExtendedSysState &m, Context &c)
@@ -168,20 +176,16 @@ struct TelemetryReaders
     /// The whole state of a vehicle behind a satellite modem.
     static void read(const mavlink::HighLatency2 &m, Context &c)
     {
-        if (isPlace(m.latitude, m.longitude)) {
-            c.state.position = {m.latitude * 1e-7, m.longitude * 1e-7, static_cast<double>(m.altitude)};
-            if (!std::isnan(c.state.home.altitude))
-                c.state.altitudeRelative = m.altitude - c.state.home.altitude;
-            c.update.positionChanged = true;
-        }
+        c.memory.m_estimate = placeOf(m.latitude, m.longitude, m.altitude);
+        showPosition(c);
+        c.state.altitudeRelative = c.state.position.altitude - c.state.home.altitude;
         c.state.heading = m.heading * 2 % 360; // degrees / 2
         c.state.yaw = std::remainder(m.heading * 2 * std::numbers::pi / 180, 2 * std::numbers::pi);
         c.state.throttle = m.throttle;
         c.state.airSpeed = m.airspeed * 0.2; // m/s × 5
         c.state.groundSpeed = m.groundspeed * 0.2;
         c.state.climb = m.climb_rate * 0.1;
-        if (m.battery >= 0)
-            c.state.batteryPercent = m.battery;
+        c.state.batteryPercent = known<&mavlink::HighLatency2::battery>(m);
         c.state.missionCurrent = m.wp_num;
     }
 
@@ -211,8 +215,11 @@ struct TelemetryReaders
     }
 
 private:
-    /// ESTIMATOR_STATUS calls 1024 "GPS glitch" and 2048 "accelerometer error"; both speak against it, 32768 means nothing.
-    static constexpr int kEstimatorOnly = 32768;
+    static void showPosition(Context &c)
+    {
+        c.state.position = c.memory.m_estimate.known() ? c.memory.m_estimate : c.memory.m_raw;
+        c.update.positionChanged = true;
+    }
 };
 
 namespace {
@@ -244,13 +251,13 @@ constexpr auto kReaders = makeTable<
 
 } // namespace
 
-TelemetryUpdate Telemetry::handle(const mavlink::Frame &frame, VehicleState &state)
+TelemetryUpdate Telemetry::handle(TimePoint now, const mavlink::Frame &frame, VehicleState &state)
 {
     TelemetryUpdate update;
     const auto entry = std::lower_bound(kReaders.begin(), kReaders.end(), frame.messageId(),
                                         [](const Entry &e, std::uint32_t id) { return e.id < id; });
     if (entry != kReaders.end() && entry->id == frame.messageId()) {
-        TelemetryContext context{state, *this, update};
+        TelemetryContext context{now, state, *this, update};
         entry->read(frame, context);
     }
     return update;

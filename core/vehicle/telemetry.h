@@ -1,8 +1,11 @@
 // Reads telemetry into a VehicleState: one function per message, found through a table. Each converts wire units into those of
-// the state and "invalid" values into kUnknown. Values that a message lacks keep their last state.
+// the state, and values by which a field says "not known" into kUnknown, which replaces a value known before. Values that a
+// message lacks keep their last state.
 #pragma once
 
+#include "core/base/clock.h"
 #include "core/mavlink/frame.h"
+#include "core/vehicle/batteries.h"
 #include "core/vehicle/flight_timer.h"
 #include "core/vehicle/vehicle_state.h"
 
@@ -23,12 +26,15 @@ class Telemetry
 {
 public:
     /// Updates the state from a message of the table; ignores others.
-    TelemetryUpdate handle(const mavlink::Frame &frame, VehicleState &state);
+    TelemetryUpdate handle(TimePoint now, const mavlink::Frame &frame, VehicleState &state);
 
 private:
     friend struct TelemetryReaders;
-    std::uint32_t m_sinceBoot = 0;    ///< milliseconds
-    bool m_hasGlobalPosition = false; ///< after GLOBAL_POSITION_INT; until then raw GPS gives the position
+    std::uint32_t m_sinceBoot = 0; ///< milliseconds
+    Position m_estimate, m_raw;    ///< of GLOBAL_POSITION_INT and GPS_RAW_INT, which stands in while there is no estimate
+    bool m_headingKnown = true;    ///< as GLOBAL_POSITION_INT says; VFR_HUD has no value for "not known"
+    bool m_checksByHealth = false; ///< PX4 reports passed checks by their health bit alone, see SYS_STATUS
+    Batteries m_batteries;
 };
 
 } // namespace skyseal::vehicle

@@ -12,10 +12,10 @@ namespace {
 
 constexpr double kDegrees = 1e-7, kMillimetres = 1e-3, kCentimetres = 1e-2, kCentidegrees = 1e-2;
 
-/// Flags and the "invalid" value both say that a field is not known; receivers set one or the other.
-template<typename Wire> double known(const mavlink::AdsbVehicle &m, std::uint16_t flag, Wire value, double unit)
+/// Flags and the value of the field both say that it is not known; receivers set one or the other.
+template<auto Field> double flagged(const mavlink::AdsbVehicle &m, std::uint16_t flag, double unit)
 {
-    return (m.flags & flag) != 0 && value != std::numeric_limits<Wire>::max() ? static_cast<double>(value) * unit : kUnknown;
+    return (m.flags & flag) != 0 ? known<Field>(m, unit) : kUnknown;
 }
 
 /// Callsigns have capital letters and figures; receivers fill up with spaces.
@@ -29,12 +29,12 @@ Aircraft aircraftOf(const mavlink::AdsbVehicle &m)
     using namespace mavlink;
     Aircraft out;
     out.address = m.ICAO_address;
-    out.position.latitude = within(known(m, ADSB_FLAGS_VALID_COORDS, m.lat, kDegrees), 90);
-    out.position.longitude = within(known(m, ADSB_FLAGS_VALID_COORDS, m.lon, kDegrees), 180);
-    out.position.altitude = known(m, ADSB_FLAGS_VALID_ALTITUDE, m.altitude, kMillimetres);
-    out.heading = within(known(m, ADSB_FLAGS_VALID_HEADING, m.heading, kCentidegrees), 360);
-    out.groundSpeed = known(m, ADSB_FLAGS_VALID_VELOCITY, m.hor_velocity, kCentimetres);
-    out.climb = known(m, ADSB_FLAGS_VERTICAL_VELOCITY_VALID, m.ver_velocity, kCentimetres);
+    out.position.latitude = within(flagged<&AdsbVehicle::lat>(m, ADSB_FLAGS_VALID_COORDS, kDegrees), 90);
+    out.position.longitude = within(flagged<&AdsbVehicle::lon>(m, ADSB_FLAGS_VALID_COORDS, kDegrees), 180);
+    out.position.altitude = flagged<&AdsbVehicle::altitude>(m, ADSB_FLAGS_VALID_ALTITUDE, kMillimetres);
+    out.heading = within(flagged<&AdsbVehicle::heading>(m, ADSB_FLAGS_VALID_HEADING, kCentidegrees), 360);
+    out.groundSpeed = flagged<&AdsbVehicle::hor_velocity>(m, ADSB_FLAGS_VALID_VELOCITY, kCentimetres);
+    out.climb = flagged<&AdsbVehicle::ver_velocity>(m, ADSB_FLAGS_VERTICAL_VELOCITY_VALID, kCentimetres);
     if (m.flags & ADSB_FLAGS_VALID_CALLSIGN)
         for (const char letter : textOf(m.callsign))
             if (isCallsignLetter(letter))

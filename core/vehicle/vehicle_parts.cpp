@@ -145,7 +145,7 @@ void Vehicle::Parts::handleTelemetry(TimePoint now, const mavlink::Frame &frame)
 {
     VehicleState &state = context.state;
     const bool checksPassed = state.preArmOk.value_or(false);
-    const TelemetryUpdate update = telemetry.handle(frame, state);
+    const TelemetryUpdate update = telemetry.handle(now, frame, state);
     if (!checksPassed && state.preArmOk.value_or(false))
         preArm.clear(); // reasons that it says later, at an attempt, count
     if (update.home)

@@ -82,13 +82,23 @@ struct RadioState
     double buffer = kUnknown; ///< percent of the transmit buffer that are free
 };
 
+/// One battery, as its BATTERY_STATUS says.
+struct Battery
+{
+    std::uint8_t id = 0;
+    std::uint8_t function = 0; ///< MAV_BATTERY_FUNCTION
+    double voltage = kUnknown; ///< volts, of all cells
+    double current = kUnknown; ///< amperes
+    double percent = kUnknown; ///< that remain
+};
+
 struct VehicleState
 {
     std::uint8_t systemId = 0;
     std::uint8_t componentId = 1; ///< of the autopilot
     std::uint8_t type = 0;        ///< MAV_TYPE
     std::uint8_t autopilot = 0;   ///< MAV_AUTOPILOT
-    std::string mode;             ///< as ArduPilot or PX4 name it, "MODE(17)" when not known
+    std::string mode;             ///< as the vehicle, ArduPilot or PX4 name it, see FlightModes; "MODE(17)" when not known
     std::uint8_t baseMode = 0;    ///< MAV_MODE_FLAG
     std::uint32_t customMode = 0;
     std::vector<std::string> modes; ///< that can be asked for
@@ -112,10 +122,11 @@ struct VehicleState
     bool takeOffSeen = true;        ///< false: the vehicle flew already when it was first heard; flightTime counts from then
     bool inAir = false;             ///< armed and off the ground, see FlightTimer
 
-    double batteryVoltage = kUnknown; ///< volts
+    double batteryVoltage = kUnknown; ///< volts, of the battery that the vehicle flies on, see Batteries
     double batteryCurrent = kUnknown; ///< amperes
     double batteryPercent = kUnknown;
-    int gpsFix = -1; ///< GPS_FIX_TYPE, -1 unknown
+    std::vector<Battery> batteries; ///< all, by rising id
+    int gpsFix = -1;                ///< GPS_FIX_TYPE, -1 unknown
     int satellites = -1;
     double hdop = kUnknown;
     std::optional<bool> ekfOk;

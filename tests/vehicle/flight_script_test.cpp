@@ -190,6 +190,7 @@ void FlightScriptTest::everyFieldCanBeWrittenAndWaitedFor()
     state.ekfOk = false;
     state.gpsFix = 6;
     state.roll = -0.0;
+    state.batteries = {{.id = 1, .function = mavlink::MAV_BATTERY_FUNCTION_PAYLOAD, .voltage = 12.5, .percent = 40}};
     JsonWriter json;
     json.beginObject();
     writeStateFields(json, state);
@@ -198,6 +199,7 @@ void FlightScriptTest::everyFieldCanBeWrittenAndWaitedFor()
     QVERIFY2(has("{\"sysid\":1,\"mode\":\"AUTO\",\"armed\":true,\"roll\":-0"), json.text().c_str());
     QVERIFY(has("\"ekf_ok\":0,"));
     QVERIFY(has("\"gps_fix\":6,"));
+    QVERIFY(has("\"batteries\":[{\"id\":1,\"function\":4,\"v\":12.5,\"a\":null,\"percent\":40}]}"));
     for (const StateField &field : stateFields()) {
         QVERIFY(has(("\"" + std::string(field.name) + "\":").c_str()));
         QVERIFY(parseFlightScript("wait " + std::string(field.name) + (field.kind == StateField::Kind::Text ? "==x" : "==1")));
