@@ -8070,6 +8070,18 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Battery %1 (avionics)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Battery %1 (payload)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Battery %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>emergency</source>
         <translation type="unfinished"></translation>
     </message>

@@ -8105,6 +8105,18 @@ mit PSK</translation>
         <translation>PPP</translation>
     </message>
     <message>
+        <source>Battery %1 (avionics)</source>
+        <translation>Akku %1 (Avionik)</translation>
+    </message>
+    <message>
+        <source>Battery %1 (payload)</source>
+        <translation>Akku %1 (Nutzlast)</translation>
+    </message>
+    <message>
+        <source>Battery %1</source>
+        <translation>Akku %1</translation>
+    </message>
+    <message>
         <source>emergency</source>
         <translation>Notfall</translation>
     </message>

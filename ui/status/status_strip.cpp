@@ -120,6 +120,7 @@ void StatusStrip::showVehicle(const ViewState &view)
     m_battery->setContent({low ? volts + kDot + percent + kDot + tr("low") : volts + kDot + percent, percent},
                           QStringLiteral("battery"));
     m_battery->setTextColor(view.stale() ? colors.dim : low ? colors.alarm : QColor());
+    m_battery->setToolTip(batteriesText(state));
     arrange();
 }
 

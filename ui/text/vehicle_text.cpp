@@ -34,6 +34,22 @@ QString fixText(int gpsFixType)
     }
 }
 
+QString batteriesText(const vehicle::VehicleState &state)
+{
+    QStringList lines;
+    for (const vehicle::Battery &battery : state.batteries) {
+        const QString name = battery.function == mavlink::MAV_BATTERY_FUNCTION_AVIONICS
+            ? VehicleText::tr("Battery %1 (avionics)")
+            : battery.function == mavlink::MAV_BATTERY_FUNCTION_PAYLOAD ? VehicleText::tr("Battery %1 (payload)")
+                                                                        : VehicleText::tr("Battery %1");
+        const QStringList values{withUnit(number(battery.voltage, 1), QStringLiteral("V")),
+                                 withUnit(number(battery.current, 1), QStringLiteral("A")),
+                                 withUnit(number(battery.percent, 0), QStringLiteral("%"))};
+        lines << name.arg(battery.id + 1) + QStringLiteral(": ") + values.join(QStringLiteral(" · "));
+    }
+    return lines.join(QLatin1Char('\n'));
+}
+
 QString severityText(std::uint8_t severity)
 {
     switch (severity) {

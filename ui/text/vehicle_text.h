@@ -15,6 +15,8 @@ using engine::reasonText;
 
 /// "3D fix", "no fix", …; a dash where unknown.
 QString fixText(int gpsFixType);
+/// All batteries of a vehicle, one a line: "Battery 2 (payload): 12.1 V · 40 %"; empty if it reports none.
+QString batteriesText(const vehicle::VehicleState &state);
 /// MAV_SEVERITY: "error", "warning", …
 QString severityText(std::uint8_t severity);
 /// The name of a command: "Arm", "Take off to 10 m", …
