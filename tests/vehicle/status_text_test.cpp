@@ -16,9 +16,11 @@ private Q_SLOTS:
     void joinsChunks();
     void fullLastChunkEndsWithAnEmptyOne();
     void lostChunkShowsAsAGap();
+    void lateChunkIsPutInItsPlace();
     void repeatedChunkAddsNothing();
     void timeoutGivesWhatIsThere();
-    void anotherTextEndsTheOneUnderWay();
+    void textsOfSeveralSendersInterleave();
+    void manyBeginningsAreBounded();
     void characterThatIsSplitComesOutWhole();
     void vehicleNumbersAndKeepsTheLast200();
     void textsOfOtherComponentsAreHeard();
@@ -40,6 +42,8 @@ void StatusTextTest::joinsChunks()
     QVERIFY(text);
     QCOMPARE(text->text, kFirst + "end");
     QCOMPARE(text->severity, std::uint8_t(4));
+    joiner.handleDeadline(joiner.nextDeadline());
+    QVERIFY(!joiner.poll());
     QCOMPARE(joiner.nextDeadline(), kNever);
 }
 
@@ -57,18 +61,37 @@ void StatusTextTest::lostChunkShowsAsAGap()
     StatusTextJoiner joiner;
     joiner.handleChunk(at(0), 1, 4, 9, 0, kFirst);
     joiner.handleChunk(at(0), 1, 4, 9, 2, "end");
-    QCOMPARE(joiner.poll()->text, kFirst + "…end");
     joiner.handleChunk(at(0), 1, 4, 10, 1, "end");
+    QVERIFY(!joiner.poll()); // what is missing may be late
+    joiner.handleDeadline(at(1));
+    QCOMPARE(joiner.poll()->text, kFirst + "…end");
     QCOMPARE(joiner.poll()->text, std::string("…end"));
+    QCOMPARE(joiner.nextDeadline(), kNever);
+}
+
+void StatusTextTest::lateChunkIsPutInItsPlace()
+{
+    StatusTextJoiner joiner;
+    joiner.handleChunk(at(0), 1, 4, 9, 2, "end");
+    joiner.handleChunk(at(0.1), 1, 4, 9, 0, kFirst);
+    joiner.handleChunk(at(0.2), 1, 4, 9, 1, kSecond);
+    QCOMPARE(joiner.poll()->text, kFirst + kSecond + "end");
+    QVERIFY(!joiner.poll());
 }
 
 void StatusTextTest::repeatedChunkAddsNothing()
 {
     StatusTextJoiner joiner;
-    joiner.handleChunk(at(0), 1, 4, 9, 0, kFirst);
-    joiner.handleChunk(at(0), 1, 4, 9, 0, kFirst);
-    joiner.handleChunk(at(0), 1, 4, 9, 1, "end");
+    for (const int time : {0, 0, 1}) {
+        joiner.handleChunk(at(time * 0.5), 1, 4, 9, 0, kFirst);
+        joiner.handleChunk(at(time * 0.5), 1, 4, 9, 1, "end");
+    }
     QCOMPARE(joiner.poll()->text, kFirst + "end");
+    QVERIFY(!joiner.poll());
+    // Another text with the same id is none.
+    joiner.handleChunk(at(0.6), 1, 4, 9, 0, "short");
+    QCOMPARE(joiner.poll()->text, std::string("short"));
+    joiner.handleDeadline(at(2));
     QVERIFY(!joiner.poll());
 }
 
@@ -82,14 +105,33 @@ void StatusTextTest::timeoutGivesWhatIsThere()
     QCOMPARE(joiner.poll()->text, kFirst + "…");
 }
 
-void StatusTextTest::anotherTextEndsTheOneUnderWay()
+void StatusTextTest::textsOfSeveralSendersInterleave()
 {
     StatusTextJoiner joiner;
-    joiner.handleChunk(at(0), 1, 4, 9, 0, kFirst);
-    joiner.handleChunk(at(0), 1, 6, 0, 0, "short");
-    QCOMPARE(joiner.poll()->text, kFirst);
+    joiner.handleChunk(at(0), 1, 4, 7, 0, kFirst);
+    joiner.handleChunk(at(0), 191, 3, 7, 0, kSecond); // the same id of another component
+    joiner.handleChunk(at(0), 1, 2, 8, 0, kSecond);   // another text of the same one
+    joiner.handleChunk(at(0), 191, 6, 0, 0, "short");
     QCOMPARE(joiner.poll()->text, std::string("short"));
-    QVERIFY(!joiner.poll());
+    joiner.handleChunk(at(0.1), 1, 4, 7, 1, "autopilot");
+    joiner.handleChunk(at(0.1), 191, 3, 7, 1, "companion");
+    const auto first = joiner.poll(), second = joiner.poll();
+    QCOMPARE(first->text, kFirst + "autopilot");
+    QCOMPARE(second->text, kSecond + "companion");
+    QVERIFY(first->component == 1 && second->component == 191 && second->severity == 3);
+    joiner.handleDeadline(at(1));
+    QCOMPARE(joiner.poll()->text, kSecond + "…");
+}
+
+void StatusTextTest::manyBeginningsAreBounded()
+{
+    StatusTextJoiner joiner;
+    for (std::uint16_t id = 1; id <= 1000; ++id)
+        joiner.handleChunk(at(0), 1, 4, id, 0, kFirst);
+    std::size_t given = 0;
+    while (joiner.poll())
+        ++given;
+    QCOMPARE(given, 1000 - StatusTextJoiner::kMostTexts);
 }
 
 void StatusTextTest::characterThatIsSplitComesOutWhole()
@@ -110,6 +152,7 @@ void StatusTextTest::characterThatIsSplitComesOutWhole()
     QCOMPARE(json(joiner.poll()->text), '"' + letters + "\xef\xbf\xbd\"");
     joiner.handleChunk(at(0), 1, 4, 10, 0, letters + helicopter.substr(0, 2));
     joiner.handleChunk(at(0), 1, 4, 10, 2, helicopter.substr(3) + "!");
+    joiner.handleDeadline(at(1));
     QCOMPARE(json(joiner.poll()->text), '"' + letters + "\xef\xbf\xbd…\xef\xbf\xbd!\"");
 }
 
