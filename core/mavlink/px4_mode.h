@@ -14,6 +14,8 @@ constexpr std::uint32_t px4Mode(std::uint32_t mainMode, std::uint32_t subMode = 
 inline constexpr std::uint32_t kPx4Manual = px4Mode(1);
 inline constexpr std::uint32_t kPx4AltitudeControl = px4Mode(2);
 inline constexpr std::uint32_t kPx4PositionControl = px4Mode(3);
+inline constexpr std::uint32_t kPx4Orbit = px4Mode(3, 1);
+inline constexpr std::uint32_t kPx4PositionSlow = px4Mode(3, 2);
 inline constexpr std::uint32_t kPx4AutoReady = px4Mode(4, 1);
 inline constexpr std::uint32_t kPx4AutoTakeOff = px4Mode(4, 2);
 inline constexpr std::uint32_t kPx4AutoLoiter = px4Mode(4, 3);
@@ -23,9 +25,12 @@ inline constexpr std::uint32_t kPx4AutoLand = px4Mode(4, 6);
 inline constexpr std::uint32_t kPx4AutoFollowTarget = px4Mode(4, 8);
 inline constexpr std::uint32_t kPx4AutoPrecisionLand = px4Mode(4, 9);
 inline constexpr std::uint32_t kPx4AutoVtolTakeOff = px4Mode(4, 10);
+inline constexpr std::uint32_t kPx4External1 = px4Mode(4, 11); ///< the first of eight modes that programs beside PX4 provide
 inline constexpr std::uint32_t kPx4Acro = px4Mode(5);
 inline constexpr std::uint32_t kPx4Offboard = px4Mode(6);
 inline constexpr std::uint32_t kPx4Stabilized = px4Mode(7);
 inline constexpr std::uint32_t kPx4Rattitude = px4Mode(8);
+inline constexpr std::uint32_t kPx4Termination = px4Mode(10);
+inline constexpr std::uint32_t kPx4AltitudeCruise = px4Mode(11);
 
 } // namespace skyseal::mavlink

@@ -65,7 +65,7 @@ public:
 
     Plan operator()(const SetMode &mode) const
     {
-        const auto number = modeNumber(m_kind, mode.mode);
+        const auto number = modeNumber(m_kind, mode.mode, m_state.ownModes);
         if (number)
             return setMode(*number);
         if (m_state.modes.empty())
@@ -84,7 +84,7 @@ public:
         if (m_kind.isArduPilot()) {
             if (m_kind.isRover() || m_kind.isSubmarine())
                 return refuse(reasons::kDoesNotFly);
-            if (m_state.mode != "GUIDED")
+            if (!isGuided())
                 return refuse(reasons::kTakeOffNeedsGuided(m_state.mode));
             if (!m_state.armed)
                 return refuse(reasons::kTakeOffNeedsArmed);
@@ -123,7 +123,7 @@ public:
     {
         if (!isPlace(place.latitude, place.longitude, place.altitudeRelative))
             return refuse(reasons::kNotOnGlobe);
-        const bool guided = m_state.mode == "GUIDED";
+        const bool guided = isGuided();
         if (m_kind.isArduPilot() && !guided && !place.changeMode)
             return refuse(reasons::kGoToNeedsGuided(m_state.mode));
         auto reposition = orderAt(mavlink::MAV_CMD_DO_REPOSITION, place.latitude, place.longitude, place.altitudeRelative);
@@ -272,6 +272,13 @@ private:
         return std::isnan(out.parameters[6]) ? std::nullopt : std::optional(out);
     }
 
+    /// Of ArduPilot, by its number: the vehicle may name the mode otherwise.
+    bool isGuided() const
+    {
+        return (m_state.baseMode & mavlink::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED) != 0
+            && modeNumber(m_kind, "GUIDED") == m_state.customMode;
+    }
+
     Plan firstMode(std::initializer_list<std::string_view> names, const Sentence &otherwise) const
     {
         for (const std::string_view name : names) {
@@ -291,7 +298,7 @@ private:
             command.parameters[2] = static_cast<float>(number >> 24);
         }
         return CommandPlan{{command, RepeatedMessage{modeRequest(number), true}},
-                           ModeIs{number, modeName(m_kind, kCustomModeEnabled, number)}};
+                           ModeIs{number, modeName(m_kind, kCustomModeEnabled, number, m_state.ownModes)}};
     }
 
     OutMessage modeRequest(std::uint32_t number) const

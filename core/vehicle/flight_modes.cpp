@@ -3,6 +3,7 @@
 #include "core/base/ascii.h"
 #include "core/mavlink/px4_mode.h"
 
+#include <algorithm>
 #include <charconv>
 #include <span>
 
@@ -98,6 +99,8 @@ constexpr Mode kTrackerModes[] = {{TRACKER_MODE_MANUAL, "MANUAL"},
 constexpr Mode kPx4Modes[] = {{kPx4Manual, "MANUAL"},
                               {kPx4AltitudeControl, "ALTCTL"},
                               {kPx4PositionControl, "POSCTL"},
+                              {kPx4Orbit, "ORBIT"},
+                              {kPx4PositionSlow, "POSITION_SLOW"},
                               {kPx4AutoReady, "READY"},
                               {kPx4AutoTakeOff, "TAKEOFF"},
                               {kPx4AutoLoiter, "LOITER"},
@@ -107,10 +110,20 @@ constexpr Mode kPx4Modes[] = {{kPx4Manual, "MANUAL"},
                               {kPx4AutoFollowTarget, "FOLLOWME"},
                               {kPx4AutoPrecisionLand, "PRECLAND"},
                               {kPx4AutoVtolTakeOff, "VTOL_TAKEOFF"},
+                              {kPx4External1, "EXTERNAL1"},
+                              {px4Mode(4, 12), "EXTERNAL2"},
+                              {px4Mode(4, 13), "EXTERNAL3"},
+                              {px4Mode(4, 14), "EXTERNAL4"},
+                              {px4Mode(4, 15), "EXTERNAL5"},
+                              {px4Mode(4, 16), "EXTERNAL6"},
+                              {px4Mode(4, 17), "EXTERNAL7"},
+                              {px4Mode(4, 18), "EXTERNAL8"},
                               {kPx4Acro, "ACRO"},
                               {kPx4Offboard, "OFFBOARD"},
                               {kPx4Stabilized, "STABILIZED"},
-                              {kPx4Rattitude, "RATTITUDE"}};
+                              {kPx4Rattitude, "RATTITUDE"},
+                              {kPx4Termination, "TERMINATION"},
+                              {kPx4AltitudeCruise, "ALTITUDE_CRUISE"}};
 
 std::span<const Mode> modesOf(VehicleKind kind)
 {
@@ -129,6 +142,12 @@ std::span<const Mode> modesOf(VehicleKind kind)
     if (kind.type == MAV_TYPE_ANTENNA_TRACKER)
         return kTrackerModes;
     return {};
+}
+
+bool isSameName(std::string_view name, std::string_view asked)
+{
+    return std::ranges::equal(name, asked,
+                              [](char a, char b) { return asciiLower(a == ' ' ? '_' : a) == asciiLower(b == ' ' ? '_' : b); });
 }
 
 } // namespace
@@ -164,9 +183,13 @@ bool VehicleKind::isSubmarine() const
     return type == MAV_TYPE_SUBMARINE;
 }
 
-std::string modeName(VehicleKind kind, std::uint8_t baseMode, std::uint32_t customMode)
+std::string modeName(VehicleKind kind, std::uint8_t baseMode, std::uint32_t customMode, std::span<const OwnMode> own)
 {
     if (baseMode & MAV_MODE_FLAG_CUSTOM_MODE_ENABLED) {
+        for (const OwnMode &mode : own) {
+            if (mode.number == customMode)
+                return mode.name;
+        }
         for (const Mode &mode : modesOf(kind)) {
             if (mode.number == customMode)
                 return std::string(mode.name);
@@ -184,10 +207,14 @@ std::string modeName(VehicleKind kind, std::uint8_t baseMode, std::uint32_t cust
     return "PREFLIGHT";
 }
 
-std::optional<std::uint32_t> modeNumber(VehicleKind kind, std::string_view name)
+std::optional<std::uint32_t> modeNumber(VehicleKind kind, std::string_view name, std::span<const OwnMode> own)
 {
+    for (const OwnMode &mode : own) {
+        if (isSameName(mode.name, name))
+            return mode.number;
+    }
     for (const Mode &mode : modesOf(kind)) {
-        if (equalIgnoringCase(mode.name, name))
+        if (isSameName(mode.name, name))
             return mode.number;
     }
     if (name.size() > 6 && equalIgnoringCase(name.substr(0, 5), "MODE(") && name.back() == ')') {
@@ -200,9 +227,15 @@ std::optional<std::uint32_t> modeNumber(VehicleKind kind, std::string_view name)
     return std::nullopt;
 }
 
-std::vector<std::string> modeNames(VehicleKind kind)
+std::vector<std::string> modeNames(VehicleKind kind, std::span<const OwnMode> own)
 {
     std::vector<std::string> out;
+    for (const OwnMode &mode : own) {
+        if (mode.selectable)
+            out.push_back(mode.name);
+    }
+    if (!own.empty())
+        return out;
     for (const Mode &mode : modesOf(kind))
         out.emplace_back(mode.name);
     return out;

@@ -1,11 +1,13 @@
 // Names of flight modes: from the base and custom mode of a heartbeat to the name that the autopilot uses, and back. The
-// numbers are those of the dialect (COPTER_MODE, PLANE_MODE, …) and the main and sub modes of PX4.
+// numbers are those of the dialect (COPTER_MODE, PLANE_MODE, …) and the main and sub modes of PX4, or those that the vehicle names
+// itself (ModeList). Two modes never have the same name.
 #pragma once
 
 #include "core/mavlink/enums.h"
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,14 +29,23 @@ struct VehicleKind
     bool isSubmarine() const;
 };
 
-/// "GUIDED", "AUTO", …; "MODE(17)" for a number without a name. Without a custom mode it is the name of the base mode
-/// ("GUIDED", "AUTO", "STABILIZE", "MANUAL", "PREFLIGHT").
-std::string modeName(VehicleKind kind, std::uint8_t baseMode, std::uint32_t customMode);
+/// A mode that the vehicle itself names (AVAILABLE_MODES, standard modes protocol).
+struct OwnMode
+{
+    std::uint32_t number = 0; ///< custom_mode
+    std::string name;         ///< of this mode alone
+    bool selectable = true;   ///< a station may ask for it
+};
 
-/// The custom mode for a name (case-insensitive) or for "MODE(17)"; nullopt if this kind of vehicle has no such mode.
-std::optional<std::uint32_t> modeNumber(VehicleKind kind, std::string_view name);
+/// The name that the vehicle gives the mode, else the autopilot's: "GUIDED", "AUTO", …; "MODE(17)" for a number without a name.
+/// Without a custom mode it is the name of the base mode ("GUIDED", "AUTO", "STABILIZE", "MANUAL", "PREFLIGHT").
+std::string modeName(VehicleKind kind, std::uint8_t baseMode, std::uint32_t customMode, std::span<const OwnMode> own = {});
 
-/// All names that modeNumber() knows for this kind, in the order of their numbers.
-std::vector<std::string> modeNames(VehicleKind kind);
+/// The custom mode for a name of either, or for "MODE(17)"; nullopt if this vehicle has no such mode. Names are compared without
+/// regard to case, and with '_' for a blank, since a script has no blanks in words.
+std::optional<std::uint32_t> modeNumber(VehicleKind kind, std::string_view name, std::span<const OwnMode> own = {});
+
+/// The modes that can be asked for: those that the vehicle names, else all of this kind, in the order of their numbers.
+std::vector<std::string> modeNames(VehicleKind kind, std::span<const OwnMode> own = {});
 
 } // namespace skyseal::vehicle

@@ -71,12 +71,19 @@ struct ActionText
     std::string operator()(const WriteParameter &write) const { return "param " + write.name + " " + numberText(write.value); }
 };
 
+/// True for each of the names that a mode has, the vehicle's own and the autopilot's.
+bool isInMode(const VehicleState &state, std::string_view name)
+{
+    return (state.baseMode & mavlink::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED) != 0
+        && modeNumber({state.type, state.autopilot}, name, state.ownModes) == state.customMode;
+}
+
 } // namespace
 
 bool WaitUntil::fulfilledBy(const VehicleState &state) const
 {
     if (field->kind == StateField::Kind::Text) {
-        const bool same = equalIgnoringCase(field->text(state), text);
+        const bool same = equalIgnoringCase(field->text(state), text) || (field->name == "mode" && isInMode(state, text));
         return comparison == ComparisonOperator::Equal ? same : !same;
     }
     const double value = field->number(state);

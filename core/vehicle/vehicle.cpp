@@ -119,6 +119,7 @@ void Vehicle::perform(TimePoint now, RequestId id, const Request &request)
 void Vehicle::setStreams(TimePoint now, StreamProfile profile, double rate)
 {
     m_parts->streams.setProfile(now, profile, rate);
+    m_parts->modes.setProfile(profile);
     m_parts->timeSync.setSlow(profile == StreamProfile::LowBandwidth);
 }
 

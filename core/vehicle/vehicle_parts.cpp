@@ -5,7 +5,7 @@
 namespace skyseal::vehicle {
 
 Vehicle::Parts::Parts(const VehicleConfig &config, const Addressing &ends)
-    : context{ends}, streams(context, config.streams, config.streamRate)
+    : context{ends}, streams(context, config.streams, config.streamRate), modes(context, config.streams)
 {
     context.state.systemId = ends.system;
     context.state.componentId = ends.component;
@@ -117,11 +117,12 @@ void Vehicle::Parts::handleHeartbeat(TimePoint now, const mavlink::Heartbeat &m)
     if (first || kind != context.kind()) {
         state.type = m.type;
         state.autopilot = m.autopilot;
+        state.ownModes.clear();
         state.modes = modeNames(kind);
         state.mode.clear();
     }
     if (state.mode.empty() || state.customMode != m.custom_mode || state.baseMode != m.base_mode)
-        state.mode = modeName(kind, m.base_mode, m.custom_mode);
+        state.mode = modeName(kind, m.base_mode, m.custom_mode, state.ownModes);
     state.baseMode = m.base_mode;
     state.customMode = m.custom_mode;
     state.systemStatus = m.system_status;

@@ -10,6 +10,7 @@
 #include "core/vehicle/home_tracker.h"
 #include "core/vehicle/log_client.h"
 #include "core/vehicle/mission_client.h"
+#include "core/vehicle/mode_list.h"
 #include "core/vehicle/parameter_client.h"
 #include "core/vehicle/pre_arm_reasons.h"
 #include "core/vehicle/status_text_joiner.h"
@@ -51,6 +52,7 @@ struct Vehicle::Parts
     StreamRequester streams;
     TimeSyncClient timeSync{context};
     FirmwareInfo firmware{context};
+    ModeList modes;
     Commander commander{context};
     FtpClient files{context};
     ParameterClient parameters{context, files};

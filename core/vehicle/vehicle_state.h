@@ -4,6 +4,7 @@
 
 #include "core/base/clock.h"
 #include "core/mavlink/enums.h"
+#include "core/vehicle/flight_modes.h"
 #include "core/vehicle/request_id.h"
 
 #include <cmath>
@@ -98,9 +99,10 @@ struct VehicleState
     std::uint8_t componentId = 1; ///< of the autopilot
     std::uint8_t type = 0;        ///< MAV_TYPE
     std::uint8_t autopilot = 0;   ///< MAV_AUTOPILOT
-    std::string mode;             ///< as the vehicle, ArduPilot or PX4 name it, see FlightModes; "MODE(17)" when not known
+    std::string mode;             ///< as the vehicle, ArduPilot or PX4 name it, see modeName(); "MODE(17)" when not known
     std::uint8_t baseMode = 0;    ///< MAV_MODE_FLAG
     std::uint32_t customMode = 0;
+    std::vector<OwnMode> ownModes;  ///< as the vehicle names them; empty if it does not
     std::vector<std::string> modes; ///< that can be asked for
     std::uint8_t systemStatus = 0;  ///< MAV_STATE
     bool armed = false;
