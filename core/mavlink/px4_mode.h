@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 namespace skyseal::mavlink {
 
@@ -32,5 +33,34 @@ inline constexpr std::uint32_t kPx4Stabilized = px4Mode(7);
 inline constexpr std::uint32_t kPx4Rattitude = px4Mode(8);
 inline constexpr std::uint32_t kPx4Termination = px4Mode(10);
 inline constexpr std::uint32_t kPx4AltitudeCruise = px4Mode(11);
+
+/// PX4's number of the mode (nav_state of its vehicle_status.msg), a bit of the sets of modes in its events; nullopt for a mode
+/// without one.
+constexpr std::optional<std::uint8_t> px4NavigationState(std::uint32_t mode)
+{
+    if (mode >= kPx4External1 && mode <= px4Mode(4, 18) && (mode & 0xffffff) == px4Mode(4))
+        return static_cast<std::uint8_t>(23 + ((mode - kPx4External1) >> 24));
+    switch (mode) {
+    case kPx4Manual: return 0;
+    case kPx4AltitudeControl: return 1;
+    case kPx4PositionControl: return 2;
+    case kPx4AutoMission: return 3;
+    case kPx4AutoLoiter: return 4;
+    case kPx4AutoRtl: return 5;
+    case kPx4PositionSlow: return 6;
+    case kPx4AltitudeCruise: return 8;
+    case kPx4Acro: return 10;
+    case kPx4Termination: return 13;
+    case kPx4Offboard: return 14;
+    case kPx4Stabilized: return 15;
+    case kPx4AutoTakeOff: return 17;
+    case kPx4AutoLand: return 18;
+    case kPx4AutoFollowTarget: return 19;
+    case kPx4AutoPrecisionLand: return 20;
+    case kPx4Orbit: return 21;
+    case kPx4AutoVtolTakeOff: return 22;
+    default: return std::nullopt;
+    }
+}
 
 } // namespace skyseal::mavlink

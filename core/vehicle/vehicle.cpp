@@ -57,6 +57,10 @@ VehicleState Vehicle::state(TimePoint now) const
         component.age = seconds(now - component.heard);
     out.traffic = m_parts->traffic.aircraft(now);
     out.preArmReasons = m_parts->preArm.at(now);
+    if (out.preArmOk != true && !out.armed) {
+        for (std::string &failure : m_parts->events.failuresFor(out.customMode))
+            out.preArmReasons.push_back(std::move(failure));
+    }
     for (const MicroProtocol *client : m_parts->context.clients) {
         if (const auto progress = client->progress())
             out.transfers.push_back(*progress);

@@ -60,7 +60,9 @@ void Vehicle::Parts::handleFrame(TimePoint now, WallTime wall, const mavlink::Fr
         claim = std::max(claim, mavlink::autopilotClaim(frame.componentId(), *heartbeat));
         handleHeartbeat(now, *heartbeat);
     }
-    if (!taken)
+    if (frame.messageId() == mavlink::Event::kId)
+        events.handle(now, unpack<mavlink::Event>(frame));
+    else if (!taken)
         handleTelemetry(now, frame);
 }
 
@@ -81,6 +83,7 @@ bool Vehicle::Parts::offerToClients(TimePoint now, const mavlink::Frame &frame)
 void Vehicle::Parts::handleDeadline(TimePoint now)
 {
     joiner.handleDeadline(now);
+    events.handleDeadline(now);
     takeTexts(now);
     for (MicroProtocol *client : context.clients)
         client->handleDeadline(now);
@@ -88,7 +91,7 @@ void Vehicle::Parts::handleDeadline(TimePoint now)
 
 TimePoint Vehicle::Parts::nextDeadline() const
 {
-    TimePoint next = joiner.nextDeadline();
+    TimePoint next = std::min(joiner.nextDeadline(), events.nextDeadline());
     for (const MicroProtocol *client : context.clients)
         next = std::min(next, client->nextDeadline());
     return next;
@@ -164,17 +167,29 @@ void Vehicle::Parts::handleTelemetry(TimePoint now, const mavlink::Frame &frame)
 void Vehicle::Parts::takeTexts(TimePoint now)
 {
     while (auto text = joiner.poll()) {
-        const StatusText entry{++lastTextNumber, text->severity, std::move(text->text), lastWall};
-        if (text->component == context.addressing.component && !context.state.armed)
-            preArm.handleText(now, entry.text);
-        for (MicroProtocol *client : context.clients)
-            client->handleText(entry);
-        if (texts.size() == kMaxTexts)
-            texts.pop_front();
-        texts.push_back(entry);
-        if (context.events.size() < kMaxTexts) // results are never dropped, texts are if the events are not drained
-            context.events.push_back(TextReceived{context.addressing.system, entry});
+        if (text->text.ends_with('\t')) { // PX4 says the same by an event
+            text->text.pop_back();
+            if (text->component == context.addressing.component)
+                events.handleText(now, text->severity);
+        }
+        addText(now, text->component, text->severity, std::move(text->text));
     }
+    while (auto text = events.poll())
+        addText(now, context.addressing.component, text->severity, std::move(text->text));
+}
+
+void Vehicle::Parts::addText(TimePoint now, std::uint8_t component, std::uint8_t severity, std::string text)
+{
+    const StatusText entry{++lastTextNumber, severity, std::move(text), lastWall};
+    if (component == context.addressing.component && !context.state.armed)
+        preArm.handleText(now, entry.text);
+    for (MicroProtocol *client : context.clients)
+        client->handleText(entry);
+    if (texts.size() == kMaxTexts)
+        texts.pop_front();
+    texts.push_back(entry);
+    if (context.events.size() < kMaxTexts) // results are never dropped, texts are if the events are not drained
+        context.events.push_back(TextReceived{context.addressing.system, entry});
 }
 
 } // namespace skyseal::vehicle

@@ -2,6 +2,7 @@
 // vehicle_parts.cpp alone.
 #pragma once
 
+#include "core/vehicle/autopilot_events.h"
 #include "core/vehicle/commander.h"
 #include "core/vehicle/firmware_info.h"
 #include "core/vehicle/flight_timer.h"
@@ -47,6 +48,7 @@ struct Vehicle::Parts
     FlightTimer flightTimer;
     Traffic traffic;
     PreArmReasons preArm;
+    AutopilotEvents events;
 
     // The clients, one row each. Every frame is offered to them in this order.
     StreamRequester streams;
@@ -66,6 +68,7 @@ private:
     void handleStatusText(TimePoint now, const mavlink::Frame &frame);
     void handleTelemetry(TimePoint now, const mavlink::Frame &frame);
     void takeTexts(TimePoint now);
+    void addText(TimePoint now, std::uint8_t component, std::uint8_t severity, std::string text);
 
     Telemetry telemetry;
     HomeTracker home;
