@@ -192,12 +192,9 @@ struct TelemetryReaders
     /// The older message of the same purpose.
     static void read(const mavlink::HighLatency &m, Context &c)
     {
-        if (isPlace(m.latitude, m.longitude)) {
-            c.state.position = {m.latitude * 1e-7, m.longitude * 1e-7, static_cast<double>(m.altitude_amsl)};
-            if (!std::isnan(c.state.home.altitude))
-                c.state.altitudeRelative = m.altitude_amsl - c.state.home.altitude;
-            c.update.positionChanged = true;
-        }
+        c.memory.m_estimate = placeOf(m.latitude, m.longitude, m.altitude_amsl);
+        showPosition(c);
+        c.state.altitudeRelative = c.state.position.altitude - c.state.home.altitude;
         c.state.roll = m.roll * 0.01 * std::numbers::pi / 180; // centidegrees
         c.state.pitch = m.pitch * 0.01 * std::numbers::pi / 180;
         c.state.yaw = std::remainder(m.heading * 0.01 * std::numbers::pi / 180, 2 * std::numbers::pi);
@@ -207,7 +204,7 @@ struct TelemetryReaders
         c.state.groundSpeed = m.groundspeed;
         c.state.climb = m.climb_rate;
         c.state.gpsFix = m.gps_fix_type;
-        c.state.satellites = m.gps_nsat == 255 ? -1 : m.gps_nsat;
+        c.state.satellites = knownWhole<&mavlink::HighLatency::gps_nsat>(m);
         c.state.batteryPercent = m.battery_remaining <= 100 ? double(m.battery_remaining) : kUnknown;
         c.state.missionCurrent = m.wp_num;
         c.update.landed = m.landed_state <= mavlink::MAV_LANDED_STATE_LANDING ? static_cast<LandedState>(m.landed_state)
