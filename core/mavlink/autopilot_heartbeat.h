@@ -1,5 +1,5 @@
-// Which component of a system is its autopilot. Components of a system share one system id; companion computers, gimbals, cameras
-// and radios send heartbeats of their own, often before the autopilot has started.
+// Which component of a system is its autopilot. Components of a system share one system id; companion computers, gimbals,
+// cameras and radios send heartbeats of their own, often before the autopilot has started.
 // https://mavlink.io/en/services/heartbeat.html
 #pragma once
 
@@ -18,8 +18,8 @@ enum class AutopilotClaim : std::uint8_t {
     Component ///< component 1, the autopilot's (MAV_COMP_ID_AUTOPILOT1)
 };
 
-/// What a HEARTBEAT says, or HIGH_LATENCY2 or HIGH_LATENCY, which an autopilot sends in its place over a satellite modem; nullopt
-/// for other messages. `before` is what the last one said, which counts for what the message does not say.
+/// What a HEARTBEAT says, or HIGH_LATENCY2 or HIGH_LATENCY, which an autopilot sends in its place over a satellite modem;
+/// nullopt for other messages. `before` is what the last one said, which counts for what the message does not say.
 /// https://mavlink.io/en/services/high_latency.html
 std::optional<Heartbeat> heartbeatOf(const Frame &frame, const Heartbeat &before = {});
 /// True for the two messages that stand for HEARTBEAT.

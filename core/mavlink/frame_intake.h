@@ -1,5 +1,5 @@
-// Extracts MAVLink frames from the blocks that links deliver: the chunks of a stream begin anywhere, so that each remote end has
-// its own parser; a datagram holds whole frames as a rule, and the parts of cut ones where a bridge does not regard frames.
+// Extracts MAVLink frames from the blocks that links deliver: the chunks of a stream begin anywhere, so that each remote end
+// has its own parser; a datagram holds whole frames as a rule, and the parts of cut ones where a bridge does not regard frames.
 // Anybody may send them, so the work for bytes that are not frames is limited. Runs on the thread of its owner; no I/O.
 #pragma once
 
@@ -78,14 +78,14 @@ public:
     }
 
 private:
-    /// Reads the kept beginning of a frame together with the datagram. Returns the number of its bytes that belong to the frame: 0
-    /// if there is no such frame, all if it does not end here either.
+    /// Reads the kept beginning of a frame together with the datagram. Returns the number of its bytes that belong to the
+    /// frame: 0 if there is no such frame, all if it does not end here either.
     template<typename Deliver> std::size_t continueCut(TimePoint now, CutFrames::Sender &cut, ByteView bytes, Deliver &&deliver)
     {
         std::array<std::uint8_t, CutFrames::kLongest + kMaxFrameLength> buffer;
-        const std::size_t kept = cut.begin().size(), added = std::min(bytes.size(), kMaxFrameLength);
-        std::ranges::copy(cut.begin(), buffer.begin());
-        std::ranges::copy(bytes.first(added), buffer.begin() + static_cast<std::ptrdiff_t>(kept));
+        const std::size_t kept = cut.kept, added = std::min(bytes.size(), kMaxFrameLength);
+        std::copy_n(m_cut.begin(cut).data(), kept, buffer.data());
+        std::copy_n(bytes.data(), added, buffer.data() + kept);
         const ByteView joined(buffer.data(), kept + added);
         FrameScanner scanner(joined, *m_dialect, BufferEnd::Final, WastedWork::OfDatagram);
         while (auto item = scanner.next()) {

@@ -1,5 +1,6 @@
-// One SequenceTracker for each sender (link, system, component, address): every MAVLink component has its own sequence, and every
-// link its own losses. A vehicle with two modems numbers the frames of each by itself, also where both end at one listening link.
+// One SequenceTracker for each sender (link, system, component, address): every MAVLink component has its own sequence, and
+// every link its own losses. A vehicle with two modems numbers the frames of each by itself, also where both end at one
+// listening link.
 #pragma once
 
 #include "core/base/path.h"

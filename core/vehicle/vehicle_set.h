@@ -1,6 +1,6 @@
-// All vehicles of a station by system id. The heartbeat of an autopilot announces a vehicle; ground stations, gimbals,
-// cameras and companion computers are not vehicles. Where several components of a system claim to be its autopilot, the one with
-// the greatest claim is, whichever was heard first.
+// All vehicles of a station by system id. The heartbeat of an autopilot announces a vehicle; ground stations, gimbals, cameras
+// and companion computers are not vehicles. Where several components of a system claim to be its autopilot, the one with the
+// greatest claim is, whichever was heard first.
 //
 // Sans-I/O. Frames of unknown vehicles are ignored, except the heartbeat that announces one. The engine keeps the route to
 // each vehicle.

@@ -143,8 +143,8 @@ void CutFramesTest::lostDatagramCostsItsFrames()
             receiver.take(pathOf(1), ByteView(stream).subspan(at, std::min(kSize, stream.size() - at)));
     }
     QVERIFY(lost > 5);
-    // In a lost datagram are the ends of at most four frames of these lengths, and the beginning of one. One more may be lost by
-    // the search for the next beginning.
+    // In a lost datagram are the ends of at most four frames of these lengths, and the beginning of one. One more may be lost
+    // by the search for the next beginning.
     QVERIFY2(receiver.frames >= 1000 - 6 * lost, qPrintable(QString::number(receiver.frames)));
 }
 

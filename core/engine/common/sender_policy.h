@@ -60,8 +60,8 @@ public:
     /// them; with Speakers::OnePerSystem any other belongs to the first peer that used it sealed, until that peer is removed
     /// from the list or its claim ends, see endClaims(). A peer that is bound to none has at most kMostUnbound.
     bool acceptSealed(channel::SessionId session, std::uint8_t systemId);
-    /// Whether a system that acceptSealed() does not accept from this session belongs to another peer, so that its frames may be
-    /// an impersonation. If not, it belongs to nobody: another system that an autopilot or a radio forwards.
+    /// Whether a system that acceptSealed() does not accept from this session belongs to another peer, so that its frames may
+    /// be an impersonation. If not, it belongs to nobody: another system that an autopilot or a radio forwards.
     bool belongsToAnother(std::uint8_t systemId, channel::SessionId asker) const;
     /// Ends the claims of peers that had no session for kClaimOutlivesSession. Call about once a second. Clear frames of these
     /// systems remain refused.

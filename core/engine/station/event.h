@@ -54,7 +54,8 @@ struct SystemRefused
     std::string peer, owner;
     std::uint64_t frames = 0;
 };
-/// A vehicle has the system id of this station, so that neither can be told from the other; at most once a minute. It is not shown.
+/// A vehicle has the system id of this station, so that neither can be told from the other; at most once a minute. It is not
+/// shown.
 struct OwnIdClaimed
 {
     std::uint8_t systemId = 0, componentId = 0;

@@ -48,8 +48,8 @@ public:
     /// Notes an accepted frame of a delivery. Returns false if it must not change present values.
     bool isPresent(const mavlink::Frame &frame, const channel::Delivery &delivery);
 
-    /// Counts a refused sealed frame. `announcesVehicle`: it is the heartbeat of an autopilot. Returns true if its system belongs
-    /// to another peer, false if it is only another system behind the agent.
+    /// Counts a refused sealed frame. `announcesVehicle`: it is the heartbeat of an autopilot. Returns true if its system
+    /// belongs to another peer, false if it is only another system behind the agent.
     bool refuseSealed(TimePoint now, channel::SessionId session, std::uint8_t systemId, bool announcesVehicle);
     /// Counts a refused clear frame. Returns the session to which it is charged, if any.
     std::optional<channel::SessionId> refuseClear(const Path &from, std::uint8_t systemId);

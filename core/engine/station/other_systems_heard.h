@@ -7,9 +7,9 @@
 
 namespace skyseal::engine {
 
-/// Authentic frames of systems that belong to no peer arrived behind an agent: autopilots forward the heartbeats of other ground
-/// stations, radios and gimbals may have system ids of their own. Only RADIO_STATUS is used, see Fleet::takeRadioStatus().
-/// Published once for each agent and set of systems.
+/// Authentic frames of systems that belong to no peer arrived behind an agent: autopilots forward the heartbeats of other
+/// ground stations, radios and gimbals may have system ids of their own. Only RADIO_STATUS is used, see
+/// Fleet::takeRadioStatus(). Published once for each agent and set of systems.
 struct OtherSystemsHeard
 {
     std::string peer;

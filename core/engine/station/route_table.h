@@ -43,8 +43,8 @@ public:
     /// The system was heard over this session: frames for it are sent there. A session takes precedence over a clear route.
     void heardSealed(std::uint8_t systemId, channel::SessionId session);
     /// Call for valid heartbeats only. Frames for the system are sent where its autopilot was heard; a system without one is
-    /// followed by any of its heartbeats. Of several paths to one autopilot, the present one is kept while its heartbeats arrive:
-    /// the vehicle answers on the path of the request, and a transfer must not change its path in between.
+    /// followed by any of its heartbeats. Of several paths to one autopilot, the present one is kept while its heartbeats
+    /// arrive: the vehicle answers on the path of the request, and a transfer must not change its path in between.
     void heardClear(TimePoint now, std::uint8_t systemId, const Path &path, bool isAutopilot, bool highLatency = false);
     void forgetSilent(TimePoint now);
     /// Removes all clear targets, including those that the operator named.

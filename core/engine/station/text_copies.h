@@ -1,5 +1,5 @@
-// A vehicle with several links sends each STATUSTEXT over all of them. Finds the copies, so that the operator reads a text once. A
-// text that the vehicle repeats comes again over the same link, and is no copy. No I/O and no clock; does not allocate.
+// A vehicle with several links sends each STATUSTEXT over all of them. Finds the copies, so that the operator reads a text
+// once. A text that the vehicle repeats comes again over the same link, and is no copy. No I/O and no clock; does not allocate.
 #pragma once
 
 #include "core/base/clock.h"
@@ -17,7 +17,8 @@ public:
     /// The greatest difference of the delays of two links.
     static constexpr Duration kWithin = std::chrono::seconds(5);
 
-    /// Takes a STATUSTEXT in clear. Returns true if the same text, or the same part of one, arrived from another link or address.
+    /// Takes a STATUSTEXT in clear. Returns true if the same text, or the same part of one, arrived from another link or
+    /// address.
     bool isCopy(TimePoint now, const Path &from, const mavlink::Frame &text);
 
 private:
