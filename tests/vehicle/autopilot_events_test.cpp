@@ -7,7 +7,6 @@
 
 using namespace skyseal;
 using namespace skyseal::vehicle;
-using namespace skyseal::mavlink;
 
 namespace {
 
@@ -21,17 +20,18 @@ struct Px4 : Harness
 {
     Px4() : Harness(Harness::px4())
     {
-        beat(kPx4AutoLoiter);
+        beat(mavlink::kPx4AutoLoiter);
         checks(true);
         checks(false);
         sent();
     }
 
-    void beat(std::uint32_t mode) { feed(heartbeat(mode, false, MAV_TYPE_QUADROTOR, MAV_AUTOPILOT_PX4)); }
+    void beat(std::uint32_t mode) { feed(heartbeat(mode, false, mavlink::MAV_TYPE_QUADROTOR, mavlink::MAV_AUTOPILOT_PX4)); }
 
     void checks(bool pass)
     {
-        feed(SysStatus{.onboard_control_sensors_health = pass ? std::uint32_t(MAV_SYS_STATUS_PREARM_CHECK) : 0});
+        feed(mavlink::SysStatus{.onboard_control_sensors_health = pass ? std::uint32_t(mavlink::MAV_SYS_STATUS_PREARM_CHECK)
+                                                                       : 0});
     }
 
     mavlink::Event event(std::uint32_t id, std::uint8_t levels, std::uint32_t modes = 0)
@@ -89,11 +89,11 @@ void AutopilotEventsTest::failuresOfTheModeAreReasons()
     h.report({h.event(kNoOffboardSignal, kError, kOffboardOnly), h.event(17231145, kWarning, kAllModes),
               h.event(17154777, kInfo, 1u << 3)});
     QCOMPARE(h.reasons(), Texts());
-    h.beat(kPx4Offboard);
+    h.beat(mavlink::kPx4Offboard);
     QCOMPARE(h.reasons(), Texts{"event 11464574 of the autopilot (error)"});
-    h.beat(kPx4AutoMission);
+    h.beat(mavlink::kPx4AutoMission);
     QCOMPARE(h.reasons(), Texts{"event 377561 of the autopilot (info)"});
-    h.beat(px4Mode(20)); // PX4 does not say which bit is that of a mode without a number
+    h.beat(mavlink::px4Mode(20)); // PX4 does not say which bit is that of a mode without a number
     QCOMPARE(int(h.reasons().size()), 2);
     QVERIFY(h.textsUntil(at(200)).empty());
 }
@@ -139,9 +139,9 @@ void AutopilotEventsTest::textsThatAreEventsAreSaidOnce()
 {
     Px4 h;
     h.feed(h.event(17000001, kWarning));
-    h.feed(statusText("Low battery level\t", MAV_SEVERITY_WARNING));
+    h.feed(statusText("Low battery level\t", mavlink::MAV_SEVERITY_WARNING));
     QCOMPARE(h.textsUntil(at(105)), Texts{"Low battery level"});
-    h.feed(statusText("Critical battery level\t", MAV_SEVERITY_CRITICAL)); // the event comes after its text
+    h.feed(statusText("Critical battery level\t", mavlink::MAV_SEVERITY_CRITICAL)); // the event comes after its text
     h.feed(h.event(17000002, 0x22));
     QCOMPARE(h.textsUntil(at(110)), Texts{"Critical battery level"});
     QVERIFY(h.textsUntil(at(120)).empty());
@@ -153,7 +153,7 @@ void AutopilotEventsTest::eventWithoutTextIsNamed()
     h.feed(h.event(17000001, kError));
     h.feed(h.event(17000002, kInfo)); // a number says nothing that is worth the pilot's time
     h.feed(h.event(17000003, 0x08));  // none for people
-    h.feed(statusText("of another severity\t", MAV_SEVERITY_INFO));
+    h.feed(statusText("of another severity\t", mavlink::MAV_SEVERITY_INFO));
     QCOMPARE(h.textsUntil(h.now + AutopilotEvents::kTextDelay / 2), Texts{"of another severity"});
     QCOMPARE(h.textsUntil(at(110)), Texts{"event 222785 of the autopilot (error)"});
 }

@@ -146,20 +146,20 @@ void MissionTest::parametersFiveAndSixAreScaledByTheCommand_data()
     QTest::addColumn<int>("frame");
     QTest::addColumn<double>("value");
     QTest::addColumn<int>("wire");
-    constexpr int kWaypoint = mavlink::MAV_CMD_NAV_WAYPOINT, kPhoto = mavlink::MAV_CMD_DO_DIGICAM_CONTROL;
-    QTest::newRow("degrees") << kWaypoint << int(mavlink::MAV_FRAME_GLOBAL_RELATIVE_ALT) << 47.3977421 << 473977421;
+    constexpr int waypoint = mavlink::MAV_CMD_NAV_WAYPOINT, photo = mavlink::MAV_CMD_DO_DIGICAM_CONTROL;
+    QTest::newRow("degrees") << waypoint << int(mavlink::MAV_FRAME_GLOBAL_RELATIVE_ALT) << 47.3977421 << 473977421;
     QTest::newRow("unknown command") << 60000 << int(mavlink::MAV_FRAME_GLOBAL) << 47.5 << 475000000;
-    QTest::newRow("local") << kWaypoint << int(mavlink::MAV_FRAME_LOCAL_NED) << 50. << 500000;
-    QTest::newRow("body") << kWaypoint << int(mavlink::MAV_FRAME_BODY_FRD) << -0.5 << -5000;
-    QTest::newRow("photo") << kPhoto << int(mavlink::MAV_FRAME_GLOBAL_RELATIVE_ALT) << 1. << 1;
-    QTest::newRow("photo in the frame of commands") << kPhoto << int(mavlink::MAV_FRAME_MISSION) << 1. << 1;
+    QTest::newRow("local") << waypoint << int(mavlink::MAV_FRAME_LOCAL_NED) << 50. << 500000;
+    QTest::newRow("body") << waypoint << int(mavlink::MAV_FRAME_BODY_FRD) << -0.5 << -5000;
+    QTest::newRow("photo") << photo << int(mavlink::MAV_FRAME_GLOBAL_RELATIVE_ALT) << 1. << 1;
+    QTest::newRow("photo in the frame of commands") << photo << int(mavlink::MAV_FRAME_MISSION) << 1. << 1;
     QTest::newRow("flags of a gimbal") << int(mavlink::MAV_CMD_DO_GIMBAL_MANAGER_PITCHYAW) << int(mavlink::MAV_FRAME_GLOBAL)
                                        << 12. << 12;
     QTest::newRow("own command with plain numbers") << 60000 << int(mavlink::MAV_FRAME_MISSION) << 7. << 7;
     const double unused = std::nan("");
     for (const int frame : {0, 1, 2, 3})
-        QTest::addRow("not used in frame %d", frame) << kWaypoint << frame << unused << 2147483647;
-    QTest::newRow("not used by a photo") << kPhoto << 3 << unused << 2147483647;
+        QTest::addRow("not used in frame %d", frame) << waypoint << frame << unused << 2147483647;
+    QTest::newRow("not used by a photo") << photo << 3 << unused << 2147483647;
 }
 
 void MissionTest::parametersFiveAndSixAreScaledByTheCommand()
@@ -219,21 +219,21 @@ void MissionTest::itemZeroOfArduPilotIsItsHome_data()
     QTest::addColumn<bool>("withoutHome");
     QTest::addColumn<int>("items");
     QTest::addColumn<QByteArray>("remark");
-    constexpr int kWaypoint = mavlink::MAV_CMD_NAV_WAYPOINT, kTakeOff = mavlink::MAV_CMD_NAV_TAKEOFF;
-    QTest::newRow("home") << false << kWaypoint << 0 << false << 2 << QByteArray();
-    QTest::newRow("take-off") << false << kTakeOff << 3 << false << 3
+    constexpr int waypoint = mavlink::MAV_CMD_NAV_WAYPOINT, takeOff = mavlink::MAV_CMD_NAV_TAKEOFF;
+    QTest::newRow("home") << false << waypoint << 0 << false << 2 << QByteArray();
+    QTest::newRow("take-off") << false << takeOff << 3 << false << 3
                               << QByteArray("this vehicle keeps its home position as item 0, which the mission lacked: it was "
                                             "inserted, and the items moved up by one");
-    QTest::newRow("file of PX4") << false << kWaypoint << 0 << true << 3
+    QTest::newRow("file of PX4") << false << waypoint << 0 << true << 3
                                  << QByteArray(
                                         "this vehicle keeps its home position as item 0, which the mission lacked: it was "
                                         "inserted, and the items moved up by one");
-    QTest::newRow("other waypoint") << false << kWaypoint << 3 << false << 2
+    QTest::newRow("other waypoint") << false << waypoint << 3 << false << 2
                                     << QByteArray(
                                            "this vehicle keeps its home position as item 0, so that it does not fly to the "
                                            "first waypoint of the mission");
-    QTest::newRow("take-off of PX4") << true << kTakeOff << 3 << false << 2 << QByteArray();
-    QTest::newRow("home for PX4") << true << kWaypoint << 0 << false << 2
+    QTest::newRow("take-off of PX4") << true << takeOff << 3 << false << 2 << QByteArray();
+    QTest::newRow("home for PX4") << true << waypoint << 0 << false << 2
                                   << QByteArray(
                                          "item 0 looks like the home position of an ArduPilot mission: this vehicle flies "
                                          "to it as its first waypoint");

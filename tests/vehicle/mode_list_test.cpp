@@ -10,20 +10,19 @@
 
 using namespace skyseal;
 using namespace skyseal::vehicle;
-using namespace skyseal::mavlink;
 
 namespace {
 
-AvailableModes mode(std::uint8_t index, std::uint8_t count, std::uint32_t number, std::string_view name,
-                    std::uint32_t properties = 0, std::uint8_t standard = 0)
+mavlink::AvailableModes mode(std::uint8_t index, std::uint8_t count, std::uint32_t number, std::string_view name,
+                             std::uint32_t properties = 0, std::uint8_t standard = 0)
 {
-    AvailableModes out;
+    mavlink::AvailableModes out;
     out.number_modes = count;
     out.mode_index = index;
     out.custom_mode = number;
     out.properties = properties;
     out.standard_mode = standard;
-    setText(out.mode_name, name);
+    mavlink::setText(out.mode_name, name);
     return out;
 }
 
@@ -32,19 +31,20 @@ struct Px4 : Harness
 {
     Px4()
     {
-        beat(kPx4AutoLoiter);
-        feed(AutopilotVersion{});
+        beat(mavlink::kPx4AutoLoiter);
+        feed(mavlink::AutopilotVersion{});
         sent();
     }
 
-    void beat(std::uint32_t number) { feed(heartbeat(number, false, MAV_TYPE_QUADROTOR, MAV_AUTOPILOT_PX4)); }
+    void beat(std::uint32_t number) { feed(heartbeat(number, false, mavlink::MAV_TYPE_QUADROTOR, mavlink::MAV_AUTOPILOT_PX4)); }
 
     /// The indexes that are requested until `end`, each with its time; 0 stands for all.
     std::vector<int> requestsUntil(TimePoint end)
     {
         std::vector<int> out;
-        while (const auto request = nextSent<CommandLong>(end)) {
-            if (request->second.command == MAV_CMD_REQUEST_MESSAGE && request->second.param1 == float(AvailableModes::kId))
+        while (const auto request = nextSent<mavlink::CommandLong>(end)) {
+            if (request->second.command == mavlink::MAV_CMD_REQUEST_MESSAGE
+                && request->second.param1 == float(mavlink::AvailableModes::kId))
                 out.push_back(int(request->second.param2));
         }
         now = end;
@@ -75,11 +75,11 @@ private Q_SLOTS:
 
 void ModeListTest::allModesOfPx4HaveNames()
 {
-    const VehicleKind kind{MAV_TYPE_QUADROTOR, MAV_AUTOPILOT_PX4};
+    const VehicleKind kind{mavlink::MAV_TYPE_QUADROTOR, mavlink::MAV_AUTOPILOT_PX4};
     std::set<std::string> names;
     int modes = 0;
     const auto take = [&](std::uint32_t main, std::uint32_t sub) {
-        const std::string name = modeName(kind, MAV_MODE_FLAG_CUSTOM_MODE_ENABLED, px4Mode(main, sub));
+        const std::string name = modeName(kind, mavlink::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED, mavlink::px4Mode(main, sub));
         QVERIFY2(!name.starts_with("MODE("), name.c_str());
         names.insert(name);
         ++modes;
@@ -93,9 +93,9 @@ void ModeListTest::allModesOfPx4HaveNames()
             take(4, sub);
     }
     QCOMPARE(int(names.size()), modes);
-    QCOMPARE(modeName(kind, 1, px4Mode(3, 1)), std::string("ORBIT"));
-    QCOMPARE(modeName(kind, 1, px4Mode(4, 18)), std::string("EXTERNAL8"));
-    QVERIFY(modeName(kind, 1, px4Mode(4, 19)) != modeName(kind, 1, px4Mode(4, 20)));
+    QCOMPARE(modeName(kind, 1, mavlink::px4Mode(3, 1)), std::string("ORBIT"));
+    QCOMPARE(modeName(kind, 1, mavlink::px4Mode(4, 18)), std::string("EXTERNAL8"));
+    QVERIFY(modeName(kind, 1, mavlink::px4Mode(4, 19)) != modeName(kind, 1, mavlink::px4Mode(4, 20)));
 }
 
 void ModeListTest::vehicleNamesItsModes()
@@ -103,17 +103,17 @@ void ModeListTest::vehicleNamesItsModes()
     Px4 h;
     QCOMPARE(h.modeNow(), std::string("LOITER"));
     h.now = at(101);
-    h.beat(kPx4AutoLoiter);
+    h.beat(mavlink::kPx4AutoLoiter);
     QCOMPARE(h.requestsUntil(at(101)), std::vector<int>{0});
-    h.feed(mode(1, 3, kPx4AutoLoiter, "Hold"));
+    h.feed(mode(1, 3, mavlink::kPx4AutoLoiter, "Hold"));
     QCOMPARE(h.modeNow(), std::string("LOITER")); // not before the list is whole
-    h.feed(mode(2, 3, kPx4External1, "Survey of roofs"));
-    h.feed(mode(3, 3, kPx4Termination, "Termination", MAV_MODE_PROPERTY_NOT_USER_SELECTABLE));
+    h.feed(mode(2, 3, mavlink::kPx4External1, "Survey of roofs"));
+    h.feed(mode(3, 3, mavlink::kPx4Termination, "Termination", mavlink::MAV_MODE_PROPERTY_NOT_USER_SELECTABLE));
     QCOMPARE(h.modeNow(), std::string("Hold"));
     QCOMPARE(h.vehicle.current().modes, (std::vector<std::string>{"Hold", "Survey of roofs"}));
-    h.beat(kPx4External1);
+    h.beat(mavlink::kPx4External1);
     QCOMPARE(h.modeNow(), std::string("Survey of roofs"));
-    h.beat(kPx4Orbit); // not in the list
+    h.beat(mavlink::kPx4Orbit); // not in the list
     QCOMPARE(h.modeNow(), std::string("ORBIT"));
     QVERIFY(h.requestsUntil(at(200)).empty());
 }
@@ -121,44 +121,44 @@ void ModeListTest::vehicleNamesItsModes()
 void ModeListTest::missingModesAreRequestedAgain()
 {
     Px4 h;
-    h.beat(kPx4AutoLoiter);
-    h.feed(mode(1, 4, kPx4AutoLoiter, "Hold"));
-    h.feed(mode(3, 4, kPx4AutoRtl, "Return"));
+    h.beat(mavlink::kPx4AutoLoiter);
+    h.feed(mode(1, 4, mavlink::kPx4AutoLoiter, "Hold"));
+    h.feed(mode(3, 4, mavlink::kPx4AutoRtl, "Return"));
     h.sent();
     QCOMPARE(h.requestsUntil(h.now + ModeList::kSilence), std::vector<int>{2});
-    h.feed(mode(2, 4, kPx4AutoLand, "Land"));
+    h.feed(mode(2, 4, mavlink::kPx4AutoLand, "Land"));
     QCOMPARE(h.requestsUntil(h.now + ModeList::kSilence), std::vector<int>{4});
-    h.feed(mode(4, 4, kPx4Manual, "Manual"));
+    h.feed(mode(4, 4, mavlink::kPx4Manual, "Manual"));
     QCOMPARE(h.modeNow(), std::string("Hold"));
 }
 
 void ModeListTest::changedListIsRequestedAgain()
 {
     Px4 h;
-    h.beat(kPx4AutoLoiter);
-    h.feed(AvailableModesMonitor{.seq = 5});
+    h.beat(mavlink::kPx4AutoLoiter);
+    h.feed(mavlink::AvailableModesMonitor{.seq = 5});
     QCOMPARE(h.requestsUntil(h.now), std::vector<int>{0});
-    h.feed(mode(1, 1, kPx4AutoLoiter, "Hold"));
-    h.feed(AvailableModesMonitor{.seq = 5});
+    h.feed(mode(1, 1, mavlink::kPx4AutoLoiter, "Hold"));
+    h.feed(mavlink::AvailableModesMonitor{.seq = 5});
     QVERIFY(h.requestsUntil(h.now).empty());
-    h.feed(AvailableModesMonitor{.seq = 6});
+    h.feed(mavlink::AvailableModesMonitor{.seq = 6});
     QCOMPARE(h.requestsUntil(h.now), std::vector<int>{0});
-    h.feed(mode(1, 1, kPx4AutoLoiter, "Stay"));
+    h.feed(mode(1, 1, mavlink::kPx4AutoLoiter, "Stay"));
     QCOMPARE(h.modeNow(), std::string("Stay"));
 }
 
 void ModeListTest::vehicleWithoutTheProtocolIsLeftAlone()
 {
     Px4 h;
-    h.beat(kPx4AutoLoiter);
+    h.beat(mavlink::kPx4AutoLoiter);
     QCOMPARE(h.requestsUntil(at(1000)), std::vector<int>(ModeList::kAttempts, 0));
-    h.beat(kPx4AutoLoiter);
+    h.beat(mavlink::kPx4AutoLoiter);
     QVERIFY(h.requestsUntil(at(2000)).empty());
     QCOMPARE(h.modeNow(), std::string("LOITER"));
     Px4 refusing;
-    refusing.beat(kPx4AutoLoiter);
+    refusing.beat(mavlink::kPx4AutoLoiter);
     QCOMPARE(refusing.requestsUntil(refusing.now), std::vector<int>{0});
-    refusing.ack(MAV_CMD_REQUEST_MESSAGE, MAV_RESULT_UNSUPPORTED);
+    refusing.ack(mavlink::MAV_CMD_REQUEST_MESSAGE, mavlink::MAV_RESULT_UNSUPPORTED);
     QVERIFY(refusing.requestsUntil(at(1000)).empty());
 }
 
@@ -166,55 +166,57 @@ void ModeListTest::slowLinkIsNotAsked()
 {
     Px4 h;
     h.vehicle.setStreams(h.now, StreamProfile::LowBandwidth, 0);
-    h.beat(kPx4AutoLoiter);
+    h.beat(mavlink::kPx4AutoLoiter);
     QVERIFY(h.requestsUntil(at(1000)).empty());
 }
 
 void ModeListTest::modesOfOneNameAreToldApart()
 {
     Px4 h;
-    h.feed(mode(1, 3, kPx4External1, "Land"));
-    h.feed(mode(2, 3, kPx4AutoLand, "Land"));
-    h.feed(mode(3, 3, kPx4AutoLoiter, "Hold"));
+    h.feed(mode(1, 3, mavlink::kPx4External1, "Land"));
+    h.feed(mode(2, 3, mavlink::kPx4AutoLand, "Land"));
+    h.feed(mode(3, 3, mavlink::kPx4AutoLoiter, "Hold"));
     const auto names = h.vehicle.current().modes;
     QCOMPARE(names.size(), std::size_t(3));
     QCOMPARE(std::set<std::string>(names.begin(), names.end()).size(), std::size_t(3));
     for (const std::string &name : names)
-        QVERIFY2(modeNumber({MAV_TYPE_QUADROTOR, MAV_AUTOPILOT_PX4}, name, h.vehicle.current().ownModes), name.c_str());
-    QCOMPARE(modeName({}, 1, kPx4AutoLand, h.vehicle.current().ownModes), "Land (" + std::to_string(kPx4AutoLand) + ")");
+        QVERIFY2(modeNumber({mavlink::MAV_TYPE_QUADROTOR, mavlink::MAV_AUTOPILOT_PX4}, name, h.vehicle.current().ownModes),
+                 name.c_str());
+    QCOMPARE(modeName({}, 1, mavlink::kPx4AutoLand, h.vehicle.current().ownModes),
+             "Land (" + std::to_string(mavlink::kPx4AutoLand) + ")");
 }
 
 void ModeListTest::standardModesMayComeWithoutAName()
 {
     Px4 h;
-    h.feed(mode(1, 3, kPx4AutoRtl, "", 0, MAV_STANDARD_MODE_SAFE_RECOVERY));
-    h.feed(mode(2, 3, px4Mode(20), "", 0, MAV_STANDARD_MODE_CRUISE)); // in no table
-    h.feed(mode(3, 3, px4Mode(21), ""));
+    h.feed(mode(1, 3, mavlink::kPx4AutoRtl, "", 0, mavlink::MAV_STANDARD_MODE_SAFE_RECOVERY));
+    h.feed(mode(2, 3, mavlink::px4Mode(20), "", 0, mavlink::MAV_STANDARD_MODE_CRUISE)); // in no table
+    h.feed(mode(3, 3, mavlink::px4Mode(21), ""));
     QCOMPARE(h.vehicle.current().modes,
-             (std::vector<std::string>{"CRUISE", "MODE(" + std::to_string(px4Mode(21)) + ")", "RTL"}));
+             (std::vector<std::string>{"CRUISE", "MODE(" + std::to_string(mavlink::px4Mode(21)) + ")", "RTL"}));
 }
 
 void ModeListTest::wrongListsChangeNothing()
 {
     Px4 h;
-    h.feed(mode(0, 1, kPx4AutoLoiter, "zero"));
-    h.feed(mode(2, 1, kPx4AutoLoiter, "beyond"));
-    h.feed(mode(1, 0, kPx4AutoLoiter, "of none"));
+    h.feed(mode(0, 1, mavlink::kPx4AutoLoiter, "zero"));
+    h.feed(mode(2, 1, mavlink::kPx4AutoLoiter, "beyond"));
+    h.feed(mode(1, 0, mavlink::kPx4AutoLoiter, "of none"));
     QCOMPARE(h.modeNow(), std::string("LOITER"));
 }
 
 void ModeListTest::bothNamesAreUnderstood()
 {
     Px4 h;
-    h.feed(mode(1, 1, kPx4PositionSlow, "Position Slow"));
+    h.feed(mode(1, 1, mavlink::kPx4PositionSlow, "Position Slow"));
     for (const char *name : {"position_slow", "Position Slow", "POSITION_SLOW"}) {
         h.vehicle.perform(h.now, RequestId{1}, VehicleCommand(vehicle::SetMode{name}));
-        const auto sent = h.sentOf<CommandLong>();
+        const auto sent = h.sentOf<mavlink::CommandLong>();
         QVERIFY2(sent.size() == 1 && sent[0].param2 == 3 && sent[0].param3 == 2, name);
-        h.ack(MAV_CMD_DO_SET_MODE, MAV_RESULT_ACCEPTED);
+        h.ack(mavlink::MAV_CMD_DO_SET_MODE, mavlink::MAV_RESULT_ACCEPTED);
     }
     const auto fulfils = [&](const char *condition) { return parseCondition(condition)->fulfilledBy(h.vehicle.current()); };
-    h.feed(mode(1, 1, kPx4AutoLoiter, "Hold"));
+    h.feed(mode(1, 1, mavlink::kPx4AutoLoiter, "Hold"));
     QCOMPARE(h.modeNow(), std::string("Hold"));
     QVERIFY(fulfils("mode==Hold") && fulfils("mode==LOITER") && !fulfils("mode!=LOITER") && !fulfils("mode==LAND"));
 }

@@ -9,13 +9,12 @@
 
 using namespace skyseal;
 using namespace skyseal::vehicle;
-using namespace skyseal::mavlink;
 
 namespace {
 
-AdsbVehicle reportOf(std::uint32_t address, double latitude = 47.4, double longitude = 8.55)
+mavlink::AdsbVehicle reportOf(std::uint32_t address, double latitude = 47.4, double longitude = 8.55)
 {
-    AdsbVehicle out;
+    mavlink::AdsbVehicle out;
     out.ICAO_address = address;
     out.lat = static_cast<std::int32_t>(std::lround(latitude * 1e7));
     out.lon = static_cast<std::int32_t>(std::lround(longitude * 1e7));
@@ -23,15 +22,15 @@ AdsbVehicle reportOf(std::uint32_t address, double latitude = 47.4, double longi
     out.heading = 27'050;
     out.hor_velocity = 6'150;
     out.ver_velocity = -250;
-    setText(out.callsign, "SWR12A  ");
-    out.flags = ADSB_FLAGS_VALID_COORDS | ADSB_FLAGS_VALID_ALTITUDE | ADSB_FLAGS_VALID_HEADING | ADSB_FLAGS_VALID_VELOCITY
-        | ADSB_FLAGS_VALID_CALLSIGN | ADSB_FLAGS_VERTICAL_VELOCITY_VALID;
+    mavlink::setText(out.callsign, "SWR12A  ");
+    out.flags = mavlink::ADSB_FLAGS_VALID_COORDS | mavlink::ADSB_FLAGS_VALID_ALTITUDE | mavlink::ADSB_FLAGS_VALID_HEADING
+        | mavlink::ADSB_FLAGS_VALID_VELOCITY | mavlink::ADSB_FLAGS_VALID_CALLSIGN | mavlink::ADSB_FLAGS_VERTICAL_VELOCITY_VALID;
     return out;
 }
 
-GlobalPositionInt ownPosition()
+mavlink::GlobalPositionInt ownPosition()
 {
-    GlobalPositionInt out;
+    mavlink::GlobalPositionInt out;
     out.lat = 474'000'000;
     out.lon = 85'000'000;
     out.alt = 500'000;
@@ -63,18 +62,18 @@ private Q_SLOTS:
         QVERIFY(!one.simulated);
     }
 
-    /// The receiver is a component of its own (MAV_COMP_ID_ADSB) where the autopilot does not pass its reports on.
+    /// The receiver is a component of its own (mavlink::MAV_COMP_ID_ADSB) where the autopilot does not pass its reports on.
     void reportOfTheReceiver()
     {
         Harness h = Harness::copter();
-        Sender receiver(1, MAV_COMP_ID_ADSB);
+        Sender receiver(1, mavlink::MAV_COMP_ID_ADSB);
         h.vehicle.handleFrame(h.now, {}, receiver.frame(reportOf(7)));
         QCOMPARE(h.vehicle.state(h.now).traffic.size(), std::size_t(1));
     }
 
     void whatIsNotKnown()
     {
-        AdsbVehicle report = reportOf(7);
+        mavlink::AdsbVehicle report = reportOf(7);
         report.flags = 0;
         Harness h = Harness::copter();
         h.feed(report);
@@ -83,7 +82,7 @@ private Q_SLOTS:
         report.heading = 36'001;
         report.hor_velocity = std::numeric_limits<std::uint16_t>::max();
         report.ver_velocity = std::numeric_limits<std::int16_t>::max();
-        setText(report.callsign, "\xff\n ");
+        mavlink::setText(report.callsign, "\xff\n ");
         h.feed(report);
         const auto traffic = h.vehicle.state(h.now).traffic;
         QCOMPARE(traffic.size(), std::size_t(2));
@@ -112,7 +111,7 @@ private Q_SLOTS:
     {
         Harness h = Harness::copter();
         h.feed(reportOf(7));
-        AdsbVehicle old = reportOf(8);
+        mavlink::AdsbVehicle old = reportOf(8);
         old.tslc = 12; // the receiver itself heard it so long ago
         h.feed(old);
         h.now += std::chrono::milliseconds(17'900);
