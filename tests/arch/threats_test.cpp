@@ -1,6 +1,7 @@
 // Each test that THREATS.md names for a threat exists, so that the document cannot promise what nobody checks; each attack
 // test is named there, and proven to be able to fail; each threat has such a test, or says why not; and nothing stands there
 // twice. The same for the steps of PROTOCOL.md that are proved by machine: their tests, models and runs exist.
+#include "tests/arch/content_of.h"
 #include "tests/support/test_runner.h"
 #include "tests/weakened/proofs.h"
 
@@ -13,13 +14,6 @@
 #include <algorithm>
 
 namespace {
-
-/// Empty if the file cannot be read.
-QString contentOf(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
-}
 
 /// The source of a test program or fuzzer as the document names it: attack_record is tests/…/attack_record_test.cpp, and
 /// channel/allocation is that of one folder.

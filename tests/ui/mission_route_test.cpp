@@ -14,7 +14,6 @@
 
 using namespace skyseal;
 using namespace skyseal::ui;
-using namespace skyseal::mavlink;
 using vehicle::MissionItem;
 
 namespace {
@@ -81,13 +80,13 @@ private Q_SLOTS:
 
     void profileKnowsWhatAnAltitudeCountsFrom()
     {
-        auto fromHome = at(1, MAV_CMD_NAV_WAYPOINT, 10), fromSea = at(2, MAV_CMD_NAV_WAYPOINT, 20),
-             fromTerrain = at(3, MAV_CMD_NAV_WAYPOINT, 30);
+        auto fromHome = at(1, mavlink::MAV_CMD_NAV_WAYPOINT, 10), fromSea = at(2, mavlink::MAV_CMD_NAV_WAYPOINT, 20),
+             fromTerrain = at(3, mavlink::MAV_CMD_NAV_WAYPOINT, 30);
         fromHome.altitude = fromTerrain.altitude = 40;
         fromSea.altitude = 540;
-        fromSea.frame = MAV_FRAME_GLOBAL;
-        fromTerrain.frame = MAV_FRAME_GLOBAL_TERRAIN_ALT;
-        const MissionRoute made = route({fromHome, fromSea, fromTerrain, order(4, MAV_CMD_NAV_RETURN_TO_LAUNCH)});
+        fromSea.frame = mavlink::MAV_FRAME_GLOBAL;
+        fromTerrain.frame = mavlink::MAV_FRAME_GLOBAL_TERRAIN_ALT;
+        const MissionRoute made = route({fromHome, fromSea, fromTerrain, order(4, mavlink::MAV_CMD_NAV_RETURN_TO_LAUNCH)});
         const auto points = profileOf(made, 500);
         QCOMPARE(points.size(), std::size_t(4));
         for (std::size_t i = 0; i < 3; ++i) {
@@ -104,7 +103,7 @@ private Q_SLOTS:
     {
         for (const float altitude : {std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(),
                                      std::numeric_limits<float>::quiet_NaN(), 1e30F}) {
-            auto item = at(1, MAV_CMD_NAV_WAYPOINT, 10);
+            auto item = at(1, mavlink::MAV_CMD_NAV_WAYPOINT, 10);
             item.altitude = altitude;
             QVERIFY(std::isnan(profileOf(route({item}), 500).front().altitude));
         }
@@ -137,9 +136,10 @@ private Q_SLOTS:
 
     void profileOfASplineIsLongerThanTheLine()
     {
-        auto bend = at(2, MAV_CMD_NAV_SPLINE_WAYPOINT, 0);
+        auto bend = at(2, mavlink::MAV_CMD_NAV_SPLINE_WAYPOINT, 0);
         bend.longitude += 100 / mercator::kMetresPerDegree;
-        const auto points = profileOf(route({at(1, MAV_CMD_NAV_WAYPOINT, 0), bend, at(3, MAV_CMD_NAV_WAYPOINT, 100)}), 0);
+        const auto points = profileOf(
+            route({at(1, mavlink::MAV_CMD_NAV_WAYPOINT, 0), bend, at(3, mavlink::MAV_CMD_NAV_WAYPOINT, 100)}), 0);
         QCOMPARE(points.size(), std::size_t(3));
         QVERIFY2(points[1].distance > 100.5 && points[1].distance < 130, qPrintable(QString::number(points[1].distance)));
     }
@@ -148,31 +148,32 @@ private Q_SLOTS:
     {
         QTest::addColumn<int>("command");
         for (const int command :
-             {MAV_CMD_NAV_WAYPOINT, MAV_CMD_NAV_LOITER_UNLIM, MAV_CMD_NAV_LOITER_TURNS, MAV_CMD_NAV_LOITER_TIME,
-              MAV_CMD_NAV_LAND, MAV_CMD_NAV_TAKEOFF, MAV_CMD_NAV_LOITER_TO_ALT, MAV_CMD_NAV_SPLINE_WAYPOINT,
-              MAV_CMD_NAV_VTOL_TAKEOFF, MAV_CMD_NAV_VTOL_LAND, MAV_CMD_NAV_PAYLOAD_PLACE})
+             {mavlink::MAV_CMD_NAV_WAYPOINT, mavlink::MAV_CMD_NAV_LOITER_UNLIM, mavlink::MAV_CMD_NAV_LOITER_TURNS,
+              mavlink::MAV_CMD_NAV_LOITER_TIME, mavlink::MAV_CMD_NAV_LAND, mavlink::MAV_CMD_NAV_TAKEOFF,
+              mavlink::MAV_CMD_NAV_LOITER_TO_ALT, mavlink::MAV_CMD_NAV_SPLINE_WAYPOINT, mavlink::MAV_CMD_NAV_VTOL_TAKEOFF,
+              mavlink::MAV_CMD_NAV_VTOL_LAND, mavlink::MAV_CMD_NAV_PAYLOAD_PLACE})
             QTest::addRow("%d", command) << command;
     }
     void everyCommandWithAPlaceIsOnTheLine()
     {
         QFETCH(int, command);
-        const auto made = route({at(0, MAV_CMD_NAV_WAYPOINT, -5), at(1, MAV_CMD_NAV_WAYPOINT, 10),
-                                 at(2, static_cast<std::uint16_t>(command), 20), at(3, MAV_CMD_NAV_WAYPOINT, 30)});
+        const auto made = route({at(0, mavlink::MAV_CMD_NAV_WAYPOINT, -5), at(1, mavlink::MAV_CMD_NAV_WAYPOINT, 10),
+                                 at(2, static_cast<std::uint16_t>(command), 20), at(3, mavlink::MAV_CMD_NAV_WAYPOINT, 30)});
         QCOMPARE(sequences(made), (QList<int>{1, 2, 3}));
         QVERIFY(qAbs(made.stops[1].at.y() - 20) < 1e-3);
     }
 
     void firstItemIsHomeOnArduPilotOnly()
     {
-        const std::vector<MissionItem> items{at(0, MAV_CMD_NAV_WAYPOINT, 5), at(1, MAV_CMD_NAV_WAYPOINT, 10)};
+        const std::vector<MissionItem> items{at(0, mavlink::MAV_CMD_NAV_WAYPOINT, 5), at(1, mavlink::MAV_CMD_NAV_WAYPOINT, 10)};
         QCOMPARE(sequences(route(items, true)), (QList<int>{1}));
         QCOMPARE(sequences(route(items, false)), (QList<int>{0, 1}));
     }
 
     void beginsAndEndsAtHome()
     {
-        const auto made = route(
-            {order(1, MAV_CMD_NAV_TAKEOFF), at(2, MAV_CMD_NAV_WAYPOINT, 10), order(3, MAV_CMD_NAV_RETURN_TO_LAUNCH)});
+        const auto made = route({order(1, mavlink::MAV_CMD_NAV_TAKEOFF), at(2, mavlink::MAV_CMD_NAV_WAYPOINT, 10),
+                                 order(3, mavlink::MAV_CMD_NAV_RETURN_TO_LAUNCH)});
         QCOMPARE(sequences(made), (QList<int>{-1, 1, 2, 3}));
         QCOMPARE(made.stops[0].at, kHome);
         QCOMPARE(made.stops[1].at, kHome); // takes off where it stands
@@ -181,9 +182,10 @@ private Q_SLOTS:
 
     void loitersHaveTheirRadiusAndAmount()
     {
-        const auto made = route({at(1, MAV_CMD_NAV_LOITER_TURNS, 10, {3, 0, -25}),
-                                 at(2, MAV_CMD_NAV_LOITER_TIME, 20, {30, 0, 15}), at(3, MAV_CMD_NAV_LOITER_UNLIM, 30),
-                                 at(4, MAV_CMD_NAV_LOITER_TO_ALT, 40, {1, 60})});
+        const auto made = route({at(1, mavlink::MAV_CMD_NAV_LOITER_TURNS, 10, {3, 0, -25}),
+                                 at(2, mavlink::MAV_CMD_NAV_LOITER_TIME, 20, {30, 0, 15}),
+                                 at(3, mavlink::MAV_CMD_NAV_LOITER_UNLIM, 30),
+                                 at(4, mavlink::MAV_CMD_NAV_LOITER_TO_ALT, 40, {1, 60})});
         QVERIFY(made.stops[0].loiter == RouteStop::Loiter::Turns && made.stops[0].amount == 3 && made.stops[0].radius == 25);
         QVERIFY(made.stops[1].loiter == RouteStop::Loiter::Time && made.stops[1].amount == 30 && made.stops[1].radius == 15);
         QVERIFY(made.stops[2].loiter == RouteStop::Loiter::Unlimited && made.stops[2].radius == 0);
@@ -192,9 +194,9 @@ private Q_SLOTS:
 
     void splinesBend()
     {
-        MissionItem aside = at(2, MAV_CMD_NAV_SPLINE_WAYPOINT, 100);
+        MissionItem aside = at(2, mavlink::MAV_CMD_NAV_SPLINE_WAYPOINT, 100);
         aside.longitude += 100 / mercator::kMetresPerDegree;
-        const auto made = route({at(1, MAV_CMD_NAV_WAYPOINT, 0), aside, at(3, MAV_CMD_NAV_WAYPOINT, 200)});
+        const auto made = route({at(1, mavlink::MAV_CMD_NAV_WAYPOINT, 0), aside, at(3, mavlink::MAV_CMD_NAV_WAYPOINT, 200)});
         const RouteStop &spline = made.stops[1];
         QVERIFY(spline.spline && !made.stops[2].spline);
         // At the stop the vehicle flies in parallel to the line between the neighbours: to the north.
@@ -204,9 +206,9 @@ private Q_SLOTS:
 
     void jumpsAreShown()
     {
-        const auto made = route({at(1, MAV_CMD_NAV_WAYPOINT, 10), at(2, MAV_CMD_NAV_WAYPOINT, 20),
-                                 at(3, MAV_CMD_NAV_WAYPOINT, 30), order(4, MAV_CMD_DO_JUMP, {2, 3}),
-                                 order(5, MAV_CMD_DO_JUMP, {1, -1})});
+        const auto made = route({at(1, mavlink::MAV_CMD_NAV_WAYPOINT, 10), at(2, mavlink::MAV_CMD_NAV_WAYPOINT, 20),
+                                 at(3, mavlink::MAV_CMD_NAV_WAYPOINT, 30), order(4, mavlink::MAV_CMD_DO_JUMP, {2, 3}),
+                                 order(5, mavlink::MAV_CMD_DO_JUMP, {1, -1})});
         QCOMPARE(made.jumps.size(), std::size_t(2));
         QVERIFY(made.jumps[0].from == 3 && made.jumps[0].to == 2 && made.jumps[0].times == 3);
         QVERIFY(made.jumps[1].from == 3 && made.jumps[1].to == 1 && made.jumps[1].times == -1);
@@ -214,17 +216,17 @@ private Q_SLOTS:
 
     void jumpsFollowTags()
     {
-        const auto made = route({at(1, MAV_CMD_NAV_WAYPOINT, 10), order(2, MAV_CMD_JUMP_TAG, {7}),
-                                 at(3, MAV_CMD_NAV_WAYPOINT, 30), order(4, MAV_CMD_DO_JUMP_TAG, {7, 2}),
-                                 order(5, MAV_CMD_DO_JUMP_TAG, {8, 2})});
+        const auto made = route({at(1, mavlink::MAV_CMD_NAV_WAYPOINT, 10), order(2, mavlink::MAV_CMD_JUMP_TAG, {7}),
+                                 at(3, mavlink::MAV_CMD_NAV_WAYPOINT, 30), order(4, mavlink::MAV_CMD_DO_JUMP_TAG, {7, 2}),
+                                 order(5, mavlink::MAV_CMD_DO_JUMP_TAG, {8, 2})});
         QCOMPARE(made.jumps.size(), std::size_t(1));
         QVERIFY(made.jumps[0].from == 3 && made.jumps[0].to == 3 && made.jumps[0].times == 2);
     }
 
     void placesThatAreNotFlownToAreMarks()
     {
-        const auto made = route({at(1, MAV_CMD_NAV_WAYPOINT, 10), at(2, MAV_CMD_DO_SET_ROI_LOCATION, 500),
-                                 at(3, MAV_CMD_NAV_ROI, 600), at(4, MAV_CMD_NAV_WAYPOINT, 20)});
+        const auto made = route({at(1, mavlink::MAV_CMD_NAV_WAYPOINT, 10), at(2, mavlink::MAV_CMD_DO_SET_ROI_LOCATION, 500),
+                                 at(3, mavlink::MAV_CMD_NAV_ROI, 600), at(4, mavlink::MAV_CMD_NAV_WAYPOINT, 20)});
         QCOMPARE(sequences(made), (QList<int>{1, 4}));
         QCOMPARE(made.marks.size(), std::size_t(2));
         QCOMPARE(made.marks[0].sequence, 2);
@@ -234,12 +236,13 @@ private Q_SLOTS:
     void wrongValuesAreBorne()
     {
         const float nan = std::numeric_limits<float>::quiet_NaN(), huge = std::numeric_limits<float>::max();
-        MissionItem nowhere = at(2, MAV_CMD_NAV_WAYPOINT, 0);
+        MissionItem nowhere = at(2, mavlink::MAV_CMD_NAV_WAYPOINT, 0);
         nowhere.latitude = std::numeric_limits<double>::quiet_NaN();
-        MissionItem local = at(3, MAV_CMD_NAV_WAYPOINT, 50);
-        local.frame = MAV_FRAME_LOCAL_NED;
-        const auto made = route({at(1, MAV_CMD_NAV_LOITER_TURNS, 10, {nan, nan, nan}), nowhere, local,
-                                 order(4, MAV_CMD_DO_JUMP, {nan, nan}), order(5, MAV_CMD_DO_JUMP, {huge, huge})});
+        MissionItem local = at(3, mavlink::MAV_CMD_NAV_WAYPOINT, 50);
+        local.frame = mavlink::MAV_FRAME_LOCAL_NED;
+        const auto made = route({at(1, mavlink::MAV_CMD_NAV_LOITER_TURNS, 10, {nan, nan, nan}), nowhere, local,
+                                 order(4, mavlink::MAV_CMD_DO_JUMP, {nan, nan}),
+                                 order(5, mavlink::MAV_CMD_DO_JUMP, {huge, huge})});
         for (const RouteStop &stop : made.stops)
             QVERIFY(qAbs(stop.at.y() - 10) < 1e-3); // executed where the vehicle is
         QCOMPARE(made.stops[0].radius, 0.0);
@@ -257,7 +260,8 @@ private Q_SLOTS:
         QPalette palette;
         palette.setColor(QPalette::Base, Qt::white);
         MissionPainter(painter, viewport, palette)
-            .paint(route({at(1, MAV_CMD_NAV_WAYPOINT, -40), at(2, MAV_CMD_NAV_LOITER_TURNS, 40, {1, 0, 5})}), 1);
+            .paint(route({at(1, mavlink::MAV_CMD_NAV_WAYPOINT, -40), at(2, mavlink::MAV_CMD_NAV_LOITER_TURNS, 40, {1, 0, 5})}),
+                   1);
         painter.end();
         int inked = 0;
         for (int y = 60; y < 140; ++y) // the legs' middle
