@@ -129,7 +129,7 @@ bool AutopilotEvents::isRepeated(std::uint16_t sequence)
     return false;
 }
 
-/// The first arguments of each event in a report are the modes that it concerns and the part that it is about (PX4 1.14 and later).
+/// The first argument of each event in a report is the set of modes that it concerns (PX4 1.19).
 void AutopilotEvents::handleReport(const mavlink::Event &event, std::uint8_t level)
 {
     constexpr std::uint32_t kAllModes = 0xffffffff;

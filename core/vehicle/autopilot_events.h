@@ -1,9 +1,10 @@
-// Events of the autopilot (EVENT, https://mavlink.io/en/services/events.html), by which PX4 since 1.14 tells what the status texts
-// of other autopilots tell. The words of an event are in metadata of the vehicle, which are not read: events are named by number.
+// Events of the autopilot (EVENT, https://mavlink.io/en/services/events.html), by which today's PX4 tells what the status
+// texts of other autopilots tell. The words of an event are in metadata of the vehicle, which are not read: events are named
+// by number.
 //
 // An arming check report is a series of events between two summaries. PX4 sends one whenever its outcome changes; each of its
-// events names the modes that cannot be armed for it. Other events that PX4 also sends as a status text, which then ends with a tab
-// for older stations, are left to that text.
+// events names the modes that cannot be armed for it. Other events that PX4 also sends as a status text, which then ends with
+// a tab for older stations, are left to that text.
 #pragma once
 
 #include "core/base/clock.h"

@@ -1,9 +1,10 @@
 // The batteries of a vehicle, and which of them is "the battery" that the pilot sees.
 //
-// The autopilot decides: SYS_STATUS describes the battery that it flies on (ArduPilot: the primary one; PX4: the connected one with
-// the least charge). A value that SYS_STATUS does not know, such as a voltage beyond 65 V, comes from the BATTERY_STATUS with the
-// lowest id of a battery that flies the vehicle (its function is neither avionics nor payload) and does not contradict the charge
-// in SYS_STATUS. So no two batteries are ever mixed, and a battery of another use is never shown as that of the flight.
+// The autopilot decides: SYS_STATUS describes the battery that it flies on (ArduPilot: the primary one; PX4: the connected
+// one with the least charge). A value that SYS_STATUS does not know, such as a voltage beyond 65 V, comes from the
+// BATTERY_STATUS with the lowest id of a battery that flies the vehicle (its function is neither avionics nor payload) and
+// does not contradict the charge in SYS_STATUS. So no two batteries are ever mixed, and a battery of another use is never
+// shown as that of the flight.
 #pragma once
 
 #include "core/base/clock.h"

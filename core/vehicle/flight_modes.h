@@ -1,6 +1,6 @@
 // Names of flight modes: from the base and custom mode of a heartbeat to the name that the autopilot uses, and back. The
-// numbers are those of the dialect (COPTER_MODE, PLANE_MODE, …) and the main and sub modes of PX4, or those that the vehicle names
-// itself (ModeList). Two modes never have the same name.
+// numbers are those of the dialect (COPTER_MODE, PLANE_MODE, …) and the main and sub modes of PX4, or those that the vehicle
+// names itself (ModeList). Two modes never have the same name.
 #pragma once
 
 #include "core/mavlink/enums.h"
@@ -41,8 +41,8 @@ struct OwnMode
 /// Without a custom mode it is the name of the base mode ("GUIDED", "AUTO", "STABILIZE", "MANUAL", "PREFLIGHT").
 std::string modeName(VehicleKind kind, std::uint8_t baseMode, std::uint32_t customMode, std::span<const OwnMode> own = {});
 
-/// The custom mode for a name of either, or for "MODE(17)"; nullopt if this vehicle has no such mode. Names are compared without
-/// regard to case, and with '_' for a blank, since a script has no blanks in words.
+/// The custom mode for a name of either, or for "MODE(17)"; nullopt if this vehicle has no such mode. Names are compared
+/// without regard to case, and with '_' for a blank, since a script has no blanks in words.
 std::optional<std::uint32_t> modeNumber(VehicleKind kind, std::string_view name, std::span<const OwnMode> own = {});
 
 /// The modes that can be asked for: those that the vehicle names, else all of this kind, in the order of their numbers.

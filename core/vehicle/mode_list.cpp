@@ -112,11 +112,12 @@ void ModeList::publish()
             modes.push_back({mode.custom_mode, ownName(kind(), mode),
                              (mode.properties & mavlink::MAV_MODE_PROPERTY_NOT_USER_SELECTABLE) == 0});
     }
-    // Programs beside the autopilot choose the names of their modes freely.
+    // Programs beside the autopilot choose the names of their modes freely. A mode of the autopilot keeps its name.
     std::vector<std::string> names;
-    for (OwnMode &mode : modes) {
-        const bool isShared = std::ranges::count(modes, mode.name, &OwnMode::name) > 1;
-        names.push_back(isShared ? mode.name + " (" + std::to_string(mode.number) + ")" : mode.name);
+    for (const OwnMode &mode : modes) {
+        const auto owner = modeNumber(kind(), mode.name), first = modeNumber({}, mode.name, modes);
+        const bool isOwner = (owner ? owner : first) == mode.number;
+        names.push_back(isOwner ? mode.name : mode.name + " (" + std::to_string(mode.number) + ")");
     }
     for (std::size_t i = 0; i < modes.size(); ++i)
         modes[i].name = std::move(names[i]);

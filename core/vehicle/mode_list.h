@@ -1,7 +1,7 @@
-// The modes that the vehicle names itself, by the standard modes protocol (https://mavlink.io/en/services/standard_modes.html):
-// requests AVAILABLE_MODES once the firmware is known, the missing ones again, and all when AVAILABLE_MODES_MONITOR says that
-// they have changed, as when a program beside PX4 adds one. A vehicle without the protocol is not asked any more, and one on a slow
-// link is not asked at all.
+// The modes that the vehicle names itself, by the standard modes protocol
+// (https://mavlink.io/en/services/standard_modes.html): requests AVAILABLE_MODES once the firmware is known, the missing ones
+// again, and all when AVAILABLE_MODES_MONITOR says that they have changed, as when a program beside PX4 adds one. A vehicle
+// without the protocol is not asked any more, and one on a slow link is not asked at all.
 #pragma once
 
 #include "core/vehicle/micro_protocol.h"

@@ -24,7 +24,8 @@ struct JoinedText
     std::uint8_t component = 0;
 };
 
-/// A text is complete with its last chunk and all before it, or kTimeout after its newest chunk; what is missing then shows as "…".
+/// A text is complete with its last chunk and all before it, or kTimeout after its newest chunk; what is missing then shows
+/// as "…".
 class StatusTextJoiner
 {
 public:

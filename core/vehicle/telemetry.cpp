@@ -21,8 +21,8 @@ struct TelemetryContext
 
 namespace {
 
-/// The position of a message in degrees · 1e7, its altitude in metres; unknown unless it is on Earth. Autopilots send 0°, 0° until
-/// they have a position, and again when they lose it: neither field has a value of its own for that.
+/// The position of a message in degrees · 1e7, its altitude in metres; unknown unless it is on Earth. Autopilots send 0°, 0°
+/// until they have a position, and again when they lose it: neither field has a value of its own for that.
 Position placeOf(std::int32_t latitude, std::int32_t longitude, double altitude)
 {
     const bool isPlace = (latitude != 0 || longitude != 0) && std::abs(std::int64_t{latitude}) <= 900000000
@@ -101,8 +101,8 @@ struct TelemetryReaders
 
     static void read(const mavlink::SysStatus &m, Context &c)
     {
-        // ArduPilot and PX4 before 1.14 have the bit among those present and enabled. Later PX4 sets it in the health alone, when
-        // all checks pass.
+        // ArduPilot has the bit among those present, and enabled unless all checks are disabled. PX4 1.19 sets it in the health
+        // alone, when all checks pass.
         const bool passes = (m.onboard_control_sensors_health & mavlink::MAV_SYS_STATUS_PREARM_CHECK) != 0;
         const bool isPresent = (m.onboard_control_sensors_present & mavlink::MAV_SYS_STATUS_PREARM_CHECK) != 0;
         const bool isEnabled = (m.onboard_control_sensors_enabled & mavlink::MAV_SYS_STATUS_PREARM_CHECK) != 0;
@@ -135,8 +135,8 @@ struct TelemetryReaders
         c.state.ekfOk = hasEstimate(m.flags) && (m.flags & kAgainst) == 0 && consistent;
     }
 
-    /// PX4. Its constant-position bit is set whenever the vehicle is at rest and says nothing against the estimate; an estimator
-    /// that holds its position for want of measurements lacks the absolute position.
+    /// PX4. Its constant-position bit is set whenever the vehicle is at rest and says nothing against the estimate; an
+    /// estimator that holds its position for want of measurements lacks the absolute position.
     static void read(const mavlink::EstimatorStatus &m, Context &c)
     {
         using namespace mavlink;

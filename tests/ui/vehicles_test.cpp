@@ -201,6 +201,17 @@ private Q_SLOTS:
         QCOMPARE(shape(own).size(), shape(own.siblingAtRow(0)).size()); // the text does not move
     }
 
+    void tipOfTheBatteryListsAll()
+    {
+        engine::Snapshot snapshot = fleet(1, 1);
+        snapshot.vehicles[0].state.batteries = {{.id = 0, .voltage = 22.84, .current = 12.5, .percent = 61},
+                                                {.id = 1, .function = mavlink::MAV_BATTERY_FUNCTION_PAYLOAD, .voltage = 12.1}};
+        m_station->show(snapshot);
+        QString tip = find<StripItem>("stripBattery")->toolTip();
+        QCOMPARE(tip.replace(QChar::Nbsp, QLatin1Char(' ')),
+                 QStringLiteral("Battery 1: 22.8 V · 12.5 A · 61 %\nBattery 2 (payload): 12.1 V · – A · – %"));
+    }
+
     void enterSelectsAndArrowsDoNot()
     {
         m_station->show(fleet(1, 50));

@@ -173,17 +173,22 @@ void ModeListTest::slowLinkIsNotAsked()
 void ModeListTest::modesOfOneNameAreToldApart()
 {
     Px4 h;
-    h.feed(mode(1, 3, mavlink::kPx4External1, "Land"));
-    h.feed(mode(2, 3, mavlink::kPx4AutoLand, "Land"));
-    h.feed(mode(3, 3, mavlink::kPx4AutoLoiter, "Hold"));
+    h.feed(mode(1, 5, mavlink::kPx4External1, "Land"));
+    h.feed(mode(2, 5, mavlink::kPx4AutoLand, "Land"));
+    h.feed(mode(3, 5, mavlink::px4Mode(4, 12), "Survey"));
+    h.feed(mode(4, 5, mavlink::px4Mode(4, 13), "Survey"));
+    h.feed(mode(5, 5, mavlink::px4Mode(4, 14), "Orbit")); // a name that PX4 has for another one
     const auto names = h.vehicle.current().modes;
-    QCOMPARE(names.size(), std::size_t(3));
-    QCOMPARE(std::set<std::string>(names.begin(), names.end()).size(), std::size_t(3));
+    QCOMPARE(names.size(), std::size_t(5));
+    QCOMPARE(std::set<std::string>(names.begin(), names.end()).size(), std::size_t(5));
     for (const std::string &name : names)
         QVERIFY2(modeNumber({mavlink::MAV_TYPE_QUADROTOR, mavlink::MAV_AUTOPILOT_PX4}, name, h.vehicle.current().ownModes),
                  name.c_str());
-    QCOMPARE(modeName({}, 1, mavlink::kPx4AutoLand, h.vehicle.current().ownModes),
-             "Land (" + std::to_string(mavlink::kPx4AutoLand) + ")");
+    const auto nameOf = [&](std::uint32_t number) { return modeName({}, 1, number, h.vehicle.current().ownModes); };
+    QCOMPARE(nameOf(mavlink::kPx4AutoLand), std::string("Land"));
+    QCOMPARE(nameOf(mavlink::kPx4External1), "Land (" + std::to_string(mavlink::kPx4External1) + ")");
+    QCOMPARE(nameOf(mavlink::px4Mode(4, 12)), std::string("Survey"));
+    QVERIFY(nameOf(mavlink::px4Mode(4, 14)) != "Orbit");
 }
 
 void ModeListTest::standardModesMayComeWithoutAName()
