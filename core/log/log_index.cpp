@@ -10,6 +10,9 @@ namespace skyseal::tlog {
 
 namespace {
 
+/// Entries and events of several threads may be written a little out of order.
+constexpr std::chrono::seconds kSetBack{1};
+
 /// True if the two heartbeats show the same mode. The base mode counts only if there is no custom mode; its bit for arming is
 /// no part of the mode.
 bool isSameMode(const ModeChange &a, const ModeChange &b)
@@ -95,12 +98,22 @@ void LogIndexer::takeFrame(const mavlink::Frame &frame, Duration at)
 
 void LogIndexer::takeEventsUntil(WallTime time, Duration at)
 {
-    for (; m_nextEvent < m_events.size() && m_events[m_nextEvent].time <= time; ++m_nextEvent)
+    if (m_entryTime && *m_entryTime - time > kSetBack)
+        ++m_entrySteps;
+    m_entryTime = time;
+    while (m_nextEvent < m_events.size()) {
+        const WallTime noted = m_events[m_nextEvent].time;
+        if (m_eventSteps > m_entrySteps || (m_eventSteps == m_entrySteps && noted > time))
+            return;
         list(m_index.suites, {at, std::move(m_events[m_nextEvent])});
+        if (++m_nextEvent < m_events.size() && noted - m_events[m_nextEvent].time > kSetBack)
+            ++m_eventSteps;
+    }
 }
 
 LogIndex LogIndexer::take()
 {
+    m_entrySteps = std::numeric_limits<int>::max(); // whatever is left
     takeEventsUntil(WallTime::max(), m_time.position());
     m_index.first = m_time.first();
     m_index.length = m_time.position();

@@ -73,7 +73,8 @@ struct LogIndex
 class LogIndexer
 {
 public:
-    /// `input` must outlive the indexer. An event stands at the first entry that is not older; later ones stand at the end.
+    /// `input` must outlive the indexer. An event stands at the first entry that is not older; later ones stand at the end. An
+    /// event that is older than the one before it was noted after the clock was set back, and stands behind that step.
     explicit LogIndexer(std::istream &input, LinkEvents events = {});
 
     void endWhen(const std::atomic<bool> &stopped) { m_reader.endWhen(stopped); } ///< see LogReader
@@ -100,6 +101,8 @@ private:
     LogTime m_time;
     std::vector<LinkEvent> m_events;
     std::size_t m_nextEvent = 0;
+    std::optional<WallTime> m_entryTime;    ///< of the entry before
+    int m_entrySteps = 0, m_eventSteps = 0; ///< how often the clock was set back before the next entry, before the next event
     LogIndex m_index;
     std::array<HeardVehicle, 256> m_heard; ///< by system id
 };

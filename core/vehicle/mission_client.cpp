@@ -142,8 +142,11 @@ std::optional<TransferProgress> MissionClient::progress() const
 void MissionClient::upload(TimePoint now, const WriteMission &request)
 {
     m_items = request.items;
-    if (!m_items.empty())
+    if (!m_items.empty()) {
         settleFirstItem(request.withoutHome);
+        if (m_items.empty()) // that would clear the list
+            return finish(false, reasons::kOnlyHome);
+    }
     if (m_items.size() > kMaxItems)
         return finish(false, reasons::kTooManyItems(kMaxItems));
     for (std::size_t i = 0; i < m_items.size(); ++i) {

@@ -85,6 +85,8 @@ private:
 
 Result<MissionItem, LineProblem> itemIn(const ItemLine &line)
 {
+    if (line.size() == kMostFields)
+        return problem(sentence("Reason", "an item has 12 columns, this line has %1 or more")(line.size()));
     if (line.size() != kColumns)
         return problem(sentence("Reason", "an item has 12 columns, this line has %1")(line.size()));
     constexpr unsigned kMost[] = {65535, 255, 255, 65535};

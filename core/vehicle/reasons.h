@@ -68,6 +68,8 @@ inline constexpr Sentence kNeedsWholeNumber = sentence(
 inline constexpr Sentence kItemMissing = sentence("Reason", "the vehicle does not send item %1");
 inline constexpr Sentence kItemsNotRequested = sentence("Reason", "the vehicle stopped requesting items");
 inline constexpr Sentence kUploadEndedEarly = sentence("Reason", "the vehicle ended the upload early");
+inline constexpr Sentence kOnlyHome = sentence(
+    "Reason", "the only item is the home position of a mission; to remove what the vehicle has, clear its list");
 /// What happened to the first item of an upload.
 inline constexpr Sentence kHomeInserted = sentence(
     "Reason",

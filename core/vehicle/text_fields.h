@@ -33,13 +33,15 @@ inline std::string_view trimmed(std::string_view text)
     return text.substr(0, text.find_last_not_of(kBlank) + 1);
 }
 
-/// The parts of a line between any of these separators; empty parts are left out.
+/// The parts of a line between any of these separators, of which there may be as many as the line has characters: no more than
+/// the first kMostFields. Empty parts are left out.
+inline constexpr std::size_t kMostFields = 100;
 inline std::vector<std::string_view> fieldsOf(std::string_view line, std::string_view separators)
 {
     std::vector<std::string_view> out;
     for (;;) {
         const std::size_t begin = line.find_first_not_of(separators);
-        if (begin == std::string_view::npos)
+        if (begin == std::string_view::npos || out.size() == kMostFields)
             return out;
         line.remove_prefix(begin);
         const std::size_t end = line.find_first_of(separators);

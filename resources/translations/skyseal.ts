@@ -1880,6 +1880,14 @@
         <source>another component turned out to be the autopilot; request it again</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>an item has 12 columns, this line has %1 or more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the only item is the home position of a mission; to remove what the vehicle has, clear its list</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Sweep</name>

@@ -1880,6 +1880,14 @@
         <source>another component turned out to be the autopilot; request it again</source>
         <translation>eine andere Komponente ist der Autopilot; bitte erneut anfordern</translation>
     </message>
+    <message>
+        <source>an item has 12 columns, this line has %1 or more</source>
+        <translation>ein Wegpunkt hat 12 Spalten, diese Zeile hat %1 oder mehr</translation>
+    </message>
+    <message>
+        <source>the only item is the home position of a mission; to remove what the vehicle has, clear its list</source>
+        <translation>der einzige Punkt ist die Home-Position einer Mission; um zu entfernen, was das Fahrzeug hat, ist seine Liste zu leeren</translation>
+    </message>
 </context>
 <context>
     <name>Sweep</name>

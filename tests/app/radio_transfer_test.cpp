@@ -18,7 +18,7 @@ QByteArray planItem(int sequence, int frame, int command, double firstParameter,
     const double step = sequence * 0.0001;
     return QByteArray::number(sequence) + "\t0\t" + QByteArray::number(frame) + '\t' + QByteArray::number(command) + '\t'
         + QByteArray::number(firstParameter) + "\t0\t0\t0\t" + QByteArray::number(47.3977 + step, 'f', 8) + '\t'
-        + QByteArray::number(8.5455 - step, 'f', 8) + '\t' + QByteArray::number(altitude, 'f', 3) + "\t1\n";
+        + QByteArray::number(8.5455 - step, 'f', 8) + '\t' + QByteArray::number(altitude) + "\t1\n";
 }
 
 /// A mission (home first), a fence (a polygon and a circle) or rally points, as an ArduCopter keeps them.

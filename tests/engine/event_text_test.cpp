@@ -179,6 +179,9 @@ void EventTextTest::eachMissionTransferHasItsOwnTexts()
              QStringLiteral("Fence sent"));
     QCOMPARE(eventText(vehicle::MissionResult{.type = vehicle::MissionType::Rally, .reason = "denied"}, {}).sentence,
              QStringLiteral("Rally points not sent: denied"));
+    const auto moved = eventText(vehicle::MissionResult{.ok = true, .remark = "home was inserted"}, {});
+    QCOMPARE(moved.sentence, QStringLiteral("Mission sent: home was inserted"));
+    QVERIFY(moved.severity < eventText(vehicle::MissionResult{.ok = true}, {}).severity);
 }
 
 void EventTextTest::failedReadOfParametersHasNoName()

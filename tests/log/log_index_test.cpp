@@ -220,6 +220,22 @@ private Q_SLOTS:
         QVERIFY(indexOfText(flight(61)).suites.empty());
     }
 
+    /// Half a minute after the clock was set back by an hour, and not before the step, at which its time has passed already.
+    void suiteStandsBehindAClockThatWasSetBack()
+    {
+        std::string content;
+        for (int i = 0; i < 60; ++i)
+            content += entry(kNoon + std::chrono::seconds(i) - (i < 10 ? 0h : 1h), beat(0, false));
+        LinkEvents events;
+        events.events.push_back({LinkEvent::Kind::Sealed, kNoon, "aes-256-gcm", "air-1"});
+        events.events.push_back({LinkEvent::Kind::Switched, kNoon + 40s - 1h, "chacha20", "air-1"});
+        std::istringstream input(content);
+        const LogIndex index = indexOf(input, events);
+        QCOMPARE(index.suites.size(), std::size_t(2));
+        QCOMPARE(index.suites[0].at, Duration(0s));
+        QCOMPARE(index.suites[1].at, Duration(39s)); // the second in which the clock was set is not known
+    }
+
     void suitesOfAFileWithoutTimesStandAtItsEnd()
     {
         LinkEvents events;

@@ -289,6 +289,9 @@ void MissionTest::homeOfAMissionIsNoFence()
     h.feed(refused);
     const auto accepted = h.poll<MissionResult>();
     QVERIFY(accepted && accepted->ok);
+    h.vehicle.perform(h.now, RequestId{3}, WriteMission{{home}, MissionType::Rally});
+    QCOMPARE(h.poll<MissionResult>()->reason.text(),
+             std::string("the only item is the home position of a mission; to remove what the vehicle has, clear its list"));
     QCOMPARE(accepted->remark.text(),
              std::string("the first item is the home position of a mission, which has no place in a "
                          "list of this kind: it was left out"));

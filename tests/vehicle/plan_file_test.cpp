@@ -115,6 +115,8 @@ void PlanFileTest::badMissionFilesSayWhere_data()
     QTest::newRow("no items") << head + "# nothing\n" << QByteArray("m: the file has no items after its first line");
     QTest::newRow("columns") << head + "0 1 0 16 0 0 0 0 47 8 100\n"
                              << QByteArray("m:2: an item has 12 columns, this line has 11");
+    QTest::newRow("many columns") << head + QByteArray("1 ").repeated(100'000)
+                                  << QByteArray("m:2: an item has 12 columns, this line has 100 or more");
     QTest::newRow("no number") << head + "0 1 0 16 0 0 0 0 47 east 100 1\n" << QByteArray("m:2:21: \"east\" is not a number");
     QTest::newRow("decimal comma") << head + home + "1\t0\t3\t16\t1\t0\t0\t0\t14,01000\t80,5000\t20\t1\n"
                                    << QByteArray("m:3:18: \"14,01000\" has a decimal comma; numbers in files have a point");

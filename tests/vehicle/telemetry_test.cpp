@@ -242,12 +242,12 @@ void TelemetryTest::everyFieldThatIsNotKnownIsUnknownAtOnce()
         }
     }
     read.sort();
-    QCOMPARE(
-        read.join(QLatin1Char(' ')),
-        QStringLiteral("BATTERY_STATUS.battery_remaining BATTERY_STATUS.current_battery BATTERY_STATUS.voltages "
-                       "BATTERY_STATUS.voltages_ext GLOBAL_POSITION_INT.hdg GPS_RAW_INT.eph GPS_RAW_INT.satellites_visible "
-                       "GPS_RAW_INT.vel HIGH_LATENCY2.battery MISSION_CURRENT.seq SYS_STATUS.battery_remaining "
-                       "SYS_STATUS.current_battery SYS_STATUS.voltage_battery"));
+    QCOMPARE(read.join(QLatin1Char(' ')),
+             QStringLiteral(
+                 "BATTERY_STATUS.battery_remaining BATTERY_STATUS.current_battery BATTERY_STATUS.voltages "
+                 "BATTERY_STATUS.voltages_ext GLOBAL_POSITION_INT.hdg GPS_RAW_INT.eph GPS_RAW_INT.satellites_visible "
+                 "GPS_RAW_INT.vel HIGH_LATENCY.gps_nsat HIGH_LATENCY2.battery MISSION_CURRENT.seq SYS_STATUS.battery_remaining "
+                 "SYS_STATUS.current_battery SYS_STATUS.voltage_battery"));
 }
 
 void TelemetryTest::lostPositionIsUnknownAtOnce()
