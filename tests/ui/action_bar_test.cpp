@@ -92,7 +92,7 @@ private Q_SLOTS:
         vehicle.armed = !state.startsWith(QLatin1String("disarmed"));
         vehicle.heartbeatAge = state.endsWith(QLatin1String("ago")) ? 4 : 0.4;
         if (state == QLatin1String("in LOITER"))
-            vehicle.mode = "LOITER";
+            enterMode(vehicle, "LOITER");
         vehicle.inAir = state.startsWith(QLatin1String("flying"));
         if (state == QLatin1String("without a mission"))
             snapshot.vehicles.front().mission = std::make_shared<std::vector<vehicle::MissionItem>>(1);
@@ -205,7 +205,7 @@ private Q_SLOTS:
         takeOff->setFocus();
         QCOMPARE(m_window->focusWidget(), static_cast<QWidget *>(takeOff));
         engine::Snapshot flies = sealedSnapshot(2);
-        flies.vehicles.front().state.mode = "RTL";
+        enterMode(flies.vehicles.front().state, "RTL");
         m_station->show(flies);
         QVERIFY(!takeOff->isEnabled() && find<HoldButton>("startMissionButton")->isEnabled());
         QVERIFY(!qobject_cast<QAbstractButton *>(m_window->focusWidget()));
@@ -289,7 +289,7 @@ private Q_SLOTS:
             disarmed.vehicles.front().state.preArmReasons.assign(16, "Compass not healthy");
             engine::Snapshot many = withSecondVehicle(sealedSnapshot(2));
             many.vehicles.front().state.systemId = 255;
-            many.vehicles.front().state.mode = "AUTOROTATE";
+            enterMode(many.vehicles.front().state, "AUTOROTATE");
             many.vehicles.front().state.modes.push_back("AUTOROTATE");
             for (const engine::Snapshot &snapshot : {disarmed, sealedSnapshot(1), many}) {
                 bar.showViewState(viewOf(std::make_shared<const engine::Snapshot>(snapshot), 0));

@@ -374,7 +374,7 @@ private:
     {
         engine::Snapshot snapshot = sealedSnapshot(time);
         snapshot.vehicles.front().state.messageAge = age;
-        snapshot.vehicles.front().state.mode = mode;
+        enterMode(snapshot.vehicles.front().state, mode);
         m_station->show(snapshot);
     }
 

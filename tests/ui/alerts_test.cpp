@@ -541,7 +541,7 @@ private:
     }
     static ChangeSnapshot mode(const char *name)
     {
-        return [=](engine::Snapshot &snapshot) { snapshot.vehicles.front().state.mode = name; };
+        return [=](engine::Snapshot &snapshot) { enterMode(snapshot.vehicles.front().state, name); };
     }
     static ChangeSnapshot forged(std::uint64_t total, std::uint64_t lastMinute)
     {

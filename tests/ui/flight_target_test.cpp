@@ -1,5 +1,6 @@
 // The place that a vehicle is sent to by the map's menu: the question stands beside it, and the map marks it until it is over.
 #include "map_rig.h"
+#include "scripted_snapshots.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/window/place_beside.h"
@@ -56,12 +57,12 @@ private Q_SLOTS:
     void targetIsMarkedUntilItIsOver()
     {
         QFETCH(QString, end);
-        show([](vehicle::VehicleState &state) { state.mode = "AUTO"; });
+        show([](vehicle::VehicleState &state) { enterMode(state, "AUTO"); });
         const QPoint at = m_map->rect().center() + QPoint(80, -40);
         const LatLong place = placeAt(at);
         goTo(at);
         QVERIFY(isTarget(place));
-        show([](vehicle::VehicleState &state) { state.mode = "AUTO"; }); // not yet in GUIDED
+        show([](vehicle::VehicleState &state) { enterMode(state, "AUTO"); }); // not yet in GUIDED
         QVERIFY(isTarget(place));
         show([](vehicle::VehicleState &) {});
         QVERIFY(isTarget(place));
@@ -75,7 +76,7 @@ private Q_SLOTS:
         } else if (end == QLatin1String("refused")) {
             m_station->notify(vehicle::CommandResult{id, 1, vehicle::CommandOutcome::Refused, 2, "denied"});
         } else if (end == QLatin1String("mode")) {
-            show([](vehicle::VehicleState &state) { state.mode = "RTL"; });
+            show([](vehicle::VehicleState &state) { enterMode(state, "RTL"); });
         } else if (end == QLatin1String("disarmed")) {
             show([](vehicle::VehicleState &state) { state.armed = false; });
         } else if (end == QLatin1String("pause")) {

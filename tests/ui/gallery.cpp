@@ -56,7 +56,7 @@ void addClients(engine::Snapshot &snapshot)
 void refuseArming(vehicle::VehicleState &state)
 {
     state.armed = false;
-    state.mode = "LOITER";
+    enterMode(state, "LOITER");
     state.altitudeRelative = state.groundSpeed = state.climb = state.throttle = state.roll = state.pitch = 0;
     state.preArmOk = false;
     state.preArmReasons = {"Compass not calibrated", "GPS 1: Bad fix", "Battery 1 below minimum arming voltage"};
@@ -160,7 +160,7 @@ void addAlerts(engine::Snapshot &snapshot)
         session.forgedLastMinute = session.stats.rx.forged = 87;
     }
     if (snapshot.time > 40)
-        vehicle.mode = "RTL";
+        enterMode(vehicle, "RTL");
     if (snapshot.time > 46)
         vehicle.messageAge = 4.2;
 }
@@ -218,7 +218,7 @@ void addFleet(engine::Snapshot &snapshot)
         engine::VehicleSnapshot &made = snapshot.vehicles.emplace_back(one);
         made.state.systemId = static_cast<std::uint8_t>(i);
         made.state.type = types[i % 3];
-        made.state.mode = modes[i % 4];
+        enterMode(made.state, modes[i % 4]);
         made.state.armed = i % 5 != 0;
         made.state.batteryPercent = 15 + (i * 11) % 80;
         made.state.position.latitude += 0.0002 * (i % 7);
@@ -477,7 +477,7 @@ void play(FakeStation &station, MainWindow &window, const QString &state)
         openMapMenu(window, QStringLiteral("mapGoHere"));
         test::shownQuestion(window)->button(QMessageBox::Yes)->click();
         engine::Snapshot guided = sealedSnapshot(49, suites[3], 3);
-        guided.vehicles.front().state.mode = "GUIDED";
+        enterMode(guided.vehicles.front().state, "GUIDED");
         guided.vehicles.front().state.inAir = true;
         station.show(guided);
     }

@@ -1,6 +1,7 @@
 // The menu of the map: opened by a right click or the menu key, each command confirmed and sent for the place that was clicked,
 // and the coordinates at the map's edge.
 #include "map_rig.h"
+#include "scripted_snapshots.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/flight/hold_button.h"
@@ -131,7 +132,7 @@ private Q_SLOTS:
         choose(openMenu({100, 100}), "mapGoHere");
         EVENTUALLY(question());
         QCOMPARE(question()->informativeText(), QString()); // in GUIDED
-        show([](vehicle::VehicleState &state) { state.mode = "AUTO"; });
+        show([](vehicle::VehicleState &state) { enterMode(state, "AUTO"); });
         choose(openMenu({100, 100}), "mapGoHere");
         EVENTUALLY(question() && !question()->informativeText().isEmpty());
         QCOMPARE(question()->informativeText(), QStringLiteral("The mode changes from AUTO to GUIDED."));

@@ -11,7 +11,7 @@ void MapRig::show(const ChangeState &change)
     vehicle::VehicleState &state = snapshot.vehicles.front().state;
     state.autopilot = mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA;
     state.type = mavlink::MAV_TYPE_QUADROTOR;
-    state.mode = "GUIDED";
+    enterMode(state, "GUIDED");
     state.armed = true;
     state.altitudeRelative = m_altitude;
     if (change)

@@ -2,6 +2,7 @@
 
 #include "core/log/log_index.h"
 #include "core/mavlink/enums.h"
+#include "core/vehicle/flight_modes.h"
 
 #include <cmath>
 #include <numbers>
@@ -50,6 +51,18 @@ std::shared_ptr<const std::vector<vehicle::Parameter>> parameters()
     return all;
 }
 
+} // namespace
+
+void enterMode(vehicle::VehicleState &state, const std::string &name)
+{
+    state.mode = name;
+    const auto number = vehicle::modeNumber({state.type, state.autopilot}, name);
+    state.customMode = number.value_or(0);
+    state.baseMode = number ? mavlink::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED : 0;
+}
+
+namespace {
+
 vehicle::VehicleState flyingState(double time)
 {
     vehicle::VehicleState s;
@@ -57,7 +70,7 @@ vehicle::VehicleState flyingState(double time)
     s.systemId = 1;
     s.type = mavlink::MAV_TYPE_QUADROTOR;
     s.autopilot = mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA;
-    s.mode = "GUIDED";
+    enterMode(s, "GUIDED");
     s.modes = {"STABILIZE", "ALT_HOLD", "AUTO", "GUIDED", "LOITER", "RTL", "LAND"};
     s.armed = true;
     s.roll = 0.14 + 0.02 * std::sin(time * 1.3);
@@ -214,7 +227,7 @@ engine::Snapshot replayedSnapshot(double position)
         return out;
     }();
     engine::Snapshot out = plainSnapshot(position);
-    out.vehicles.front().state.mode = "AUTO";
+    enterMode(out.vehicles.front().state, "AUTO");
     out.links.front().url = "tlog:/logs/2026-05-02 field.tlog";
     out.links.front().recording = true;
     engine::ReplayStatus status;

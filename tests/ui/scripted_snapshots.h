@@ -8,6 +8,9 @@ namespace skyseal::ui {
 /// The suites that the tests' agent permits: all but the research suite.
 std::vector<crypto::SuiteId> usualSuites();
 
+/// As a vehicle reports a mode that its type and autopilot have.
+void enterMode(vehicle::VehicleState &state, const std::string &name);
+
 engine::Snapshot waitingSnapshot();
 /// Plain vehicle 1 is held back, since the agent air-1 was never heard.
 engine::Snapshot pendingApprovalSnapshot();

@@ -118,7 +118,7 @@ private Q_SLOTS:
         QTest::mousePress(mode, Qt::LeftButton);
         engine::Snapshot other = vehicles(3, {6});
         other.vehicles.front().state.modes = {"MANUAL", "AUTO"};
-        other.vehicles.front().state.mode = "AUTO"; // a change that shows at once
+        enterMode(other.vehicles.front().state, "AUTO"); // a change that shows at once
         m_station->show(other);
         QVERIFY(!mode->isHeld());
         QTest::mouseRelease(mode, Qt::LeftButton);

@@ -317,7 +317,7 @@ private:
         engine::Snapshot out = sealedSnapshot(time);
         out.sessions.clear();
         out.vehicles.front().session.reset();
-        out.vehicles.front().state.mode = "AUTO";
+        enterMode(out.vehicles.front().state, "AUTO");
         out.links.front().url = "tlog:/logs/own.tlog";
         out.links.front().recording = true;
         return out;

@@ -3,6 +3,7 @@
 #include "tests/support/test_runner.h"
 #include "ui/flight/hold_button.h"
 #include "window_rig.h"
+#include "scripted_snapshots.h"
 
 #include <QtCore/QRegularExpression>
 #include <QtGui/QAction>
@@ -213,7 +214,7 @@ private:
     void show(const char *mode, bool armed = true)
     {
         m_station->showSealed(++m_time, [&](auto &state) {
-            state.mode = mode;
+            enterMode(state, mode);
             state.armed = armed;
         });
     }

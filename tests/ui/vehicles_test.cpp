@@ -159,7 +159,7 @@ private Q_SLOTS:
             model.setVehicles(rowsOf(fleet(1 + frame * 0.1, 50), 1));
         QCOMPARE(changed.size(), 0);
         engine::Snapshot next = fleet(2, 50);
-        next.vehicles[6].state.mode = "RTL";
+        enterMode(next.vehicles[6].state, "RTL");
         next.vehicles[6].state.batteryPercent = 19;
         model.setVehicles(rowsOf(next, 1));
         QCOMPARE(changed.size(), 2);
@@ -227,7 +227,7 @@ private Q_SLOTS:
     void typingFilters()
     {
         engine::Snapshot snapshot = fleet(1, 50);
-        snapshot.vehicles[41].state.mode = "RTL";
+        enterMode(snapshot.vehicles[41].state, "RTL");
         m_station->show(snapshot);
         reveal();
         list().setFocus();
