@@ -67,7 +67,10 @@ std::uint64_t StationRig::frames()
 std::uint64_t StationRig::refused()
 {
     awaitSnapshot();
-    return m_snapshot->spoofed;
+    std::uint64_t out = m_snapshot->spoofed;
+    for (const engine::OtherSystemsHeard &heard : m_snapshot->otherSystems)
+        out += heard.frames;
+    return out;
 }
 
 } // namespace skyseal::test
