@@ -14,11 +14,14 @@ Heartbeat heartbeatFrom(const HighLatency2 &m, const Heartbeat &before)
     Heartbeat out = before;
     out.type = m.type;
     out.autopilot = m.autopilot;
-    out.custom_mode = m.autopilot == MAV_AUTOPILOT_PX4 ? m.custom_mode << 16 : m.custom_mode; // main and sub mode of PX4
+    out.custom_mode = m.autopilot == MAV_AUTOPILOT_PX4 ? std::uint32_t(m.custom_mode) << 16
+                                                       : m.custom_mode; // main and sub mode of PX4
     bool armed = (before.base_mode & MAV_MODE_FLAG_SAFETY_ARMED) != 0 || m.throttle > 0;
     if (m.autopilot == MAV_AUTOPILOT_ARDUPILOTMEGA) // GCS_MAVLINK::send_high_latency2() puts its base mode there
         armed = (m.custom0 & MAV_MODE_FLAG_SAFETY_ARMED) != 0;
-    out.base_mode = MAV_MODE_FLAG_CUSTOM_MODE_ENABLED | (armed ? MAV_MODE_FLAG_SAFETY_ARMED : 0);
+    out.base_mode = MAV_MODE_FLAG_CUSTOM_MODE_ENABLED;
+    if (armed)
+        out.base_mode |= MAV_MODE_FLAG_SAFETY_ARMED;
     return out;
 }
 
