@@ -272,11 +272,11 @@ private:
         return std::isnan(out.parameters[6]) ? std::nullopt : std::optional(out);
     }
 
-    /// Of ArduPilot, by its number: the vehicle may name the mode otherwise.
+    /// Of ArduPilot, whatever name the vehicle gives the mode.
     bool isGuided() const
     {
-        return (m_state.baseMode & mavlink::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED) != 0
-            && modeNumber(m_kind, "GUIDED") == m_state.customMode;
+        const auto guided = modeNumber(m_kind, "GUIDED");
+        return guided && modeNumber(m_kind, m_state.mode, m_state.ownModes) == guided;
     }
 
     Plan firstMode(std::initializer_list<std::string_view> names, const Sentence &otherwise) const
