@@ -21,9 +21,9 @@ public:
     /// False if OpenSSL refused the algorithm or lacked memory. compute() then fails as well.
     bool ready() const { return m_context != nullptr; }
 
-    /// Writes the MAC of the concatenated parts, truncated to the size of `out` (at most 32 bytes). Returns false, with zeros in
-    /// `out`, if the library fails. OpenSSL 3.0 allocates two states of 112 bytes for each MAC, and wipes and releases them;
-    /// this code allocates nothing.
+    /// Writes the MAC of the concatenated parts, truncated to the size of `out` (at most 32 bytes). Returns false, with zeros
+    /// in `out`, if the library fails. OpenSSL 3.0 allocates two states of 112 bytes for each MAC, and wipes and releases
+    /// them; this code allocates nothing.
     [[nodiscard]] bool compute(MutableByteView out, std::initializer_list<ByteView> parts);
 
 private:

@@ -1,5 +1,5 @@
-// HKDF with SHA-256 (RFC 5869), which derives the keys of records from a handshake's output. If OpenSSL has no memory for an HMAC,
-// these functions end the process, as operator new would.
+// HKDF with SHA-256 (RFC 5869), which derives the keys of records from a handshake's output. If OpenSSL has no memory for
+// an HMAC, these functions end the process, as operator new would.
 #pragma once
 
 #include "core/base/bytes.h"

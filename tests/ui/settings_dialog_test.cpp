@@ -50,6 +50,9 @@ private Q_SLOTS:
         QVERIFY(!ok->isEnabled()); // a valid link does not outweigh it
         id->setValue(254);
         QVERIFY(ok->isEnabled() && why->isHidden());
+        id->setValue(Settings().systemId);
+        dialog.setVehicles(vehicles.set(static_cast<std::size_t>(id->value())));
+        QVERIFY(ok->isEnabled() && !why->isHidden()); // the other settings can be changed all the same
     }
 
     void folderIsReachedByItsKey()

@@ -1,5 +1,6 @@
-// Weaknesses that tests put into the protocol on purpose, to prove that each attack test fails when its defence is missing. Each is a
-// patch in tests/weakened/patches; it asks weakened() where the defence is, in copies of the source files (CMakeLists.txt).
+// Weaknesses that tests put into the protocol on purpose, to prove that each attack test fails when its defence is missing.
+// Each is a patch in tests/weakened/patches; it asks weakened() where the defence is, in copies of the source files
+// (CMakeLists.txt).
 #pragma once
 
 namespace skyseal {

@@ -78,7 +78,8 @@ void SettingsDialog::setVehicles(const std::bitset<256> &systems)
     check();
 }
 
-/// An invalid link URL is not accepted, nor the system id of a vehicle.
+/// An invalid link URL is not accepted, nor the system id of a vehicle as a new one. Where a vehicle has the present one, the other
+/// settings can be changed all the same.
 void SettingsDialog::check()
 {
     const auto parsed = link::LinkUrl::parse(m_link->text().toStdString());
@@ -87,7 +88,7 @@ void SettingsDialog::check()
     const bool taken = m_vehicles.test(static_cast<std::size_t>(id));
     m_idTaken->setText(taken ? tr("System ID %1 is a vehicle's: choose another one.").arg(id) : QString());
     m_idTaken->setVisible(taken);
-    m_ok->setEnabled(parsed.has_value() && !taken);
+    m_ok->setEnabled(parsed.has_value() && (!taken || id == m_start.systemId));
 }
 
 QWidget *SettingsDialog::makeView()
