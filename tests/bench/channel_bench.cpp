@@ -1,6 +1,6 @@
 // Cost of an endpoint relative to the bare library call: seal() and handleDatagram() of a real session, with session look-up,
-// header, associated data, replay window, counters and roaming, per suite and size, in one run. Fails if an AEAD suite costs more
-// than 1.15 times the bare call.
+// header, associated data, replay window, counters and roaming, per suite and size, in one run. Fails if an AEAD suite costs
+// more than 1.15 times the bare call.
 #include "core/channel/endpoint.h"
 #include "pair.h"
 #include "record_sizes.h"
@@ -91,8 +91,8 @@ private:
     Nanoseconds m_shortest = Nanoseconds::max();
 };
 
-/// The greatest cost of an endpoint's seal() or handleDatagram() relative to the bare library call, under an AEAD suite. The others
-/// have no limit: the bare call hashes from copied states, which EVP_MAC has no way to do (core/BENCHMARKS.md).
+/// The greatest cost of an endpoint's seal() or handleDatagram() relative to the bare library call, under an AEAD suite. The
+/// others have no limit: the bare call hashes from copied states, which EVP_MAC has no way to do (core/BENCHMARKS.md).
 constexpr double kGreatestRatio = 1.15;
 /// A row is measured again this often while it is above the limit: other programs can only make a ratio worse.
 constexpr int kRepetitions = 8;

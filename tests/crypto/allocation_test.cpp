@@ -1,5 +1,5 @@
-// Sealing and opening must not allocate: the packet path runs for hours at hundreds of records per second. Only OpenSSL 3.0 does,
-// inside each HMAC (hmac_sha256.h).
+// Sealing and opening must not allocate: the packet path runs for hours at hundreds of records per second. Only OpenSSL 3.0
+// does, inside each HMAC (hmac_sha256.h).
 #include "core/base/secret_bytes.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/record_cipher.h"

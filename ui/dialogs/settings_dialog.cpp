@@ -78,8 +78,8 @@ void SettingsDialog::setVehicles(const std::bitset<256> &systems)
     check();
 }
 
-/// An invalid link URL is not accepted, nor the system id of a vehicle as a new one. Where a vehicle has the present one, the other
-/// settings can be changed all the same.
+/// An invalid link URL is not accepted, nor the system id of a vehicle as a new one. Where a vehicle has the present one, the
+/// other settings can be changed all the same.
 void SettingsDialog::check()
 {
     const auto parsed = link::LinkUrl::parse(m_link->text().toStdString());
