@@ -218,14 +218,14 @@ void StationReceiverTest::textsOfTwoLinksAreReadOnce()
     Modem fast(rig, 1, 0), slow(rig, 2, 100);
     fast.send(copterHeartbeat());
     const std::string first(50, 'a');
-    for (int i = 0; i < 3; ++i) {
+    for (std::uint16_t id = 7; id < 10; ++id) {
         fast.send(textOf("Battery failsafe")); // repeated, as vehicles do
-        fast.send(textOf(first, 7, 0));
-        fast.send(textOf("end", 7, 1));
+        fast.send(textOf(first, id, 0));
+        fast.send(textOf("end", id, 1));
         rig.now += 400ms;
         slow.send(textOf("Battery failsafe"));
-        slow.send(textOf(first, 7, 0));
-        slow.send(textOf("end", 7, 1));
+        slow.send(textOf(first, id, 0));
+        slow.send(textOf("end", id, 1));
         rig.now += 1s;
     }
     const std::vector<std::string> once{"Battery failsafe", first + "end"};
