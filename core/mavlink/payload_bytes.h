@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <string_view>
 #include <type_traits>
@@ -54,7 +55,7 @@ template<auto Field> inline constexpr std::array<std::uint8_t, 0> kNotKnown{};
 template<auto Field, typename Value> constexpr bool isKnown(Value value)
 {
     if constexpr (std::is_floating_point_v<Value>) {
-        if (value != value)
+        if (std::isnan(value))
             return false;
     }
     for (const auto unknown : kNotKnown<Field>) {
