@@ -4,6 +4,7 @@
 #include "core/channel/events.h"
 #include "core/engine/text/qt_text.h"
 #include "core/vehicle/vehicle_command.h"
+#include "core/vehicle/vehicle_state.h"
 #include "ui/text/units.h"
 
 #include <QtCore/QString>
