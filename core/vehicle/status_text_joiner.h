@@ -49,7 +49,7 @@ private:
         std::uint8_t component = 0;
         std::uint8_t severity = mavlink::MAV_SEVERITY_INFO;
         std::uint16_t id = 0;
-        std::map<std::uint8_t, std::string> chunks;
+        std::map<std::uint8_t, std::string> chunks = {};
         TimePoint newest{}; ///< when its newest chunk arrived
         bool given = false; ///< kept until its time-out, by which chunks that arrive once more are recognised
 
