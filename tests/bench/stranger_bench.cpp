@@ -136,12 +136,13 @@ private:
         return true;
     }
     bool namesSession(ByteView message) const override { return m_pair.ends[m_side].endpoint->namesSerialSession(message); }
-    void takeRecord(const link::Link &, const link::ReceivedBlock &message) override
+    bool takeRecord(const link::Link &, const link::ReceivedBlock &message) override
     {
         channel::Endpoint &endpoint = *end().endpoint;
-        endpoint.handleDatagram(message.time, message.path, message.bytes);
+        const bool opened = endpoint.handleDatagram(message.time, message.path, message.bytes).has_value();
         while (endpoint.pollTransmit()) {}
         while (endpoint.pollEvent()) {}
+        return opened;
     }
     void takeSealedInPlace(const link::Link &, const link::ReceivedBlock &frame) override
     {

@@ -1,9 +1,13 @@
 // A MAVLink router between agent and station, and an attacker who sends to it under every system id: everything that it copies
 // to him is sealed, nothing that he sends is accepted, and delivery continues.
+#include "core/channel/cobs.h"
+#include "core/channel/handshake_messages.h"
+#include "core/engine/common/ingress.h"
 #include "core/engine/station/snapshot.h"
 #include "tests/engine/ground.h"
 #include "tests/support/eventually.h"
 #include "tests/support/holds.h"
+#include "tests/support/idle_link.h"
 #include "tests/support/mavlink_hub.h"
 #include "tests/support/router_spoofers.h"
 #include "tests/support/test_runner.h"
@@ -51,6 +55,18 @@ struct RoutedFlight
     std::unique_ptr<VehicleOnUdp> vehicle;
 };
 
+/// Counts messages of the channel, and opens none.
+struct MessageCounter final : engine::IngressSink
+{
+    bool takeRecord(const link::Link &, const link::ReceivedBlock &message) override
+    {
+        (message.path.carrier == Carrier::Tunnel ? inTunnel : inCobs) += 1;
+        return false;
+    }
+    void takeClear(const link::Link &, const link::ReceivedBlock &, const mavlink::ScanItem &) override {}
+    std::size_t inTunnel = 0, inCobs = 0;
+};
+
 } // namespace
 
 class AttackRouterTest : public QObject
@@ -61,6 +77,7 @@ private Q_SLOTS:
     void copiesAreSealed();
     void spoofedHeartbeatsAreNotTaken();
     void forgedTunnelsDivertNothing();
+    void fakedCobsSilencesNothing();
 };
 
 void AttackRouterTest::copiesAreSealed()
@@ -122,6 +139,39 @@ void AttackRouterTest::forgedTunnelsDivertNothing()
     const bool set = eventually([&] { return flight.mode() == sim::FlightMode::AltHold; });
     const std::size_t sessions = flight.ground.ears->all<channel::SessionUp>().size();
     HOLDS(set && lost() == 0 && sessions == 1, "delivery goes on");
+}
+
+void AttackRouterTest::fakedCobsSilencesNothing()
+{
+    // A router passes frames of everybody on to the station's stream. One of them holds bytes that would open a handshake if
+    // the stream were COBS, on which nobody looks for TUNNEL.
+    constexpr LinkId kLink{1};
+    constexpr TimePoint kReceivedAt{std::chrono::seconds(100)};
+    MessageCounter sink;
+    engine::CarrierWriter carriers;
+    carriers.setNode({255, 190});
+    engine::Ingress ingress(mavlink::Dialect::builtin(), carriers);
+    ingress.addLink(kLink, {.isStream = true, .takesCobs = true, .takesTunnel = true, .clear = engine::ClearScan::UnlessCobs},
+                    sink);
+    const IdleLink link("tcp:127.0.0.1:1", kLink);
+    const auto take = [&](ByteView frame) {
+        Bytes bytes(frame.begin(), frame.end());
+        ingress.take(link, {{kLink, {}}, bytes, kReceivedAt});
+    };
+    Bytes answer(channel::kAnswerLength, 7);
+    answer[0] = channel::firstByte(channel::HandshakeMessage::Answer);
+    mavlink::Tunnel fake{.payload_type = 1};
+    fake.payload_length = static_cast<std::uint8_t>(channel::writeCobs(answer, fake.payload));
+    QVERIFY(fake.payload_length > 0);
+    fake.payload.back() = 1; // MAVLink leaves out zeros at the end
+    constexpr std::size_t kMessages = 10;
+    for (std::size_t i = 0; i < kMessages; ++i) {
+        carriers.write({kLink, {}, Carrier::Tunnel, {}}, answer, take);
+        const QByteArray bytes = frameOf(fake, 42);
+        take({reinterpret_cast<const std::uint8_t *>(bytes.data()), static_cast<std::size_t>(bytes.size())});
+    }
+    HOLDS(sink.inTunnel == kMessages, "every message in TUNNEL is read");
+    QCOMPARE(sink.inCobs, kMessages);
 }
 
 SKYSEAL_TEST(AttackRouterTest)

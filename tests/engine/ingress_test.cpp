@@ -30,9 +30,10 @@ struct Calls final : IngressSink
         return is;
     }
     bool namesSession(ByteView message) const override { return std::ranges::equal(message, sessionRecord); }
-    void takeRecord(const link::Link &, const link::ReceivedBlock &message) override
+    bool takeRecord(const link::Link &, const link::ReceivedBlock &message) override
     {
         text += message.path.carrier == Carrier::Datagram ? 'R' : message.path.carrier == Carrier::Serial ? 'C' : 'T';
+        return std::ranges::equal(message.bytes, sessionRecord);
     }
     void takeSealedInPlace(const link::Link &, const link::ReceivedBlock &) override { text += 'I'; }
     void takeClear(const link::Link &, const link::ReceivedBlock &, const mavlink::ScanItem &item) override
@@ -146,6 +147,7 @@ private Q_SLOTS:
     void pairingComesFirst();
     void clearFramesOnASharedStream();
     void streamOfCobsIsNotSearched();
+    void resemblanceDoesNotEndTheSearch();
     void newStreamTakesRecordsOfSessionsOnly();
     void unsearchedLinkIsNeverSearched();
     void tunnelOnBothKindsOfLinks();
@@ -232,13 +234,26 @@ void IngressTest::clearFramesOnASharedStream()
 void IngressTest::streamOfCobsIsNotSearched()
 {
     Bench bench(sealedStream(), "tcp:127.0.0.1:1");
-    Bytes block = inCobs(firstMessage());
-    QCOMPARE(bench.take(block), std::string("C"));
+    Bytes record(60, 7);
+    record[0] = channel::firstByte(channel::DatagramKind::Record, 0);
+    bench.calls.sessionRecord = record;
+    QCOMPARE(bench.take(inCobs(record)), std::string("C"));
     QVERIFY(bench.ingress.isCobs({kLink, {}}, kReceivedAt));
     QCOMPARE(bench.take(kHeartbeat), std::string(""));
     bench.ingress.forget({kLink, {}});
     QVERIFY(!bench.ingress.isCobs({kLink, {}}, kReceivedAt));
     QCOMPARE(bench.take(kHeartbeat), std::string("f"));
+}
+
+void IngressTest::resemblanceDoesNotEndTheSearch()
+{
+    // Random bytes of records in TUNNEL contain, between two zeros, what a message in COBS would be.
+    Bench bench(sealedStream(), "tcp:127.0.0.1:1");
+    QCOMPARE(bench.take(inTunnel(firstMessage())), std::string("T"));
+    QVERIFY(bench.take(inCobs(firstMessage())).starts_with('C'));
+    QVERIFY(!bench.ingress.isCobs({kLink, {}}, kReceivedAt));
+    QVERIFY(bench.take(inTunnel(firstMessage())).ends_with('T'));
+    QVERIFY(bench.take(kHeartbeat).ends_with('f'));
 }
 
 void IngressTest::newStreamTakesRecordsOfSessionsOnly()
@@ -281,9 +296,10 @@ void IngressTest::rulesChangeWithinABlock()
     // The sink ends the search for clear frames when it receives the message in front of them.
     struct Switching final : IngressSink
     {
-        void takeRecord(const link::Link &, const link::ReceivedBlock &) override
+        bool takeRecord(const link::Link &, const link::ReceivedBlock &) override
         {
             ingress->setRules(kLink, {.isStream = true, .takesCobs = true, .clear = ClearScan::Never});
+            return false;
         }
         void takeClear(const link::Link &, const link::ReceivedBlock &, const mavlink::ScanItem &) override { ++clear; }
         Ingress *ingress = nullptr;

@@ -118,7 +118,11 @@ struct PassedOn final : IngressSink
         if (item.frame && toHex(item.bytes) != frames.back())
             frames.back() = "the bytes of the item are others";
     }
-    void takeRecord(const link::Link &, const link::ReceivedBlock &) override { ++others; }
+    bool takeRecord(const link::Link &, const link::ReceivedBlock &) override
+    {
+        ++others;
+        return false;
+    }
 
     std::vector<std::string> frames;
     int others = 0;

@@ -162,7 +162,11 @@ public:
             const link::ReceivedBlock block{{LinkId{2}, {}}, piece, now};
             if (m_carrier == Carrier::Serial)
                 m_reader.takeCobs(
-                    block, [](ByteView) { return false; }, [this](const link::ReceivedBlock &message) { take(message); });
+                    block, [](ByteView) { return false; },
+                    [this](const link::ReceivedBlock &message) {
+                        take(message);
+                        return true;
+                    });
             else
                 m_parser.feed(piece, [&](const mavlink::ScanItem &item) {
                     if (!CarrierReader::isTunnel(item))

@@ -193,7 +193,10 @@ void RemoteEnd::receive(TimePoint now, LinkId link, ByteView block)
     if (way->engine.carrier == Carrier::Serial) {
         m_reader.takeCobs(
             received, [&](ByteView message) { return m_endpoint->namesSerialSession(message); },
-            [&](const link::ReceivedBlock &message) { handleMessage(now, message); });
+            [&](const link::ReceivedBlock &message) {
+                handleMessage(now, message);
+                return false; // this end does not ask whether the stream is COBS
+            });
         return;
     }
     const bool datagrams = way->engine.carrier == Carrier::Datagram;

@@ -143,6 +143,7 @@ inline constexpr Proof kProofs[] = {
 
     {"ClearAccepted", "attack_router_test", "spoofedHeartbeatsAreNotTaken", "the vehicle is shown as it is"},
     {"RoamOnForged", "attack_router_test", "forgedTunnelsDivertNothing", "delivery goes on"},
+    {"BelieveAnyCobs", "attack_router_test", "fakedCobsSilencesNothing", "every message in TUNNEL is read"},
 
     {"NoCookie", "attack_cookie_test", "floodFromForgedAddresses", "a station gets its session"},
     {"NoCookie", "attack_cookie_test", "floodFromRealAddresses", "a station gets its session"},

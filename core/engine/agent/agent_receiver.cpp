@@ -155,10 +155,12 @@ bool AgentReceiver::namesSession(ByteView message) const
     return m_parts.channel.endpoint().namesSerialSession(message);
 }
 
-void AgentReceiver::takeRecord(const link::Link &, const link::ReceivedBlock &message)
+bool AgentReceiver::takeRecord(const link::Link &, const link::ReceivedBlock &message)
 {
-    if (const auto delivery = m_parts.channel.receive(message.time, message.path, message.bytes))
+    const auto delivery = m_parts.channel.receive(message.time, message.path, message.bytes);
+    if (delivery)
         takeDelivery(message, *delivery);
+    return delivery.has_value();
 }
 
 void AgentReceiver::takeSealedInPlace(const link::Link &, const link::ReceivedBlock &frame)

@@ -19,7 +19,7 @@ Path tunnelPath(const Path &from, const mavlink::Frame &frame)
 bool CarrierReader::isCobs(const Path &stream, TimePoint now) const
 {
     const auto found = m_lines.find(stream);
-    return found != m_lines.end() && found->second->heard != TimePoint::min() && now < found->second->heard + kBelievedFor;
+    return found != m_lines.end() && isRecent(found->second->proven, now);
 }
 
 void CarrierReader::noteMavlink(const Path &stream)

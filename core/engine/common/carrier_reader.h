@@ -1,6 +1,8 @@
 // Extracts messages of the channel from carriers other than datagrams: COBS frames of a byte stream and the payloads of
 // TUNNEL (core/channel/PROTOCOL.md). Also tracks which streams carry COBS, so that their bytes are not searched for MAVLink.
-// I/O thread; no I/O itself.
+// On a stream of MAVLink, bytes between two zeros resemble a message of the channel now and then (records in TUNNEL are random
+// bytes), and anybody whose frames a router passes on can make them do so. Only a record that was opened therefore ends the
+// search for MAVLink. I/O thread; no I/O itself.
 #pragma once
 
 #include "core/channel/cobs.h"
@@ -18,15 +20,15 @@ namespace skyseal::engine {
 class CarrierReader
 {
 public:
-    /// Without a COBS message for this long, another program may be sending on the stream.
+    /// Without a message in COBS for this long, another program may be sending on the stream.
     static constexpr Duration kBelievedFor = std::chrono::seconds(10);
     /// Greatest number of remembered nodes behind routers.
     static constexpr std::size_t kMostNodes = 256;
 
     /// Calls `deliver(const link::ReceivedBlock &)` for each message in the next piece of a stream: its path is that of the
-    /// piece, in Carrier::Serial. Bytes of MAVLink between two zeros can resemble a message. Until the stream is known to be
-    /// COBS, only messages that open a handshake or pairing are therefore accepted, by kind and length, and those for which
-    /// `namesSession(ByteView)` returns true, since a session continues after its stream was reconnected.
+    /// piece, in Carrier::Serial. It returns true for a record that was opened. Until a conversation was opened on the stream,
+    /// only messages that open one are delivered, by kind and length, and those for which `namesSession(ByteView)` returns
+    /// true, since a session continues after its stream was reconnected.
     template<typename NamesSession, typename Deliver>
     void takeCobs(const link::ReceivedBlock &piece, NamesSession &&namesSession, Deliver &&deliver)
     {
@@ -38,14 +40,15 @@ public:
         line->reader.feed(piece.bytes, [&](MutableByteView message) {
             if (!channel::isOurs(message[0]))
                 return;
-            if (!isCobs(piece.path, piece.time) && !opensConversation(message) && !namesSession(ByteView(message)))
+            if (!isRecent(line->talked, piece.time) && !opensConversation(message) && !namesSession(ByteView(message)))
                 return;
-            line->heard = piece.time;
-            deliver(link::ReceivedBlock{path, message, piece.time});
+            line->talked = piece.time;
+            if (deliver(link::ReceivedBlock{path, message, piece.time}))
+                line->proven = piece.time;
         });
     }
 
-    /// Whether COBS messages arrived on the stream within kBelievedFor.
+    /// Whether records in COBS were opened on the stream within kBelievedFor.
     bool isCobs(const Path &stream, TimePoint now) const;
     /// A valid MAVLink frame arrived on this stream, so damaged frames there are MAVLink too.
     void noteMavlink(const Path &stream);
@@ -65,10 +68,12 @@ private:
     struct Line
     {
         channel::CobsReader reader;
-        TimePoint heard = TimePoint::min();
+        TimePoint talked = TimePoint::min(); ///< time of the newest message, or of bytes that resemble one
+        TimePoint proven = TimePoint::min(); ///< time of the newest record that was opened
         bool speaksMavlink = false;
     };
 
+    static bool isRecent(TimePoint heard, TimePoint now) { return heard != TimePoint::min() && now < heard + kBelievedFor; }
     static bool opensConversation(ByteView message);
 
     std::map<Path, std::unique_ptr<Line>> m_lines;

@@ -40,7 +40,9 @@ void Ingress::takeStream(const Registered &to, const link::Link &link, const lin
     if (rules.takesCobs)
         m_reader.takeCobs(
             block, [&](ByteView message) { return to.sink->namesSession(message); },
-            [&](const link::ReceivedBlock &message) { takeMessage(*to.sink, link, message); });
+            [&](const link::ReceivedBlock &message) {
+                return !to.sink->takePairing(link, message) && to.sink->takeRecord(link, message);
+            });
     if (rules.clear == ClearScan::Never
         || (rules.clear == ClearScan::UnlessCobs && rules.takesCobs && m_reader.isCobs(block.path, block.time)))
         return;

@@ -18,7 +18,7 @@ namespace skyseal::engine {
 /// Whether the bytes of a link are searched for clear MAVLink.
 enum class ClearScan : std::uint8_t {
     Never,
-    UnlessCobs, ///< not in a stream on which messages in COBS arrive
+    UnlessCobs, ///< not in a stream on which records in COBS are opened
     Always
 };
 
@@ -53,8 +53,9 @@ public:
     virtual bool takePairing(const link::Link &, const link::ReceivedBlock & /*message*/) { return false; }
     /// Returns true if the message is a record of a session on a serial carrier, by its connection id.
     virtual bool namesSession(ByteView /*message*/) const { return false; }
-    /// A message whose first byte belongs to the channel; the path has the carrier in which it arrived.
-    virtual void takeRecord(const link::Link &, const link::ReceivedBlock & /*message*/) {}
+    /// A message whose first byte belongs to the channel; the path has the carrier in which it arrived. Returns true if it is a
+    /// record that was opened.
+    virtual bool takeRecord(const link::Link &, const link::ReceivedBlock & /*message*/) { return false; }
     /// `frame` is a single frame, to be opened in place.
     virtual void takeSealedInPlace(const link::Link &, const link::ReceivedBlock & /*frame*/) {}
     /// A frame in clear, or a region without a readable frame.
@@ -80,7 +81,7 @@ public:
     void take(const link::Link &link, const link::ReceivedBlock &block);
     /// A stream begins or ends: partial frames of the old one are dropped.
     void forget(const Path &stream);
-    /// Whether COBS messages arrived on this stream within the last 10 s.
+    /// Whether records in COBS were opened on this stream within the last 10 s.
     bool isCobs(const Path &stream, TimePoint now) const { return m_reader.isCobs(stream, now); }
 
 private:

@@ -26,7 +26,10 @@ public:
         return m_rest.takePairing(link, message);
     }
     bool namesSession(ByteView message) const override { return m_rest.namesSession(message); }
-    void takeRecord(const link::Link &link, const link::ReceivedBlock &message) override { m_rest.takeRecord(link, message); }
+    bool takeRecord(const link::Link &link, const link::ReceivedBlock &message) override
+    {
+        return m_rest.takeRecord(link, message);
+    }
     void takeSealedInPlace(const link::Link &link, const link::ReceivedBlock &frame) override
     {
         m_rest.takeSealedInPlace(link, frame);

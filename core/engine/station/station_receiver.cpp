@@ -84,7 +84,7 @@ bool StationReceiver::namesSession(ByteView message) const
     return isSealing() && m_channel->driver.endpoint().namesSerialSession(message);
 }
 
-void StationReceiver::takeRecord(const link::Link &link, const link::ReceivedBlock &message)
+bool StationReceiver::takeRecord(const link::Link &link, const link::ReceivedBlock &message)
 {
     if (message.path.carrier == Carrier::Tunnel)
         m_callPlaces.noteMavlink(link, message.path, message.time);
@@ -95,12 +95,14 @@ void StationReceiver::takeRecord(const link::Link &link, const link::ReceivedBlo
         if (m_channel)
             m_channel->goodbyes.recordArrived(message.time, message.path,
                                               [this](const Path &to, ByteView bytes) { m_parts.links.send(to, bytes); });
-        return;
+        return false;
     }
-    if (const auto delivery = m_channel->driver.receive(message.time, message.path, message.bytes)) {
+    const auto delivery = m_channel->driver.receive(message.time, message.path, message.bytes);
+    if (delivery) {
         m_callPlaces.noteSession(link, message.path);
         takeDelivery(message, *delivery);
     }
+    return delivery.has_value();
 }
 
 void StationReceiver::takeSealedInPlace(const link::Link &, const link::ReceivedBlock &frame)

@@ -96,7 +96,7 @@ private:
 
     bool takePairing(const link::Link &link, const link::ReceivedBlock &message) override;
     bool namesSession(ByteView message) const override;
-    void takeRecord(const link::Link &link, const link::ReceivedBlock &message) override;
+    bool takeRecord(const link::Link &link, const link::ReceivedBlock &message) override;
     void takeSealedInPlace(const link::Link &link, const link::ReceivedBlock &frame) override;
     void takeClear(const link::Link &link, const link::ReceivedBlock &block, const mavlink::ScanItem &item) override;
     void takeUnusable(const link::Link &link, Unusable what) override;
