@@ -114,8 +114,10 @@ public:
         if (!tag || declassified(crypto_verify_16(tag->data(), body.data() + body.size())) != 0)
             return std::nullopt;
         const std::optional<std::size_t> length = m_body.decrypt(counter, body);
-        if (!length)
+        if (!length) {
+            sodium_memzero(body.data(), body.size()); // a part of it may be decrypted
             return std::nullopt;
+        }
         return body.first(*length);
     }
 

@@ -20,8 +20,10 @@ static EVP_MAC *hmac()
 
 HmacSha256::HmacSha256(ByteView key)
 {
+    EVP_MAC *const algorithm = hmac(); // before the lock, since the first fetch loads much of OpenSSL
     const LockedAllocations locked;
-    m_context.reset(EVP_MAC_CTX_new(hmac()));
+    if (algorithm)
+        m_context.reset(EVP_MAC_CTX_new(algorithm));
     char digest[] = "SHA256";
     const std::array parameters{OSSL_PARAM_construct_utf8_string(OSSL_MAC_PARAM_DIGEST, digest, 0), OSSL_PARAM_construct_end()};
     static constexpr std::uint8_t kNoKey = 0; // OpenSSL takes a null pointer for "keep the key"

@@ -22,7 +22,8 @@
 
 namespace skyseal::crypto {
 
-/// One suite under the keys of one direction and epoch. Not thread-safe. Neither call allocates.
+/// One suite under the keys of one direction and epoch. Not thread-safe. Neither call allocates, but for OpenSSL
+/// 3.0 in suites with HMAC (hmac_sha256.h).
 class InlineCipher : public InLockedMemory
 {
 public:

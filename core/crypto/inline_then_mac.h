@@ -34,7 +34,12 @@ public:
     {
         const auto right = shortTag(counter, associatedData, body);
         const bool good = right && declassified(sodium_memcmp(right->data(), tag.data(), tag.size())) == 0;
-        return good && m_body.decrypt(counter, body).has_value();
+        if (!good)
+            return false;
+        const bool opened = m_body.decrypt(counter, body).has_value();
+        if (!opened)
+            sodium_memzero(body.data(), body.size()); // a part of it may be decrypted
+        return opened;
     }
 
 private:

@@ -73,8 +73,8 @@ public:
         static const EvpCipher cipher(EVP_CIPHER_fetch(nullptr, "AES-256-CBC", nullptr));
         m_encrypt = makeEvpContext(cipher.get(), keys.key.view().data(), EvpDirection::Encrypt);
         m_decrypt = makeEvpContext(cipher.get(), keys.key.view().data(), EvpDirection::Decrypt);
-        if (m_decrypt)
-            EVP_CIPHER_CTX_set_padding(m_decrypt.get(), 0); // decrypt() checks it: OpenSSL does not in constant time
+        if (m_decrypt && EVP_CIPHER_CTX_set_padding(m_decrypt.get(), 0) != 1) // decrypt() checks it, in constant time
+            m_decrypt.reset();
     }
 
     bool ready() const { return m_encrypt && m_decrypt && m_ivs.ready(); }
@@ -91,7 +91,8 @@ public:
         const int size = static_cast<int>(plaintext.size());
         return m_ivs.apply(counter, m_encrypt.get())
             && (size == 0 || EVP_EncryptUpdate(m_encrypt.get(), out.data(), &written, plaintext.data(), size) == 1)
-            && EVP_EncryptFinal_ex(m_encrypt.get(), out.data() + written, &last) == 1;
+            && EVP_EncryptFinal_ex(m_encrypt.get(), out.data() + written, &last) == 1
+            && static_cast<std::size_t>(written + last) == out.size();
     }
 
     std::optional<std::size_t> decrypt(std::uint64_t counter, MutableByteView body)
@@ -100,7 +101,8 @@ public:
             return std::nullopt;
         int written = 0;
         if (!m_ivs.apply(counter, m_decrypt.get())
-            || EVP_DecryptUpdate(m_decrypt.get(), body.data(), &written, body.data(), static_cast<int>(body.size())) != 1)
+            || EVP_DecryptUpdate(m_decrypt.get(), body.data(), &written, body.data(), static_cast<int>(body.size())) != 1
+            || static_cast<std::size_t>(written) != body.size())
             return std::nullopt;
         // The tag was correct, so only a faulty peer sends bad padding. That makes it no padding oracle, but there is no
         // plaintext to return either.
@@ -110,10 +112,8 @@ public:
             const auto inPadding = static_cast<std::uint8_t>(0 - static_cast<unsigned>(i < padding));
             wrong = static_cast<std::uint8_t>(wrong | (inPadding & (body[body.size() - 1 - i] ^ padding)));
         }
-        if (declassified(wrong) != 0) {
-            sodium_memzero(body.data(), body.size());
+        if (declassified(wrong) != 0)
             return std::nullopt;
-        }
         return declassified(body.size() - padding);
     }
 
