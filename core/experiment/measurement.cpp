@@ -78,7 +78,7 @@ void addCosts(Values &out, const engine::Probe &begin, const engine::Probe &end,
     }
 }
 
-void addChannel(Values &out, const engine::ChannelTotals &begin, const engine::ChannelTotals &end)
+void addChannel(Values &out, const Reading &begin, const Reading &end)
 {
     out[Metric::RecordLoss] = share(growth(begin.rx.lost, end.rx.lost), growth(begin.rx.good, end.rx.good));
     out[Metric::RecordLossUp] = share(growth(begin.peerRx.lost, end.peerRx.lost), growth(begin.peerRx.good, end.peerRx.good));
@@ -221,11 +221,11 @@ Values valuesBetween(const Reading &begin, const Reading &end, bool sealed, bool
     Values out;
     const engine::Snapshot &before = *begin.station, &after = *end.station;
     const double time = after.time - before.time;
-    const FrameCount counted = framesBetween(before.mavlink, after.mavlink, sealed, countsLoss);
+    const FrameCount counted = framesBetween(begin.mavlink, end.mavlink, sealed, countsLoss);
     const double frames = counted.distinct;
     const Traffic traffic = trafficOf(before), later = trafficOf(after);
     const double received = growth(traffic.rxBytes, later.rxBytes);
-    const double mavlink = growth(before.mavlink.bytes, after.mavlink.bytes);
+    const double mavlink = growth(begin.mavlink.bytes, end.mavlink.bytes);
     out[Metric::Packets] = frames;
     out[Metric::FrameRate] = frames / time;
     out[Metric::ByteRate] = mavlink / time;
@@ -238,7 +238,7 @@ Values valuesBetween(const Reading &begin, const Reading &end, bool sealed, bool
     addCosts(out, *before.probe, *after.probe, time, frames, sealed);
     out[Metric::Readings] = growth(before.number, after.number);
     if (sealed)
-        addChannel(out, before.channel, after.channel);
+        addChannel(out, begin, end);
     addLatency(out, before, after);
     addAgent(out, begin, end, sealed);
     addCircumstances(out, begin, end, time);
@@ -256,18 +256,18 @@ std::map<std::uint32_t, std::uint64_t> messagesBetween(const Reading &begin, con
     return out;
 }
 
+double foreignShare(const Reading &begin, const Reading &end)
+{
+    const double all = growth(begin.station->mavlink.frames, end.station->mavlink.frames);
+    const double counted = growth(begin.mavlink.frames, end.mavlink.frames);
+    return all > counted ? (all - counted) / all : 0;
+}
+
 Counted countedBy(const Reading &reading)
 {
-    const engine::Snapshot &snapshot = *reading.station;
-    const engine::MavlinkTotals &mavlink = snapshot.mavlink;
-    Counted out{{mavlink.frames, mavlink.lost, mavlink.late, mavlink.duplicate},
-                snapshot.channel.rx,
-                snapshot.channel.peerRx,
-                reading.programs.relay};
-    out.rx.replayed -= snapshot.channel.unmatched.replayed; // handshakes are no records
-    out.rx.forged -= snapshot.channel.unmatched.forged;
-    out.rx.malformed -= snapshot.channel.unmatched.malformed;
-    return out;
+    const engine::MavlinkTotals &mavlink = reading.mavlink;
+    return {
+        {mavlink.frames, mavlink.lost, mavlink.late, mavlink.duplicate}, reading.rx, reading.peerRx, reading.programs.relay};
 }
 
 } // namespace skyseal::experiment

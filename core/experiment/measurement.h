@@ -1,6 +1,7 @@
 // The values of one run: differences between two snapshots of the station and two readings of the agent's costs.
 #pragma once
 
+#include "core/engine/common/totals.h"
 #include "core/experiment/metric.h"
 #include "core/experiment/results.h"
 #include "core/impair/impairment.h"
@@ -41,6 +42,8 @@ struct ProgramUsage
 struct Reading
 {
     std::shared_ptr<const engine::Snapshot> station; ///< with a probe
+    engine::MavlinkTotals mavlink;                   ///< frames that the link carried as the run demands, and no others
+    channel::ReceiveCounters rx, peerRx;             ///< records of its session to the station, and to the agent
     std::optional<AgentCostReport> agent;            ///< of the run's suite alone
     ProgramUsage programs;
     metrics::MachineUsage machine;            ///< read together with `programs`
@@ -63,6 +66,10 @@ std::optional<double> lineRate(const impair::ImpairmentSettings &line);
 
 /// Accepted frames between two readings, by message id.
 std::map<std::uint32_t, std::uint64_t> messagesBetween(const Reading &begin, const Reading &end);
+
+/// Share of the accepted frames between two readings that the link carried otherwise: those of another vehicle, in clear or in
+/// a session of its own. The costs of the station's thread contain them.
+double foreignShare(const Reading &begin, const Reading &end);
 
 /// The counters of valuesBetween() as they stand in a reading.
 Counted countedBy(const Reading &reading);

@@ -218,7 +218,7 @@ void RunDriver::requestEnd()
 /// The run is over, and what the agent has to say about it is no part of it any more.
 void RunDriver::requestReport()
 {
-    m_measurement.readEnd(m_link.snapshot());
+    m_measurement.readEnd(m_link.measured(), m_link.snapshot());
     if (!m_measurement.hasBeginReport())
         return end();
     m_link.station().requestCosts(true);

@@ -10,6 +10,8 @@ namespace skyseal::experiment {
 
 namespace {
 
+constexpr double kMayBeForeign = 0.01; ///< of all accepted frames
+
 std::optional<AgentCostReport> reportIn(const MeasuredLink &link, const engine::Snapshot &snapshot)
 {
     const engine::SessionSnapshot *up = link.session(snapshot);
@@ -18,9 +20,21 @@ std::optional<AgentCostReport> reportIn(const MeasuredLink &link, const engine::
 
 } // namespace
 
-Reading RunMeasurement::readingOf(const Snapshot &snapshot)
+Reading RunMeasurement::readingOf(const MeasuredLink &link, const Snapshot &snapshot)
 {
-    return {snapshot, {}, m_programs(), metrics::machineUsage(), m_energy.microjoules(steadyNow())};
+    Reading out;
+    out.station = snapshot;
+    out.programs = m_programs();
+    out.machine = metrics::machineUsage();
+    out.microjoules = m_energy.microjoules(steadyNow());
+    if (link.isPlain()) {
+        out.mavlink = snapshot->clear;
+    } else if (const engine::SessionSnapshot *up = link.session(*snapshot)) {
+        out.mavlink = up->mavlink;
+        out.rx = up->stats.rx;
+        out.peerRx = up->stats.peerRx;
+    }
+    return out;
 }
 
 void RunMeasurement::awaitReport(const MeasuredLink &link, const engine::Snapshot &snapshot)
@@ -50,7 +64,7 @@ void RunMeasurement::begin(const MeasuredLink &link, const Snapshot &snapshot)
     const engine::SessionSnapshot *up = link.session(*snapshot);
     m_session = up ? std::optional(up->info.session) : std::nullopt;
     m_peer = up ? std::optional(up->info.peer) : std::nullopt;
-    m_begin = readingOf(snapshot);
+    m_begin = readingOf(link, snapshot);
     if (m_session && m_reporter == m_session)
         m_begin.agent = m_report;
 }
@@ -66,9 +80,9 @@ bool RunMeasurement::sessionChanged(const MeasuredLink &link, const engine::Snap
     return !link.isPlain() && up && up->info.session != m_session;
 }
 
-void RunMeasurement::readEnd(const Snapshot &snapshot)
+void RunMeasurement::readEnd(const MeasuredLink &link, const Snapshot &snapshot)
 {
-    m_end = readingOf(snapshot);
+    m_end = readingOf(link, snapshot);
 }
 
 bool RunMeasurement::takeEndReport(const MeasuredLink &link, const engine::Snapshot &snapshot)
@@ -104,6 +118,9 @@ void RunMeasurement::end(const MeasuredLink &link, const Plan &plan, Sample &sam
     }
     sample.values = values;
     sample.invalid = loadProblem(load, values);
+    if (const double foreign = foreignShare(m_begin, m_end); foreign > kMayBeForeign)
+        sample.invalid = sentence("Reason", "%1 % of the frames came from another vehicle, which the costs contain")(
+            readable(100 * foreign));
     sample.seconds = snapshot->time - m_begin.station->time;
     sample.begin = countedBy(m_begin);
     sample.end = countedBy(m_end);

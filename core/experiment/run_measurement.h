@@ -36,7 +36,7 @@ public:
     /// True if this new session is with the peer of the session at the beginning, which it replaces.
     bool isReplacedBy(const channel::SessionUp &up) const { return m_peer == up.peer && m_session != up.session; }
     /// Reads all counters at the end of the run but the agent's costs, which are requested then.
-    void readEnd(const Snapshot &snapshot);
+    void readEnd(const MeasuredLink &link, const Snapshot &snapshot);
     /// True if the agent's costs of this run are known at its beginning.
     bool hasBeginReport() const { return m_begin.agent.has_value(); }
     /// Takes the first report after the run. Returns false while there is none; without effect in another session.
@@ -46,7 +46,7 @@ public:
     void end(const MeasuredLink &link, const Plan &plan, Sample &sample);
 
 private:
-    Reading readingOf(const Snapshot &snapshot);
+    Reading readingOf(const MeasuredLink &link, const Snapshot &snapshot);
 
     std::function<ProgramUsage()> m_programs;
     metrics::EnergyMeter m_energy;

@@ -29,18 +29,21 @@ private Q_SLOTS:
         reading.channel.up = true;
         reading.channel.suite = SuiteId::Aes256Gcm;
         reading.channel.roundTrip = 12ms;
+        reading.sessions.resize(1);
+        MetricsSampler::Session &session = reading.sessions[0];
+        session.suite = SuiteId::Aes256Gcm;
         reading.latency = 0.02;
         TimePoint now{};
         for (int i = 0; i <= 8; ++i, now += MetricsSampler::kEvery) {
             const auto n = static_cast<std::uint64_t>(i);
-            reading.mavlink.frames = 20 * n;
-            reading.mavlink.lost = 5 * n;
-            reading.channel.rx.good = 9 * n;
-            reading.channel.rx.lost = n;
-            reading.channel.rx.openedBytes = 800 * n;
+            session.mavlink.frames = 20 * n;
+            session.mavlink.lost = 5 * n;
+            session.stats.rx.good = 9 * n;
+            session.stats.rx.lost = n;
+            session.stats.rx.openedBytes = 800 * n;
+            session.stats.peerFrames = channel::FrameCounters{17 * n, 3 * n};
             reading.channel.wire = {1000 * n, 800 * n, 300 * n, 200 * n};
             reading.channel.rx.forged = n;
-            reading.channel.peerFrames = channel::FrameCounters{17 * n, 3 * n};
             reading.rxBytes = 1100 * n;
             reading.txBytes = 310 * n;
             sampler.sample(now, seconds(now.time_since_epoch()), reading);
@@ -62,6 +65,44 @@ private Q_SLOTS:
         QVERIFY(last.residentBytes > 1'000'000);
     }
 
+    void suiteIsNotCreditedWithWhatItDidNotOpen()
+    {
+        // A vehicle in clear and one under another suite send ten times as much, and lose half of it.
+        MetricsSampler sampler;
+        MetricsSampler::Reading reading;
+        reading.linkUp = reading.channel.up = true;
+        reading.channel.suite = SuiteId::ChaCha20;
+        for (std::uint64_t i = 0; i < 3; ++i) {
+            const SuiteId suite = i == 2 ? SuiteId::Aes256Gcm : SuiteId::ChaCha20;
+            reading.sessions.push_back(
+                {.id = channel::SessionId{static_cast<std::uint32_t>(i + 1)}, .suite = suite, .cpuPercent = 0.5});
+        }
+        for (std::uint64_t n = 0; n <= 4; ++n) {
+            for (std::size_t i = 0; i < 3; ++i) {
+                MetricsSampler::Session &session = reading.sessions[i];
+                session.mavlink.frames = i == 2 ? 160 * n : 8 * n;
+                session.mavlink.lost = i == 2 ? 160 * n : 0;
+                session.stats.rx.good = session.mavlink.frames;
+                session.stats.rx.lost = session.mavlink.lost;
+                session.stats.rx.openedBytes = 50 * session.mavlink.frames;
+            }
+            reading.clear = {.frames = 160 * n, .lost = 160 * n, .bytes = 8000 * n};
+            sampler.sample(TimePoint{} + static_cast<int>(n) * MetricsSampler::kEvery, 0, reading);
+        }
+        const MetricsSample &sealed = sampler.samples().back();
+        QCOMPARE(sealed.openedFramesPerSecond, 64.0); // both vehicles under ChaCha20
+        QCOMPARE(sealed.openedBytesPerSecond, 3200.0);
+        QCOMPARE(sealed.mavlinkLossPercent, 0.0);
+        QCOMPARE(sealed.lossPercent, 0.0);
+        QCOMPARE(sealed.suiteCpuPercent, 1.0);
+        reading.channel.up = false;
+        reading.channel.suite = SuiteId::None;
+        reading.sessions.clear();
+        sampler.sample(TimePoint{}, 0, reading);
+        QCOMPARE(sampler.samples().back().openedFramesPerSecond, 480.0); // a quarter without a new frame
+        QCOMPARE(sampler.samples().back().mavlinkLossPercent, 50.0);
+    }
+
     void costOfWatchingIsTheGrowthOfItsTime()
     {
         MetricsSampler sampler;
@@ -78,9 +119,9 @@ private Q_SLOTS:
         MetricsSampler sampler;
         MetricsSampler::Reading reading;
         for (int i = 0; i < 5; ++i) {
-            reading.mavlink.frames += 30; // including ten duplicates
-            reading.mavlink.duplicate += 10;
-            reading.mavlink.lost += 5;
+            reading.clear.frames += 30; // including ten duplicates
+            reading.clear.duplicate += 10;
+            reading.clear.lost += 5;
             sampler.sample(TimePoint{}, 0, reading);
         }
         QCOMPARE(sampler.samples().back().mavlinkLossPercent, 20.0);
@@ -139,7 +180,7 @@ private Q_SLOTS:
         MetricsSampler::Reading reading;
         for (int i = 0; i < 5; ++i) {
             reading.rxBytes += 100;
-            reading.mavlink.bytes += 90; // the other bytes are announcements of an agent
+            reading.clear.bytes += 90; // the other bytes are announcements of an agent
             sampler.sample(TimePoint{} + i * MetricsSampler::kEvery, i * 0.25, reading);
         }
         QCOMPARE(sampler.samples().back().rxOverheadPercent, 0.0);

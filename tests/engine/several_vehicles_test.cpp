@@ -69,6 +69,7 @@ private Q_SLOTS:
     void rolesAndRevocationConcernEachStation();
     void agentIsBoundToSomeOfThem();
     void eachPartMayStartAgain();
+    void figuresOfACipherAreThoseOfWhatItOpened();
 };
 
 void SeveralVehiclesTest::eachIsAddressedAlone()
@@ -173,6 +174,50 @@ void SeveralVehiclesTest::eachPartMayStartAgain()
     pilot = std::make_unique<Ground>(flight.rig.stationConfig(), urlOf("udpin:" + address));
     EVENTUALLY_EQUAL(heardBy(*pilot), std::size_t(kVehicles));
     QVERIFY(allAreAddressed());
+}
+
+/// The cipher's sealed vehicle beside one in clear, which sends as much.
+void SeveralVehiclesTest::figuresOfACipherAreThoseOfWhatItOpened()
+{
+    FlightRig rig(channel::PeerRole::Pilot, {1});
+    Ground pilot(rig.stationConfig(engine::SecureMode::Preferred));
+    rig.startAgent(pilot.ears->listening());
+    VehicleOnUdp sealed(rig.vehicleAddress(), 1);
+    EVENTUALLY(pilot.up() && heardBy(pilot) == 1);
+    VehicleOnUdp clear(pilot.ears->listening(), 2);
+    pilot.station->allowPlaintext(2);
+    EVENTUALLY(heardBy(pilot) == 2);
+
+    const auto snapshot = [&] { return pilot.ears->snapshot; };
+    const auto totals = [&] { return snapshot()->sessions.at(0).mavlink; };
+    const std::uint64_t before = totals().frames, clearBefore = snapshot()->clear.frames;
+    const std::uint64_t sentBefore = sealed.sent, clearSentBefore = clear.sent;
+    EVENTUALLY(snapshot()->clear.frames > clearBefore + 300 && totals().frames > before + 300);
+    const std::uint64_t kOnTheWay = 40; // sent, and not yet in the snapshot, at either end
+    const std::uint64_t opened = totals().frames - before, sent = sealed.sent - sentBefore;
+    QVERIFY2(opened <= sent + kOnTheWay, qPrintable(QStringLiteral("%1 of %2").arg(opened).arg(sent)));
+    QVERIFY(snapshot()->clear.frames - clearBefore <= clear.sent - clearSentBefore + kOnTheWay);
+    QCOMPARE(snapshot()->mavlink.frames, snapshot()->clear.frames + totals().frames);
+
+    // The samples of a second each, added up, are the growth of what was opened.
+    std::uint64_t number = snapshot()->samples.back().number;
+    const std::uint64_t begin = totals().frames, beginOfAll = snapshot()->mavlink.frames;
+    double opening = 0;
+    int readings = 0;
+    EVENTUALLY([&] {
+        for (const engine::MetricsSample &sample : snapshot()->samples) {
+            if (sample.number != number + 4)
+                continue;
+            number = sample.number;
+            opening += sample.openedFramesPerSecond;
+            ++readings;
+        }
+        return readings >= 3;
+    }());
+    const auto grown = static_cast<double>(totals().frames - begin);
+    const auto all = static_cast<double>(snapshot()->mavlink.frames - beginOfAll);
+    QVERIFY2(opening < 0.75 * all && opening < grown + 2 * static_cast<double>(kOnTheWay),
+             qPrintable(QStringLiteral("%1 of %2 and %3").arg(opening).arg(grown).arg(all)));
 }
 
 SKYSEAL_TEST(SeveralVehiclesTest)

@@ -73,6 +73,7 @@ void StationSnapshotTest::vehiclesAndTheirFramesAreCounted()
     QCOMPARE(snapshot->vehicles.size(), std::size_t(2));
     QCOMPARE(snapshot->vehicles[1].state.systemId, std::uint8_t(2));
     QCOMPARE(snapshot->mavlink.frames, std::uint64_t(3));
+    QCOMPARE(snapshot->clear.frames, std::uint64_t(3));
 }
 
 void StationSnapshotTest::badFramesOfLinksAreThoseOfMavlink()

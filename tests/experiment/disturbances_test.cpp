@@ -50,6 +50,7 @@ Reading reading(std::uint64_t share)
     probe->preemptions = 120 * share;
     snapshot->probe = std::move(probe);
     Reading out;
+    out.mavlink = snapshot->mavlink;
     out.station = std::move(snapshot);
     out.programs.at = TimePoint(50s) + used(2s);
     out.programs.agentCpu = used(600ms);

@@ -30,6 +30,7 @@ Reading reading(double time, std::uint64_t frames, std::uint64_t waiting)
     probe->waitingDatagrams = waiting;
     snapshot->probe = std::move(probe);
     Reading out;
+    out.mavlink = snapshot->mavlink;
     out.station = std::move(snapshot);
     return out;
 }

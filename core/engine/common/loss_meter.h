@@ -35,7 +35,21 @@ private:
     std::size_t m_count = 0;
 };
 
-/// Percent lost over the last four readings: a second, at four a second.
+/// What was lost of all that was sent, in one or several sessions.
+struct LossShare
+{
+    double lost = 0, received = 0;
+
+    double percent() const { return lost + received > 0 ? 100 * lost / (lost + received) : 0; }
+    LossShare &operator+=(const LossShare &more)
+    {
+        lost += more.lost;
+        received += more.received;
+        return *this;
+    }
+};
+
+/// The loss over the last four readings: a second, at four a second.
 class LossMeter
 {
 public:
@@ -45,12 +59,12 @@ public:
         m_lost.note(lost);
     }
 
-    double percent() const
+    LossShare share() const
     {
-        const auto lost = static_cast<double>(std::max<std::int64_t>(0, m_lost.value()));
-        const auto all = lost + static_cast<double>(std::max<std::int64_t>(0, m_received.value()));
-        return all > 0 ? 100 * lost / all : 0;
+        return {static_cast<double>(std::max<std::int64_t>(0, m_lost.value())),
+                static_cast<double>(std::max<std::int64_t>(0, m_received.value()))};
     }
+    double percent() const { return share().percent(); }
 
 private:
     Growth<4> m_received, m_lost;

@@ -4,6 +4,18 @@
 
 namespace skyseal::engine {
 
+MavlinkTotals &operator+=(MavlinkTotals &sum, const MavlinkTotals &more)
+{
+    sum.frames += more.frames;
+    sum.lost += more.lost;
+    sum.late += more.late;
+    sum.duplicate += more.duplicate;
+    sum.badCrc += more.badCrc;
+    sum.sendersEvicted += more.sendersEvicted;
+    sum.bytes += more.bytes;
+    return sum;
+}
+
 channel::ReceiveCounters &operator+=(channel::ReceiveCounters &sum, const channel::ReceiveCounters &more)
 {
     channel::add(sum, more);

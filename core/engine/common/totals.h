@@ -62,6 +62,7 @@ struct ChannelTotals
     std::size_t sessions = 0;
 };
 
+MavlinkTotals &operator+=(MavlinkTotals &sum, const MavlinkTotals &more);
 channel::ReceiveCounters &operator+=(channel::ReceiveCounters &sum, const channel::ReceiveCounters &more);
 std::optional<channel::FrameCounters> &operator+=(std::optional<channel::FrameCounters> &sum,
                                                   const std::optional<channel::FrameCounters> &more);

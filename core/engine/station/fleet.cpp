@@ -3,6 +3,8 @@
 #include "core/vehicle/message_io.h"
 #include "core/vehicle/reasons.h"
 
+#include <numeric>
+
 namespace skyseal::engine {
 
 namespace {
@@ -26,10 +28,12 @@ std::optional<VehicleFound> Fleet::take(TimePoint now, WallTime wall, const Path
                                         std::optional<channel::SessionId> session)
 {
     const std::uint8_t systemId = frame.systemId();
-    m_frameBytes += frame.bytes().size();
     m_messages.note(frame.messageId());
     // A session may move to another address within one sequence; clear frames of each address have their own.
-    m_sequences.note({from.link, systemId, frame.componentId(), session ? Address{} : from.remote}, frame.sequence(), now);
+    if (session)
+        m_sealed.note({from.link, systemId, frame.componentId()}, frame, now);
+    else
+        m_clear.note({from.link, systemId, frame.componentId(), from.remote}, frame, now);
     m_inspector.note(now, frame);
     m_fields.note(now, frame);
     if (frame.messageId() == mavlink::RadioStatus::kId)
@@ -57,9 +61,8 @@ void Fleet::takeRadioStatus(const Path &from, const mavlink::Frame &frame, std::
 
 void Fleet::takeLate(TimePoint now, const Path &from, const mavlink::Frame &frame)
 {
-    m_frameBytes += frame.bytes().size();
     m_messages.note(frame.messageId());
-    m_sequences.note({from.link, frame.systemId(), frame.componentId()}, frame.sequence(), now);
+    m_sealed.note({from.link, frame.systemId(), frame.componentId()}, frame, now);
     if (vehicle::Vehicle *vehicle = m_vehicles.find(frame.systemId()))
         vehicle->handleLateFrame(now, frame);
 }
@@ -93,7 +96,7 @@ bool Fleet::sample(TimePoint now, const Notify &notify)
     for (const auto &[systemId, vehicle] : m_vehicles.all()) {
         const bool lost = vehicle.isLost(now);
         anyHeard = anyHeard || (!lost && !m_watches.isEnded(systemId));
-        switch (m_watches.sample(systemId, m_sequences.countsOfSystem(systemId), lost)) {
+        switch (m_watches.sample(systemId, countsOf(systemId), lost)) {
         case Presence::Unchanged: break;
         case Presence::Lost: notify(VehicleLost{systemId}); break;
         case Presence::Back: notify(VehicleBack{systemId}); break;
@@ -116,17 +119,54 @@ double Fleet::latency(TimePoint now) const
     return latency;
 }
 
+void Fleet::Received::note(const metrics::SequenceTable::Sender &sender, const mavlink::Frame &frame, TimePoint now)
+{
+    sequences.note(sender, frame.sequence(), now);
+    bytes[sender.system] += frame.bytes().size();
+}
+
+MavlinkTotals Fleet::Received::totals() const
+{
+    const metrics::SequenceCounts counts = sequences.total();
+    const std::uint64_t all = std::accumulate(bytes.begin(), bytes.end(), std::uint64_t(0));
+    return {counts.received, counts.lost, counts.late, counts.duplicate, 0, sequences.evicted(), all};
+}
+
+MavlinkTotals Fleet::Received::totalsOf(std::uint8_t systemId) const
+{
+    const metrics::SequenceCounts counts = sequences.countsOfSystem(systemId);
+    return {counts.received, counts.lost, counts.late, counts.duplicate, 0, 0, bytes[systemId]};
+}
+
+metrics::SequenceCounts Fleet::countsOf(std::uint8_t systemId) const
+{
+    metrics::SequenceCounts out = m_sealed.sequences.countsOfSystem(systemId);
+    out += m_clear.sequences.countsOfSystem(systemId);
+    return out;
+}
+
 MavlinkTotals Fleet::totals() const
 {
-    const metrics::SequenceCounts counts = m_sequences.total();
-    return {counts.received, counts.lost, counts.late, counts.duplicate, 0, m_sequences.evicted(), m_frameBytes};
+    MavlinkTotals out = m_sealed.totals();
+    out += m_clear.totals();
+    return out;
+}
+
+MavlinkTotals Fleet::sealedTotals(channel::SessionId session) const
+{
+    MavlinkTotals out;
+    for (const auto &[systemId, vehicle] : m_vehicles.all()) {
+        if (m_watches.isHeardIn(systemId, session))
+            out += m_sealed.totalsOf(systemId);
+    }
+    return out;
 }
 
 VehicleSnapshot Fleet::describe(TimePoint now, const vehicle::Vehicle &vehicle) const
 {
     VehicleSnapshot out;
     out.state = vehicle.state(now);
-    const metrics::SequenceCounts counts = m_sequences.countsOfSystem(vehicle.systemId());
+    const metrics::SequenceCounts counts = countsOf(vehicle.systemId());
     out.state.sequence = {counts.received, counts.lost, counts.late, counts.duplicate};
     m_watches.describe(now, vehicle.systemId(), out);
     out.parameters = vehicle.parameters();

@@ -12,6 +12,7 @@
 #include "core/engine/station/vehicle_watches.h"
 #include "core/vehicle/vehicle_set.h"
 
+#include <array>
 #include <optional>
 
 namespace skyseal::engine {
@@ -55,17 +56,35 @@ public:
     double latency(TimePoint now) const;
     /// Sums over all accepted frames; bad checksums are counted by the links.
     MavlinkTotals totals() const;
+    /// Of them those that arrived in clear.
+    MavlinkTotals clearTotals() const { return m_clear.totals(); }
+    /// Of them those that were opened from records, of the vehicles that are heard over this session. Contains frames of their
+    /// earlier sessions, so that only its growth tells of this one.
+    MavlinkTotals sealedTotals(channel::SessionId session) const;
     VehicleSnapshot describe(TimePoint now, const vehicle::Vehicle &vehicle) const;
 
 private:
+    /// Frames of one kind by their senders.
+    struct Received
+    {
+        void note(const metrics::SequenceTable::Sender &sender, const mavlink::Frame &frame, TimePoint now);
+        MavlinkTotals totals() const;
+        /// Of one system; without what concerns all senders.
+        MavlinkTotals totalsOf(std::uint8_t systemId) const;
+
+        metrics::SequenceTable sequences;
+        std::array<std::uint64_t, 256> bytes{}; ///< by system
+    };
+
+    metrics::SequenceCounts countsOf(std::uint8_t systemId) const;
+
     vehicle::VehicleSet m_vehicles;
     VehicleWatches m_watches;
     TextCopies m_copies;
-    metrics::SequenceTable m_sequences;
+    Received m_sealed, m_clear;
     InspectorTable m_inspector;
     MessageCounts m_messages;
     FieldTable m_fields;
-    std::uint64_t m_frameBytes = 0;
 };
 
 } // namespace skyseal::engine

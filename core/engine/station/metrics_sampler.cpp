@@ -1,5 +1,7 @@
 #include "core/engine/station/metrics_sampler.h"
 
+#include <algorithm>
+
 namespace skyseal::engine {
 
 void MetricsSampler::sample(TimePoint now, double time, const Reading &reading)
@@ -19,26 +21,48 @@ void MetricsSampler::sample(TimePoint now, double time, const Reading &reading)
     sample.latency = reading.latency;
     if (channel.up && channel.roundTrip > Duration::zero())
         sample.roundTrip = seconds(channel.roundTrip);
-    setTraffic(sample, reading);
-    setLosses(sample, reading);
+    sample.rxBytesPerSecond = static_cast<double>(m_rxBytes.value());
+    sample.txBytesPerSecond = static_cast<double>(m_txBytes.value());
     setCosts(sample, channel.cost);
+    if (channel.up)
+        setSealed(sample);
+    else
+        setPlain(sample);
     sample.refused = channel.rx.forged + m_replays.attacking() + channel.rx.plaintextDropped;
     m_samples.push_back(sample);
     if (m_samples.size() > kKept)
         m_samples.pop_front();
 }
 
+void MetricsSampler::Traffic::note(const MavlinkTotals &totals, std::uint64_t openedBytes)
+{
+    frames.note(totals.frames);
+    bytes.note(openedBytes);
+    mavlink.note(totals.frames - totals.duplicate, totals.lost);
+}
+
+void MetricsSampler::SessionTraffic::note(const Session &reading)
+{
+    const channel::SessionStats &stats = reading.stats;
+    Traffic::note(reading.mavlink, stats.rx.openedBytes);
+    suite = reading.suite;
+    cpuPercent = reading.cpuPercent;
+    records.note(stats.rx.good, stats.rx.lost);
+    peerRecords.note(stats.peerRx.good, stats.peerRx.lost);
+    reportsMavlink = stats.peerFrames.has_value();
+    if (reportsMavlink)
+        peerMavlink.note(stats.peerFrames->taken, stats.peerFrames->lost);
+}
+
 void MetricsSampler::note(const Reading &reading)
 {
     const ChannelTotals &channel = reading.channel;
-    m_channelLoss.note(channel.rx.good, channel.rx.lost);
-    m_peerLoss.note(channel.peerRx.good, channel.peerRx.lost);
-    m_mavlinkLoss.note(reading.mavlink.frames - reading.mavlink.duplicate, reading.mavlink.lost);
-    if (channel.peerFrames)
-        m_peerMavlinkLoss.note(channel.peerFrames->taken, channel.peerFrames->lost);
-    m_frames.note(reading.mavlink.frames);
-    m_openedBytes.note(channel.rx.openedBytes);
-    m_clearBytes.note(reading.mavlink.bytes);
+    std::erase_if(m_sessions, [&](const auto &known) {
+        return std::ranges::find(reading.sessions, known.first, &Session::id) == reading.sessions.end();
+    });
+    for (const Session &session : reading.sessions)
+        m_sessions[session.id].note(session);
+    m_clear.note(reading.clear, reading.clear.bytes);
     m_rxBytes.note(reading.rxBytes);
     m_txBytes.note(reading.txBytes);
     m_rxOverhead.note(channel.wire.received, channel.wire.receivedFrames);
@@ -46,26 +70,39 @@ void MetricsSampler::note(const Reading &reading)
     m_replays.note(channel.rx.good, channel.rx.replayed);
 }
 
-void MetricsSampler::setTraffic(MetricsSample &sample, const Reading &reading) const
+/// Clear frames needed no opening.
+void MetricsSampler::setPlain(MetricsSample &sample) const
 {
-    const bool up = reading.channel.up;
-    sample.openedFramesPerSecond = static_cast<double>(m_frames.value());
-    sample.rxBytesPerSecond = static_cast<double>(m_rxBytes.value());
-    sample.txBytesPerSecond = static_cast<double>(m_txBytes.value());
-    // Clear frames needed no opening.
-    sample.openedBytesPerSecond = static_cast<double>(up ? m_openedBytes.value() : m_clearBytes.value());
-    sample.rxOverheadPercent = up ? m_rxOverhead.percent().value_or(vehicle::kUnknown) : 0;
-    sample.txOverheadPercent = up ? m_txOverhead.percent().value_or(vehicle::kUnknown) : 0;
+    sample.openedFramesPerSecond = static_cast<double>(m_clear.frames.value());
+    sample.openedBytesPerSecond = static_cast<double>(m_clear.bytes.value());
+    sample.mavlinkLossPercent = sample.lossPercent = m_clear.mavlink.share().percent();
+    sample.rxOverheadPercent = sample.txOverheadPercent = 0;
 }
 
-void MetricsSampler::setLosses(MetricsSample &sample, const Reading &reading) const
+void MetricsSampler::setSealed(MetricsSample &sample) const
 {
-    const ChannelTotals &channel = reading.channel;
-    sample.mavlinkLossPercent = m_mavlinkLoss.percent();
-    sample.lossPercent = channel.up ? m_channelLoss.percent() : sample.mavlinkLossPercent;
-    sample.peerLossPercent = channel.up ? m_peerLoss.percent() : 0;
-    if (channel.up && channel.peerFrames)
-        sample.peerMavlinkLossPercent = m_peerMavlinkLoss.percent();
+    LossShare mavlink, records, peerRecords, peerMavlink;
+    bool reportsMavlink = false;
+    for (const auto &[id, session] : m_sessions) {
+        if (session.suite != sample.suite)
+            continue;
+        sample.openedFramesPerSecond += static_cast<double>(session.frames.value());
+        sample.openedBytesPerSecond += static_cast<double>(session.bytes.value());
+        sample.suiteCpuPercent += session.cpuPercent;
+        mavlink += session.mavlink.share();
+        records += session.records.share();
+        peerRecords += session.peerRecords.share();
+        if (session.reportsMavlink)
+            peerMavlink += session.peerMavlink.share();
+        reportsMavlink = reportsMavlink || session.reportsMavlink;
+    }
+    sample.mavlinkLossPercent = mavlink.percent();
+    sample.lossPercent = records.percent();
+    sample.peerLossPercent = peerRecords.percent();
+    if (reportsMavlink)
+        sample.peerMavlinkLossPercent = peerMavlink.percent();
+    sample.rxOverheadPercent = m_rxOverhead.percent().value_or(vehicle::kUnknown);
+    sample.txOverheadPercent = m_txOverhead.percent().value_or(vehicle::kUnknown);
 }
 
 void MetricsSampler::setCosts(MetricsSample &sample, const SuiteCost &cost) const
@@ -75,7 +112,6 @@ void MetricsSampler::setCosts(MetricsSample &sample, const SuiteCost &cost) cons
     sample.watchingCpuPercent = m_process.watchingCpuPercent();
     sample.residentBytes = m_process.residentBytes();
     sample.powerWatts = m_process.watts().value_or(vehicle::kUnknown);
-    sample.suiteCpuPercent = cost.cpuPercent;
     sample.openNsP50 = cost.openNsP50;
     sample.openNsP99 = cost.openNsP99;
     sample.openNextNsP50 = cost.openNextNsP50;

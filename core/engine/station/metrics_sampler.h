@@ -1,5 +1,8 @@
 // Makes the points of the diagnostics' time lines: rates, loss and cost of the link four times a second, CPU, memory and power
 // of the process once a second. Each meter converts counters into one kind of figure; the sampler feeds them. I/O thread.
+//
+// Rates, losses and the CPU of a suite are those of the sessions under it alone: it did not open frames that arrived in clear
+// or under another suite.
 #pragma once
 
 #include "core/engine/common/loss_meter.h"
@@ -10,6 +13,8 @@
 #include "core/engine/common/totals.h"
 
 #include <deque>
+#include <map>
+#include <vector>
 
 namespace skyseal::engine {
 
@@ -23,11 +28,21 @@ public:
     /// `sysfs`: see metrics::EnergyMeter.
     explicit MetricsSampler(const std::string &sysfs = metrics::EnergyMeter::kSysfs) : m_process(sysfs) {}
 
+    struct Session
+    {
+        channel::SessionId id{};
+        crypto::SuiteId suite{};
+        MavlinkTotals mavlink; ///< see SessionSnapshot
+        channel::SessionStats stats;
+        double cpuPercent = 0; ///< see SuiteCost
+    };
+
     /// The engine's values at the time of a sample.
     struct Reading
     {
         ChannelTotals channel;
-        MavlinkTotals mavlink;
+        MavlinkTotals clear; ///< frames that arrived in clear
+        std::vector<Session> sessions;
         bool linkUp = false;
         double latency = vehicle::kUnknown;     ///< seconds
         std::uint64_t rxBytes = 0, txBytes = 0; ///< of all links so far
@@ -42,14 +57,33 @@ public:
     std::uint64_t residentBytes() const { return m_process.residentBytes(); }
 
 private:
+    /// The growth over the last second of what arrived in one session, or in clear.
+    struct Traffic
+    {
+        void note(const MavlinkTotals &mavlink, std::uint64_t openedBytes);
+
+        Growth<4> frames, bytes;
+        LossMeter mavlink;
+    };
+    struct SessionTraffic : Traffic
+    {
+        void note(const Session &reading);
+
+        crypto::SuiteId suite{};
+        double cpuPercent = 0;
+        LossMeter records, peerRecords, peerMavlink;
+        bool reportsMavlink = false; ///< its agent counts our frames
+    };
+
     void note(const Reading &reading);
-    void setTraffic(MetricsSample &sample, const Reading &reading) const;
-    void setLosses(MetricsSample &sample, const Reading &reading) const;
+    void setPlain(MetricsSample &sample) const;
+    void setSealed(MetricsSample &sample) const;
     void setCosts(MetricsSample &sample, const SuiteCost &cost) const;
 
     ProcessMeter m_process;
-    LossMeter m_channelLoss, m_peerLoss, m_mavlinkLoss, m_peerMavlinkLoss;
-    Growth<4> m_frames, m_openedBytes, m_clearBytes, m_rxBytes, m_txBytes;
+    Traffic m_clear;
+    std::map<channel::SessionId, SessionTraffic> m_sessions;
+    Growth<4> m_rxBytes, m_txBytes;
     OverheadMeter m_rxOverhead, m_txOverhead;
     ReplayMeter m_replays;
     std::uint64_t m_number = 0;

@@ -14,6 +14,7 @@ struct SessionSnapshot
     channel::SessionInfo info;
     channel::SessionStats stats;
     SuiteCost cost;
+    MavlinkTotals mavlink;   ///< of the vehicles that are heard over it, see Fleet::sealedTotals()
     std::string fingerprint; ///< of the peer's key
     std::string remoteAddress;
     double age = 0; ///< seconds since the session came up

@@ -55,6 +55,7 @@ struct Snapshot
     std::uint64_t unreadable = 0;                ///< frames that Station::setBareCipher() did not decrypt
     std::uint64_t eventsDropped = 0;             ///< events that a hung reader did not receive, see OutputQueue
     MavlinkTotals mavlink;                       ///< since the start, all links
+    MavlinkTotals clear;                         ///< of `mavlink`, what arrived in clear
     ChannelTotals channel;                       ///< since the start, including ended sessions
     std::optional<ReplayStatus> replay;          ///< set if this is the picture of a replay
     std::shared_ptr<const Probe> probe;          ///< null unless it was requested, see Station::requestProbe()

@@ -50,7 +50,21 @@ ChannelTotals channelTotals(const SnapshotSources &from)
 
 MetricsSampler::Reading metricsReading(const SnapshotSources &from, TimePoint now, bool anyHeard)
 {
-    MetricsSampler::Reading out{channelTotals(from), mavlinkTotals(from), anyHeard, from.fleet.latency(now)};
+    MetricsSampler::Reading out;
+    out.channel = channelTotals(from);
+    out.clear = from.fleet.clearTotals();
+    out.linkUp = anyHeard;
+    out.latency = from.fleet.latency(now);
+    if (from.channel) {
+        const channel::Endpoint &endpoint = from.channel->driver.endpoint();
+        for (const channel::SessionId session : endpoint.sessions()) {
+            const auto info = endpoint.sessionInfo(session);
+            const auto stats = endpoint.stats(session);
+            if (info && stats)
+                out.sessions.push_back({session, info->suite, from.fleet.sealedTotals(session), *stats,
+                                        from.channel->driver.costs().of(session).cpuPercent});
+        }
+    }
     from.links.forEach([&](const link::Link &link) {
         out.rxBytes += link.counters().rxBytes;
         out.txBytes += link.counters().txBytes;
@@ -67,6 +81,8 @@ std::shared_ptr<Snapshot> buildSnapshot(const SnapshotSources &from, TimePoint n
     out->links = from.links.snapshots(now);
     if (from.channel) {
         from.channel->describe(now, *out);
+        for (SessionSnapshot &session : out->sessions)
+            session.mavlink = from.fleet.sealedTotals(session.info.session);
         // Once every known agent was heard, the next clear frame is accepted or refused without asking the operator.
         if (const std::string mayBe = from.gate.policy().neverHeard(); !mayBe.empty())
             out->pendingApproval = from.gate.pending().all(mayBe);
@@ -92,6 +108,7 @@ std::shared_ptr<Snapshot> buildSnapshot(const SnapshotSources &from, TimePoint n
     out->otherSystems = from.gate.otherSystems().all();
     out->unreadable = from.datagrams.unreadable;
     out->mavlink = mavlinkTotals(from);
+    out->clear = from.fleet.clearTotals();
     out->channel = channelTotals(from);
     out->security = securityOf(*out);
     return out;

@@ -22,6 +22,12 @@ bool VehicleWatches::isHeardOver(std::uint8_t systemId, const Path &from, std::o
     return watch && watch->session == session && (session || watch->from.sharesPlace(from));
 }
 
+bool VehicleWatches::isHeardIn(std::uint8_t systemId, channel::SessionId session) const
+{
+    const Watch *watch = find(systemId);
+    return watch && watch->session == session;
+}
+
 void VehicleWatches::sessionUp(const channel::SessionUp &up)
 {
     for (auto &[systemId, watch] : m_watches) {

@@ -22,6 +22,8 @@ public:
     void heard(std::uint8_t systemId, const Path &from, std::optional<channel::SessionId> session);
     /// Whether the vehicle was heard last over this session, or in clear from this link and address.
     bool isHeardOver(std::uint8_t systemId, const Path &from, std::optional<channel::SessionId> session) const;
+    /// Whether the vehicle was heard last in this session, from anywhere.
+    bool isHeardIn(std::uint8_t systemId, channel::SessionId session) const;
     /// Assigns vehicles of this peer whose former session ended to the new one.
     void sessionUp(const channel::SessionUp &up);
     void sessionDown(channel::SessionId session, const SessionEnd &end);
