@@ -134,6 +134,7 @@ void Vehicle::Parts::handleHeartbeat(TimePoint now, const mavlink::Heartbeat &m)
         preArm.clear();
     home.update(state);
     flightTimer.update(now, state.armed, state.altitudeRelative);
+    state.inAir = flightTimer.isFlying();
     for (MicroProtocol *client : context.clients)
         client->handleHeartbeat(now);
 }
@@ -162,6 +163,7 @@ void Vehicle::Parts::handleTelemetry(TimePoint now, const mavlink::Frame &frame)
         home.update(state);
         flightTimer.update(now, state.armed, state.altitudeRelative);
     }
+    state.inAir = flightTimer.isFlying();
 }
 
 void Vehicle::Parts::takeTexts(TimePoint now)
