@@ -56,18 +56,47 @@ std::string commandName(std::uint16_t command)
 bool MissionClient::perform(TimePoint now, RequestId id, const Request &request)
 {
     if (const auto *write = std::get_if<WriteMission>(&request)) {
-        if (begin(id, MissionTransfer::Upload, write->type))
-            upload(now, *write);
+        if (begin(id, MissionTransfer::Upload, write->type)) {
+            m_items = write->items;
+            m_withoutHome = write->withoutHome;
+            start(now);
+        }
     } else if (const auto *read = std::get_if<ReadMission>(&request)) {
         if (begin(id, MissionTransfer::Download, read->type))
-            enter(now, Phase::RequestingCount);
+            start(now);
     } else if (const auto *clear = std::get_if<ClearMission>(&request)) {
         if (begin(id, MissionTransfer::Clear, clear->type))
-            enter(now, Phase::Clearing);
+            start(now);
     } else {
         return false;
     }
     return true;
+}
+
+/// Begins a transfer of the mission at once, one of another list when the autopilot says that it has such a list.
+void MissionClient::start(TimePoint now)
+{
+    if (m_type == MissionType::Mission)
+        return transfer(now);
+    const bool isFence = m_type == MissionType::Fence;
+    const std::uint64_t needed = isFence ? mavlink::MAV_PROTOCOL_CAPABILITY_MISSION_FENCE
+                                         : mavlink::MAV_PROTOCOL_CAPABILITY_MISSION_RALLY;
+    if (state().capabilities & needed)
+        return transfer(now);
+    if (state().knowsCapabilities())
+        return finish(false, nothingSent(isFence ? reasons::kNoFence : reasons::kNoRally));
+    m_phase = Phase::AwaitingCapabilities;
+    m_deadline = now + kCapabilitiesTimeout;
+    m_firmware.request(now);
+}
+
+void MissionClient::transfer(TimePoint now)
+{
+    switch (m_transfer) {
+    case MissionTransfer::Upload: return upload(now);
+    case MissionTransfer::Download: return enter(now, Phase::RequestingCount);
+    case MissionTransfer::Clear: return enter(now, Phase::Clearing);
+    }
 }
 
 bool MissionClient::handleFrame(TimePoint now, const mavlink::Frame &frame)
@@ -93,6 +122,10 @@ bool MissionClient::handleFrame(TimePoint now, const mavlink::Frame &frame)
         return take(type_identity<mavlink::MissionItemInt>(), [&](const auto &m) { handleItem(now, toItem(m)); });
     case mavlink::MissionAck::kId:
         return take(type_identity<mavlink::MissionAck>(), [&](const auto &m) { handleAck(now, m.type); });
+    case mavlink::AutopilotVersion::kId:
+        if (m_phase == Phase::AwaitingCapabilities)
+            start(now);
+        return true;
     default: return false;
     }
 }
@@ -101,6 +134,10 @@ void MissionClient::handleDeadline(TimePoint now)
 {
     switch (m_phase) {
     case Phase::Idle: return;
+    case Phase::AwaitingCapabilities:
+        if (now >= m_deadline)
+            finish(false, nothingSent(reasons::kCapabilitiesUnknown));
+        return;
     case Phase::Downloading:
         if (now < m_deadline)
             return requestItems(now);
@@ -124,6 +161,7 @@ TimePoint MissionClient::nextDeadline() const
 {
     switch (m_phase) {
     case Phase::Idle: return kNever;
+    case Phase::AwaitingCapabilities: return m_deadline;
     case Phase::Downloading: return std::min(m_window.nextDeadline(), m_deadline);
     case Phase::Uploading: return std::min(m_repetition.due(), m_deadline);
     default: return m_repetition.due();
@@ -139,11 +177,10 @@ std::optional<TransferProgress> MissionClient::progress() const
     }
 }
 
-void MissionClient::upload(TimePoint now, const WriteMission &request)
+void MissionClient::upload(TimePoint now)
 {
-    m_items = request.items;
     if (!m_items.empty()) {
-        settleFirstItem(request.withoutHome);
+        settleFirstItem();
         if (m_items.empty()) // that would clear the list
             return finish(false, reasons::kOnlyHome);
     }
@@ -159,10 +196,10 @@ void MissionClient::upload(TimePoint now, const WriteMission &request)
 
 /// Whether the first item is a home position is only known from its form: a waypoint that has another form is left in its
 /// place, since a vehicle that took a second home for a waypoint would fly to it.
-void MissionClient::settleFirstItem(bool withoutHome)
+void MissionClient::settleFirstItem()
 {
     const MissionItem &first = m_items.front();
-    const bool likeHome = isLikeHome(first) && !withoutHome;
+    const bool likeHome = isLikeHome(first) && !m_withoutHome;
     if (m_type != MissionType::Mission) {
         if (!likeHome)
             return;
@@ -172,7 +209,7 @@ void MissionClient::settleFirstItem(bool withoutHome)
     } else if (!kind().isArduPilot()) {
         if (likeHome && first.current)
             m_remark = reasons::kHomeIsWaypoint;
-    } else if (withoutHome || first.command != mavlink::MAV_CMD_NAV_WAYPOINT) {
+    } else if (m_withoutHome || first.command != mavlink::MAV_CMD_NAV_WAYPOINT) {
         m_items = withHome(std::move(m_items), homeItem(state().home));
         m_moved = 1;
         m_remark = reasons::kHomeInserted;
@@ -287,7 +324,8 @@ void MissionClient::handleAck(TimePoint now, std::uint8_t result)
     const bool otherExpected = result == mavlink::MAV_MISSION_INVALID_SEQUENCE;
     const bool timedOut = result == mavlink::MAV_MISSION_OPERATION_CANCELLED;
     switch (m_phase) {
-    case Phase::Idle: return;
+    case Phase::Idle:
+    case Phase::AwaitingCapabilities: return;
     case Phase::Announcing:
         // The end of an earlier upload: its acceptance, unless this one is empty, or its time-out.
         if (otherExpected || timedOut || (accepted && !m_items.empty()))
@@ -385,6 +423,7 @@ void MissionClient::transmit(TimePoint now)
             sendItem(m_items[m_offered + 1]);
         break;
     case Phase::Idle:
+    case Phase::AwaitingCapabilities:
     case Phase::Downloading: return;
     }
     m_repetition.sent(now, m_window.rtt());

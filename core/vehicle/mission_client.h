@@ -21,6 +21,9 @@
 //
 // PX4 refuses a new upload (MAV_MISSION_ERROR) while it serves a transfer whose end was lost. Any acknowledgement ends that.
 //
+// Firmware that does not read mission_type, as ArduCopter 3.6, takes every list for its mission: to clear the fence would clear
+// the mission. Lists other than the mission are left alone unless the capabilities of the autopilot name them.
+//
 // Older firmware requests items by MISSION_REQUEST; it gets float items unless its capabilities name integer items.
 //
 // On ArduPilot item 0 of a mission is the home position: downloads contain it, and an upload must begin with it, or its first
@@ -28,6 +31,7 @@
 // points, Mission Planner writes a home position as well, which is left out. MissionResult says what was done.
 #pragma once
 
+#include "core/vehicle/firmware_info.h"
 #include "core/vehicle/micro_protocol.h"
 #include "core/vehicle/repetition.h"
 #include "core/vehicle/request_window.h"
@@ -62,7 +66,11 @@ public:
     static constexpr int kReleases = 3;
     static constexpr std::size_t kMaxItems = 65535;
 
-    using MicroProtocol::MicroProtocol;
+    /// For AUTOPILOT_VERSION, by which the autopilot says what lists it has.
+    static constexpr Duration kCapabilitiesTimeout = FirmwareInfo::kAttempts * FirmwareInfo::kInterval;
+
+    /// `firmware` must outlive this object.
+    MissionClient(VehicleContext &context, FirmwareInfo &firmware) : MicroProtocol(context), m_firmware(firmware) {}
 
     /// ReadMission, WriteMission and ClearMission. Fails at once while another transfer is in progress.
     bool perform(TimePoint now, RequestId id, const Request &request) override;
@@ -75,10 +83,20 @@ public:
     const MissionItems &plan(MissionType type) const { return m_plans[static_cast<std::size_t>(type)]; }
 
 private:
-    enum class Phase : std::uint8_t { Idle, Announcing, Uploading, RequestingCount, Downloading, Clearing };
+    enum class Phase : std::uint8_t {
+        Idle,
+        AwaitingCapabilities,
+        Announcing,
+        Uploading,
+        RequestingCount,
+        Downloading,
+        Clearing
+    };
 
-    void upload(TimePoint now, const WriteMission &request);
-    void settleFirstItem(bool withoutHome);
+    void start(TimePoint now);
+    void transfer(TimePoint now);
+    void upload(TimePoint now);
+    void settleFirstItem();
     Reason problemOf(const MissionItem &item) const;
     int numberInRequest(std::size_t sequence) const;
 
@@ -108,11 +126,13 @@ private:
         send(message);
     }
 
+    FirmwareInfo &m_firmware;
     RequestId m_request{};
     Phase m_phase = Phase::Idle;
     MissionTransfer m_transfer{};
     MissionType m_type{};
     std::vector<MissionItem> m_items;
+    bool m_withoutHome = false;   ///< of an upload
     RequestWindow m_window;       ///< of a download; its round trip serves all transfers
     bool m_requestFloats = false; ///< the vehicle does not answer MISSION_REQUEST_INT
     bool m_offerIntegers = true;  ///< the vehicle asks for integer items

@@ -59,6 +59,13 @@ inline constexpr Sentence kSpeedTooLow = sentence("Reason", "the speed must be a
 
 // Of missions.
 inline constexpr Sentence kMissionUnderWay = sentence("Reason", "another mission transfer is under way");
+inline constexpr Sentence kNoFence = sentence(
+    "Reason", "the autopilot does not say that the mission protocol reaches its fence: it could take this for its mission");
+inline constexpr Sentence kNoRally = sentence(
+    "Reason",
+    "the autopilot does not say that the mission protocol reaches its rally points: it could take this for its mission");
+inline constexpr Sentence kCapabilitiesUnknown = sentence(
+    "Reason", "the autopilot does not answer what it can do (AUTOPILOT_VERSION): it could take this for its mission");
 inline constexpr Sentence kTooManyItems = sentence("Reason", "a mission has at most %1 items");
 inline constexpr Sentence kItemNotOnGlobe = sentence("Reason", "item %1 is not on the globe");
 inline constexpr Sentence kItemRefused = sentence("Reason", "item %1, %2: %3"); // number, command, reason

@@ -1888,6 +1888,18 @@
         <source>the only item is the home position of a mission; to remove what the vehicle has, clear its list</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the autopilot does not say that the mission protocol reaches its fence: it could take this for its mission</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the autopilot does not say that the mission protocol reaches its rally points: it could take this for its mission</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the autopilot does not answer what it can do (AUTOPILOT_VERSION): it could take this for its mission</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Sweep</name>

@@ -1888,6 +1888,18 @@
         <source>the only item is the home position of a mission; to remove what the vehicle has, clear its list</source>
         <translation>der einzige Punkt ist die Home-Position einer Mission; um zu entfernen, was das Fahrzeug hat, ist seine Liste zu leeren</translation>
     </message>
+    <message>
+        <source>the autopilot does not say that the mission protocol reaches its fence: it could take this for its mission</source>
+        <translation>der Autopilot gibt nicht an, dass das Missionsprotokoll seinen Geofence erreicht: Er könnte dies für seine Mission halten</translation>
+    </message>
+    <message>
+        <source>the autopilot does not say that the mission protocol reaches its rally points: it could take this for its mission</source>
+        <translation>der Autopilot gibt nicht an, dass das Missionsprotokoll seine Rally-Punkte erreicht: Er könnte dies für seine Mission halten</translation>
+    </message>
+    <message>
+        <source>the autopilot does not answer what it can do (AUTOPILOT_VERSION): it could take this for its mission</source>
+        <translation>der Autopilot antwortet nicht, was er kann (AUTOPILOT_VERSION): Er könnte dies für seine Mission halten</translation>
+    </message>
 </context>
 <context>
     <name>Sweep</name>
