@@ -167,4 +167,9 @@ MissionItems Vehicle::rally() const
     return m_parts->mission.plan(MissionType::Rally);
 }
 
+const Reason &Vehicle::outdated(MissionType type) const
+{
+    return m_parts->mission.outdated(type);
+}
+
 } // namespace skyseal::vehicle

@@ -150,6 +150,8 @@ void Vehicle::Parts::handleTelemetry(TimePoint now, const mavlink::Frame &frame)
 {
     VehicleState &state = context.state;
     const bool checksPassed = state.preArmOk.value_or(false);
+    if (frame.messageId() == mavlink::MissionCurrent::kId)
+        mission.handleCurrent(now, unpack<mavlink::MissionCurrent>(frame));
     const TelemetryUpdate update = telemetry.handle(now, frame, state);
     if (!checksPassed && state.preArmOk.value_or(false))
         preArm.clear(); // reasons that it says later, at an attempt, count

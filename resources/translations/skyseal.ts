@@ -1900,6 +1900,26 @@
         <source>the autopilot does not answer what it can do (AUTOPILOT_VERSION): it could take this for its mission</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>changed by another station</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>changed by another station: %1 items instead of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a transfer to the vehicle was not completed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what the vehicle has was %1; read it again, or overwrite it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle has other items than those that were edited: another station changed them; they were read again</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Sweep</name>

@@ -1900,6 +1900,26 @@
         <source>the autopilot does not answer what it can do (AUTOPILOT_VERSION): it could take this for its mission</source>
         <translation>der Autopilot antwortet nicht, was er kann (AUTOPILOT_VERSION): Er könnte dies für seine Mission halten</translation>
     </message>
+    <message>
+        <source>changed by another station</source>
+        <translation>von einer anderen Station geändert</translation>
+    </message>
+    <message>
+        <source>changed by another station: %1 items instead of %2</source>
+        <translation>von einer anderen Station geändert: %1 Punkte statt %2</translation>
+    </message>
+    <message>
+        <source>a transfer to the vehicle was not completed</source>
+        <translation>eine Übertragung zum Fahrzeug wurde nicht abgeschlossen</translation>
+    </message>
+    <message>
+        <source>what the vehicle has was %1; read it again, or overwrite it</source>
+        <translation>was das Fahrzeug hat, wurde %1; es ist neu zu lesen oder zu überschreiben</translation>
+    </message>
+    <message>
+        <source>the vehicle has other items than those that were edited: another station changed them; they were read again</source>
+        <translation>das Fahrzeug hat andere Punkte als die bearbeiteten: Eine andere Station hat sie geändert; sie wurden neu gelesen</translation>
+    </message>
 </context>
 <context>
     <name>Sweep</name>
