@@ -5394,6 +5394,10 @@ Fingerabdruck %5</translation>
         <source>Target</source>
         <translation>Ziel</translation>
     </message>
+    <message>
+        <source>the mission is outdated (%1): Plan, Read again</source>
+        <translation>die Mission ist veraltet (%1): Planen, Neu lesen</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::MapPainter</name>
@@ -5729,6 +5733,13 @@ Fingerabdruck %5</translation>
     </message>
 </context>
 <context>
+    <name>skyseal::ui::MissionPainter</name>
+    <message>
+        <source>outdated</source>
+        <translation>veraltet</translation>
+    </message>
+</context>
+<context>
     <name>skyseal::ui::MissionPanel</name>
     <message>
         <source>Read from the vehicle</source>
@@ -5825,6 +5836,38 @@ Fingerabdruck %5</translation>
     <message>
         <source>The mission has not been read yet: choose Read from the vehicle.</source>
         <translation>Die Mission wurde noch nicht gelesen: Wählen Sie „Vom Fahrzeug lesen“.</translation>
+    </message>
+    <message>
+        <source>Read again</source>
+        <translation>Neu lesen</translation>
+    </message>
+    <message>
+        <source>Replace the mission of another station?</source>
+        <translation>Die Mission einer anderen Station ersetzen?</translation>
+    </message>
+    <message>
+        <source>Replace the mission of another station on vehicle %1?</source>
+        <translation>Die Mission einer anderen Station auf Fahrzeug %1 ersetzen?</translation>
+    </message>
+    <message>
+        <source>The mission of the vehicle was %1. Read it to see what it is.</source>
+        <translation>Die Mission des Fahrzeugs wurde %1. Sie ist zu lesen, um zu sehen, was sie enthält.</translation>
+    </message>
+    <message>
+        <source>The vehicle is armed.</source>
+        <translation>Das Fahrzeug ist scharf.</translation>
+    </message>
+    <message>
+        <source>Mission outdated: %1</source>
+        <translation>Mission veraltet: %1</translation>
+    </message>
+    <message>
+        <source>Fence outdated: %1</source>
+        <translation>Geofence veraltet: %1</translation>
+    </message>
+    <message>
+        <source>Rally points outdated: %1</source>
+        <translation>Rally-Punkte veraltet: %1</translation>
     </message>
 </context>
 <context>
@@ -9639,6 +9682,10 @@ Ein Klick öffnet die Verbindungen.</translation>
     <message>
         <source>the mission is not known</source>
         <translation>die Mission ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the mission is outdated (%1): read it again</source>
+        <translation>die Mission ist veraltet (%1): neu lesen</translation>
     </message>
 </context>
 <context>
