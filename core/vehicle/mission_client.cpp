@@ -297,7 +297,7 @@ Reason MissionClient::problemOf(const MissionItem &item) const
     for (const double value : {item.latitude, item.longitude}) {
         if (std::isnan(value))
             continue;
-        if (!(std::abs(value * scale) < kNotUsed))
+        if (!(std::abs(std::round(value * scale)) < kNotUsed))
             return isGlobal(item) ? reasons::kItemNotOnGlobe(numberInRequest(item.sequence))
                                   : refusalOf(item.sequence, reasons::kPlaceTooFar);
         if (scale == 1 && value != std::round(value))

@@ -24,8 +24,9 @@
 // Firmware that does not read mission_type, as ArduCopter 3.6, takes every list for its mission: to clear the fence would clear
 // the mission. Lists other than the mission are left alone unless the capabilities of the autopilot name them.
 //
-// Another station may change a list: PlanCopy watches for that. Such a list is not overwritten unless the request says so, and one
-// that was edited is sent only if the vehicle still has the list that it was made from, which is read first where no id tells it.
+// Another station may change a list: PlanCopy watches for that. Such a list is not overwritten unless the request says so. One
+// that was edited is sent only if the vehicle still has the list that it was made from, which is read first where no id tells
+// it.
 //
 // Older firmware requests items by MISSION_REQUEST; it gets float items unless its capabilities name integer items.
 //

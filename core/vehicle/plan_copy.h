@@ -48,12 +48,12 @@ public:
     void handleCount(std::uint16_t count, std::uint32_t id);
     /// Another station was sent this item. `skipsHome`: item 0 is the home position, which moves.
     void handleItem(const MissionItem &item, bool skipsHome);
-    /// The vehicle has taken a list, is taking one, or has cleared its own. `id` = 0: not named. `isToUs`: it says so to the ids of
-    /// this station, which another one may have as well; soon after a transfer of this station it speaks of that.
+    /// The vehicle has taken a list, is taking one, or has cleared its own. `id` = 0: not named. `isToUs`: it says so to the
+    /// ids of this station, which another one may have as well; soon after a transfer of this station it speaks of that.
     void handleChange(TimePoint now, std::uint32_t id, bool isToUs);
 
-    /// True if `read`, as the vehicle returned it during a transfer of this station, is the list `expected`, and no other station
-    /// was seen to change it meanwhile.
+    /// True if `read`, as the vehicle returned it during a transfer of this station, is the list `expected`, and no other
+    /// station was seen to change it meanwhile.
     bool matches(const std::vector<MissionItem> &read, const MissionItems &expected, bool skipsHome) const;
 
 private:

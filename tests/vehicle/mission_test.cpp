@@ -220,6 +220,8 @@ void MissionTest::numbersThatTheProtocolCannotCarryAreRefused()
                          "numbers only"));
     QCOMPARE(refusal({.frame = mavlink::MAV_FRAME_LOCAL_NED, .longitude = 3e5}),
              std::string("item 1, NAV_WAYPOINT: parameters 5 and 6 are too large for the mission protocol"));
+    // Rounded, it would mean "not used".
+    QVERIFY(refusal({.frame = mavlink::MAV_FRAME_LOCAL_NED, .longitude = 214748.36466}).starts_with("item 1, NAV_WAYPOINT: "));
     QVERIFY(h.sent().empty());
 }
 

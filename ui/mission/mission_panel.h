@@ -26,8 +26,8 @@ public:
     void showViewState(const ViewState &view) override;
     void applySettings(const Settings &settings) override;
     void handleEvent(const engine::Event &event);
-    /// Sends the mission of a file to the vehicle that was selected when the dialog opened; asks first if the vehicle is armed, or
-    /// if another station changed its mission.
+    /// Sends the mission of a file to the vehicle that was selected when the dialog opened; asks first if the vehicle is armed,
+    /// or if another station changed its mission.
     /// Shows the reason if the file is invalid, another vehicle is selected or nothing can be sent.
     void sendFile(const QString &file, std::uint8_t systemId);
     void saveFile(const QString &file, const MissionModel::Mission &mission);
