@@ -36,7 +36,7 @@ bool CommandClient::handleAck(TimePoint now, std::uint16_t command, std::uint8_t
         found->deadline = now + kProgressTimeout;
         return true;
     }
-    m_answers.push_back({found->ticket, CommandAnswer::Kind::Answered, result});
+    m_answers.push_back({found->ticket, CommandAnswer::Kind::Answered, result, found->attempts > 1});
     m_pending.erase(found);
     startWaiting(now, command);
     return true;

@@ -33,6 +33,7 @@ struct CommandAnswer
     CommandTicket ticket{};
     Kind kind{};
     std::uint8_t result = 0; ///< MAV_RESULT, when answered
+    bool repeated = false;   ///< the command was sent more than once, and any of these may be the one that is answered
 };
 
 class CommandClient

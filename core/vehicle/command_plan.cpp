@@ -99,7 +99,7 @@ public:
         out.parameters[6] = static_cast<float>(altitude);
         if (m_kind.isPx4())
             out.parameters[3] = out.parameters[4] = out.parameters[5] = std::nanf(""); // current position and heading
-        return plan(out);
+        return plan(out, InAir{});
     }
 
     Plan operator()(const Land &) const

@@ -32,7 +32,9 @@ struct TargetIs
 {
     std::int32_t latitude = 0, longitude = 0; ///< degrees × 1e7
 };
-using Effect = std::variant<std::monostate, ArmedIs, ModeIs, MissionItemIs, TargetIs>;
+struct InAir
+{};
+using Effect = std::variant<std::monostate, ArmedIs, ModeIs, MissionItemIs, TargetIs, InAir>;
 
 /// A mode that has to be entered first.
 struct NeededMode

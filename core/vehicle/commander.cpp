@@ -20,12 +20,16 @@ bool isInEffect(const Effect &effect, const VehicleState &state)
         return state.customMode == mode->customMode;
     if (const auto *item = std::get_if<MissionItemIs>(&effect))
         return state.missionCurrent == item->index;
+    if (std::holds_alternative<InAir>(effect))
+        return state.inAir;
     return false;
 }
 
+/// True if the state after a heartbeat shows whether the effect has come.
 bool isInHeartbeat(const Effect &effect)
 {
-    return std::holds_alternative<ArmedIs>(effect) || std::holds_alternative<ModeIs>(effect);
+    return std::holds_alternative<ArmedIs>(effect) || std::holds_alternative<ModeIs>(effect)
+        || std::holds_alternative<InAir>(effect);
 }
 
 /// True if an acknowledgement is not enough and a heartbeat has to confirm the effect.
@@ -95,7 +99,7 @@ void Commander::handleHeartbeat(TimePoint now)
     for (Action &action : m_actions) {
         if (action.phase == Phase::Repeating)
             followMode(now, action);
-        if (action.phase == Phase::AwaitingReason || !isInHeartbeat(action.plan.effect))
+        if ((action.phase == Phase::AwaitingReason && !action.effectCounts) || !isInHeartbeat(action.plan.effect))
             continue;
         const bool acknowledged = action.phase == Phase::Confirming;
         action.heartbeatSeen = acknowledged;
@@ -114,7 +118,7 @@ void Commander::handleText(const StatusText &text)
         if (action.texts.find(text.text) != std::string::npos || action.texts.size() + text.text.size() > kMaxTextLength)
             continue;
         action.texts += (action.texts.empty() ? "" : "; ") + text.text;
-        if (action.phase == Phase::AwaitingReason)
+        if (action.phase == Phase::AwaitingReason && !action.effectCounts)
             finish(action, CommandOutcome::Refused, commandResultReason(action.result));
     }
     removeDone();
@@ -215,7 +219,7 @@ void Commander::handleAck(TimePoint now, std::uint16_t command, std::uint8_t res
         const bool refusesMode = action.awaitsMode && message->mode->request.id == command
             && result != mavlink::MAV_RESULT_ACCEPTED;
         if (refusesMode || (!action.awaitsMode && message->message.id == command))
-            answered(now, action, result);
+            answered(now, action, result, action.repeats > 1);
     }
     removeDone();
 }
@@ -289,7 +293,7 @@ void Commander::takeAnswers(TimePoint now)
             continue;
         action->ticket.reset();
         switch (answer->kind) {
-        case CommandAnswer::Kind::Answered: answered(now, *action, answer->result); break;
+        case CommandAnswer::Kind::Answered: answered(now, *action, answer->result, answer->repeated); break;
         case CommandAnswer::Kind::TimedOut:
             nextAlternative(now, *action, CommandOutcome::TimedOut, reasons::kNoAnswer(CommandClient::kAttempts));
             break;
@@ -299,7 +303,7 @@ void Commander::takeAnswers(TimePoint now)
     removeDone();
 }
 
-void Commander::answered(TimePoint now, Action &action, std::uint8_t result)
+void Commander::answered(TimePoint now, Action &action, std::uint8_t result, bool repeated)
 {
     action.result = result;
     if (result == mavlink::MAV_RESULT_ACCEPTED) {
@@ -316,6 +320,12 @@ void Commander::answered(TimePoint now, Action &action, std::uint8_t result)
         || result == mavlink::MAV_RESULT_COMMAND_INT_ONLY || result == mavlink::MAV_RESULT_COMMAND_UNSUPPORTED_MAV_FRAME;
     if (tryNext && action.alternative + 1 < action.plan.alternatives.size()) {
         nextAlternative(now, action, CommandOutcome::Refused, {});
+    } else if (repeated && !action.wasInEffect && !std::holds_alternative<std::monostate>(action.plan.effect)) {
+        if (isInEffect(action.plan.effect, state()))
+            return finish(action, CommandOutcome::Accepted, {});
+        action.phase = Phase::AwaitingReason;
+        action.effectCounts = true;
+        action.deadline = now + kConfirmTimeout;
     } else if (!action.texts.empty()) {
         finish(action, CommandOutcome::Refused, commandResultReason(result));
     } else {
@@ -340,7 +350,8 @@ template<typename T, typename Predicate> void Commander::effectReported(Predicat
 {
     for (Action &action : m_actions) {
         const T *effect = std::get_if<T>(&action.plan.effect);
-        if (effect && action.phase == Phase::Repeating && !action.awaitsMode && matches(*effect))
+        const bool repeating = action.phase == Phase::Repeating && !action.awaitsMode;
+        if (effect && (repeating || action.effectCounts) && matches(*effect))
             finish(action, CommandOutcome::Accepted, {});
     }
     removeDone();
@@ -352,6 +363,8 @@ void Commander::finish(Action &action, CommandOutcome outcome, Reason reason)
         return;
     if (outcome == CommandOutcome::Refused && !action.texts.empty())
         reason = reasons::kWithTexts(std::move(reason), action.texts);
+    if (outcome == CommandOutcome::Accepted)
+        action.result = mavlink::MAV_RESULT_ACCEPTED; // whatever the repetition was answered
     const bool unanswered = outcome == CommandOutcome::TimedOut && action.result == 0 && action.phase != Phase::Confirming;
     report(CommandResult{action.id, addressing().system, outcome, action.result, std::move(reason), unanswered});
     action.done = true;

@@ -5,7 +5,11 @@
 //       │ │                          └──────── other state ──────→ timed out
 //       │ └── not supported, no answer ──→ next alternative (Requesting or Repeating)
 //       └── refused ──→ AwaitingReason, until a STATUSTEXT arrives ──→ refused
+//                          └── of a repetition: effect reported ──→ accepted
 //     Repeating a message ── effect reported, or acknowledged ──→ accepted
+//
+// A vehicle whose acknowledgement was lost may refuse the repetition because it has carried out the command: a copter that
+// climbs refuses to take off. So the refusal of a repetition counts only if the effect is not reported.
 //
 // A message that needs a mode requests the mode first. A later command that changes the mode ends an earlier one, which would
 // undo it by being sent again.
@@ -63,6 +67,7 @@ private:
         bool wasInEffect = false;   ///< before anything was sent, so the effect alone proves nothing
         bool mayRetry = false;      ///< the acknowledgement may belong to the command that this one replaced
         bool heartbeatSeen = false; ///< since the acknowledgement
+        bool effectCounts = false;  ///< the refusal that awaits its reason is that of a repetition
         std::uint8_t result = 0;    ///< MAV_RESULT
         std::string texts;          ///< of the vehicle since the command began
         bool done = false;
@@ -76,7 +81,7 @@ private:
     void repeat(TimePoint now, Action &action);
     void followMode(TimePoint now, Action &action);
     void takeAnswers(TimePoint now);
-    void answered(TimePoint now, Action &action, std::uint8_t result);
+    void answered(TimePoint now, Action &action, std::uint8_t result, bool repeated);
     void confirmationTimedOut(TimePoint now, Action &action);
     template<typename T, typename Predicate> void effectReported(Predicate matches);
     void finish(Action &action, CommandOutcome outcome, Reason reason);

@@ -53,15 +53,23 @@ void FirmwareInfo::handleHeartbeat(TimePoint now)
         m_next = now;
 }
 
+void FirmwareInfo::request(TimePoint now)
+{
+    m_attempts = 0;
+    m_next = now;
+    m_isNeeded = true;
+}
+
 bool FirmwareInfo::handleFrame(TimePoint, const mavlink::Frame &frame)
 {
     if (frame.messageId() != mavlink::AutopilotVersion::kId)
         return false;
     const auto m = unpack<mavlink::AutopilotVersion>(frame);
     m_next = kNever;
+    m_isNeeded = false;
     state().firmware = productName(kind()) + versionText(m.flight_sw_version);
     state().capabilities = m.capabilities;
-    return true;
+    return false; // clients may wait for it
 }
 
 void FirmwareInfo::handleDeadline(TimePoint now)

@@ -14,12 +14,16 @@ public:
 
     using MicroProtocol::MicroProtocol;
 
+    /// Requests it again from the first attempt on, over any link, since something that was asked for depends on it.
+    void request(TimePoint now);
+
     bool handleFrame(TimePoint now, const mavlink::Frame &frame) override;
     void handleHeartbeat(TimePoint now) override;
     void handleDeadline(TimePoint now) override;
-    TimePoint nextDeadline() const override { return mayAsk() ? m_next : kNever; }
+    TimePoint nextDeadline() const override { return mayAsk() || m_isNeeded ? m_next : kNever; }
 
 private:
+    bool m_isNeeded = false;
     TimePoint m_next = kNever;
     int m_attempts = 0;
 };

@@ -53,10 +53,15 @@ struct WriteMission
     std::vector<MissionItem> items; ///< renumbered from 0 in this order
     MissionType type = MissionType::Mission;
     bool withoutHome = false; ///< the first item is known to be no home position, whatever it looks like
+    bool overwrite = false;   ///< also a list that another station is known to have changed
+    /// The list that the items were made from, if they are an edited one. Nothing is sent if the vehicle has another list by
+    /// now: unless the vehicle names its list by an id, it is read again first.
+    MissionItems basis = {};
 };
 struct ClearMission
 {
     MissionType type = MissionType::Mission;
+    bool overwrite = false; ///< as in WriteMission
 };
 
 enum class MissionTransfer : std::uint8_t { Upload, Download, Clear };

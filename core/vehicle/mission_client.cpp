@@ -56,55 +56,143 @@ std::string commandName(std::uint16_t command)
 bool MissionClient::perform(TimePoint now, RequestId id, const Request &request)
 {
     if (const auto *write = std::get_if<WriteMission>(&request)) {
-        if (begin(id, MissionTransfer::Upload, write->type))
-            upload(now, *write);
+        if (begin(id, MissionTransfer::Upload, write->type)) {
+            m_items = write->items;
+            m_withoutHome = write->withoutHome;
+            m_overwrite = write->overwrite;
+            m_basis = write->basis;
+            start(now);
+        }
     } else if (const auto *read = std::get_if<ReadMission>(&request)) {
         if (begin(id, MissionTransfer::Download, read->type))
-            enter(now, Phase::RequestingCount);
+            start(now);
     } else if (const auto *clear = std::get_if<ClearMission>(&request)) {
-        if (begin(id, MissionTransfer::Clear, clear->type))
-            enter(now, Phase::Clearing);
+        if (begin(id, MissionTransfer::Clear, clear->type)) {
+            m_overwrite = clear->overwrite;
+            start(now);
+        }
     } else {
         return false;
     }
     return true;
 }
 
+/// Begins a transfer of the mission at once, one of another list when the autopilot says that it has such a list.
+void MissionClient::start(TimePoint now)
+{
+    if (m_type == MissionType::Mission)
+        return transfer(now);
+    const bool isFence = m_type == MissionType::Fence;
+    const std::uint64_t needed = isFence ? mavlink::MAV_PROTOCOL_CAPABILITY_MISSION_FENCE
+                                         : mavlink::MAV_PROTOCOL_CAPABILITY_MISSION_RALLY;
+    if (state().capabilities & needed)
+        return transfer(now);
+    if (state().knowsCapabilities())
+        return finish(now, false, nothingSent(isFence ? reasons::kNoFence : reasons::kNoRally));
+    m_phase = Phase::AwaitingCapabilities;
+    m_deadline = now + kCapabilitiesTimeout;
+    m_firmware.request(now);
+}
+
+void MissionClient::transfer(TimePoint now)
+{
+    const bool mayReplace = m_transfer == MissionTransfer::Download || m_overwrite || m_basis || !plan().isChangedByOther();
+    if (!mayReplace)
+        return finish(now, false, nothingSent(reasons::kPlanNotOverwritten(plan().outdated())));
+    switch (m_transfer) {
+    case MissionTransfer::Upload: return upload(now);
+    case MissionTransfer::Download: return enter(now, Phase::RequestingCount);
+    case MissionTransfer::Clear: return enter(now, Phase::Clearing);
+    }
+}
+
 bool MissionClient::handleFrame(TimePoint now, const mavlink::Frame &frame)
 {
-    // Messages for other stations, and of other types of plans than that of this transfer, are consumed without effect.
-    const auto take = [&]<typename Message>(std::type_identity<Message>, auto handle) {
+    // Messages outside the transfer of this station only tell what the vehicle has.
+    const auto take = [&]<typename Message>(std::type_identity<Message>, auto handle, auto overhear) {
         const auto m = unpack<Message>(frame);
-        if (addressing().isForUs(m.target_system, m.target_component) && m.mission_type == static_cast<std::uint8_t>(m_type))
+        const bool isToUs = addressing().isForUs(m.target_system, m.target_component);
+        if (isToUs && m_phase != Phase::Idle && m.mission_type == static_cast<std::uint8_t>(m_type))
             handle(m);
+        else if (m.mission_type < m_plans.size())
+            overhear(m_plans[m.mission_type], m, isToUs);
         return true;
     };
+    const auto request = [&](PlanCopy &plan, const auto &, bool isToUs) {
+        if (!isToUs) // otherwise it may be a repetition of what this station was asked
+            plan.handleChange(now, 0, false);
+    };
+    const auto item = [&](PlanCopy &plan, const auto &m, bool) { plan.handleItem(toItem(m), keepsHome(m.mission_type)); };
     using std::type_identity;
     switch (frame.messageId()) {
     case mavlink::MissionCount::kId:
-        return take(type_identity<mavlink::MissionCount>(), [&](const auto &m) { handleCount(now, m.count); });
+        return take(
+            type_identity<mavlink::MissionCount>(),
+            [&](const auto &m) {
+                if (m_phase == Phase::RequestingCount)
+                    plan().answered(m.opaque_id);
+                handleCount(now, m.count);
+            },
+            [](PlanCopy &plan, const auto &m, bool) { plan.handleCount(m.count, m.opaque_id); });
     case mavlink::MissionRequest::kId:
-        return take(type_identity<mavlink::MissionRequest>(), [&](const auto &m) { handleItemRequest(now, m.seq, false); });
+        return take(
+            type_identity<mavlink::MissionRequest>(), [&](const auto &m) { handleItemRequest(now, m.seq, false); }, request);
     case mavlink::MissionRequestInt::kId:
-        return take(type_identity<mavlink::MissionRequestInt>(), [&](const auto &m) { handleItemRequest(now, m.seq, true); });
+        return take(
+            type_identity<mavlink::MissionRequestInt>(), [&](const auto &m) { handleItemRequest(now, m.seq, true); }, request);
     case mavlink::MissionItem::kId:
-        return take(type_identity<mavlink::MissionItem>(), [&](const auto &m) { handleItem(now, toItem(m)); });
+        return take(
+            type_identity<mavlink::MissionItem>(), [&](const auto &m) { handleItem(now, toItem(m)); }, item);
     case mavlink::MissionItemInt::kId:
-        return take(type_identity<mavlink::MissionItemInt>(), [&](const auto &m) { handleItem(now, toItem(m)); });
+        return take(
+            type_identity<mavlink::MissionItemInt>(), [&](const auto &m) { handleItem(now, toItem(m)); }, item);
     case mavlink::MissionAck::kId:
-        return take(type_identity<mavlink::MissionAck>(), [&](const auto &m) { handleAck(now, m.type); });
+        return take(
+            type_identity<mavlink::MissionAck>(), [&](const auto &m) { handleAck(now, m.type, m.opaque_id); },
+            [&](PlanCopy &plan, const auto &m, bool isToUs) {
+                if (m.type == mavlink::MAV_MISSION_ACCEPTED)
+                    plan.handleChange(now, m.opaque_id, isToUs);
+            });
+    case mavlink::AutopilotVersion::kId:
+        if (m_phase == Phase::AwaitingCapabilities)
+            start(now);
+        return true;
     default: return false;
     }
+}
+
+void MissionClient::handleCurrent(TimePoint now, const mavlink::MissionCurrent &m)
+{
+    // PX4 says UINT16_MAX when it has no mission, ArduPilot 0, which is also what old firmware says.
+    std::optional<std::uint16_t> total;
+    if (m.total == std::numeric_limits<std::uint16_t>::max() || m.mission_state == mavlink::MISSION_STATE_NO_MISSION)
+        total = std::uint16_t{0};
+    else if (m.total != 0 || m.mission_state != mavlink::MISSION_STATE_UNKNOWN)
+        total = m.total;
+    const auto copy = [this](MissionType type) -> PlanCopy & { return m_plans[static_cast<std::size_t>(type)]; };
+    copy(MissionType::Mission).handleCurrent(now, m.mission_id, total);
+    copy(MissionType::Fence).handleCurrent(now, m.fence_id, std::nullopt);
+    copy(MissionType::Rally).handleCurrent(now, m.rally_points_id, std::nullopt);
+}
+
+/// Whether item 0 of such a list is the home position.
+bool MissionClient::keepsHome(std::uint8_t type) const
+{
+    return type == mavlink::MAV_MISSION_TYPE_MISSION && keepsHomeFirst(state().autopilot);
 }
 
 void MissionClient::handleDeadline(TimePoint now)
 {
     switch (m_phase) {
     case Phase::Idle: return;
+    case Phase::AwaitingCapabilities:
+        if (now >= m_deadline)
+            finish(now, false, nothingSent(reasons::kCapabilitiesUnknown));
+        return;
     case Phase::Downloading:
         if (now < m_deadline)
             return requestItems(now);
-        return kind().isArduPilot() ? giveUp() : restart(now, missingItem());
+        return kind().isArduPilot() ? giveUp(now) : restart(now, missingItem());
     case Phase::Uploading:
         if (now >= m_deadline)
             return restart(now, reasons::kItemsNotRequested);
@@ -113,7 +201,7 @@ void MissionClient::handleDeadline(TimePoint now)
     case Phase::RequestingCount:
     case Phase::Clearing:
         if (now >= m_repetition.due() && now >= m_deadline && m_repetition.attempts() >= kAttempts)
-            return giveUp();
+            return giveUp(now);
         break;
     }
     if (now >= m_repetition.due())
@@ -124,6 +212,7 @@ TimePoint MissionClient::nextDeadline() const
 {
     switch (m_phase) {
     case Phase::Idle: return kNever;
+    case Phase::AwaitingCapabilities: return m_deadline;
     case Phase::Downloading: return std::min(m_window.nextDeadline(), m_deadline);
     case Phase::Uploading: return std::min(m_repetition.due(), m_deadline);
     default: return m_repetition.due();
@@ -139,30 +228,50 @@ std::optional<TransferProgress> MissionClient::progress() const
     }
 }
 
-void MissionClient::upload(TimePoint now, const WriteMission &request)
+void MissionClient::upload(TimePoint now)
 {
-    m_items = request.items;
     if (!m_items.empty()) {
-        settleFirstItem(request.withoutHome);
+        settleFirstItem();
         if (m_items.empty()) // that would clear the list
-            return finish(false, reasons::kOnlyHome);
+            return finish(now, false, reasons::kOnlyHome);
     }
     if (m_items.size() > kMaxItems)
-        return finish(false, reasons::kTooManyItems(kMaxItems));
+        return finish(now, false, reasons::kTooManyItems(kMaxItems));
     for (std::size_t i = 0; i < m_items.size(); ++i) {
         m_items[i].sequence = static_cast<std::uint16_t>(i);
         if (Reason problem = problemOf(m_items[i]); !problem.empty())
-            return finish(false, std::move(problem));
+            return finish(now, false, std::move(problem));
     }
+    if (!m_basis || (m_basis == plan().items() && plan().isWatched(now)))
+        return enter(now, Phase::Announcing);
+    m_isComparing = true;
+    m_edited = std::exchange(m_items, {});
+    enter(now, Phase::RequestingCount);
+}
+
+/// The list was read for its own sake, or before an edited one takes its place.
+void MissionClient::downloaded(TimePoint now)
+{
+    if (!m_isComparing)
+        return finish(now, true);
+    sendTyped(mavlink::MissionAck{.type = mavlink::MAV_MISSION_ACCEPTED});
+    if (!plan().matches(m_items, m_basis, keepsHome(static_cast<std::uint8_t>(m_type)))) {
+        plan().end(now, std::make_shared<const std::vector<MissionItem>>(std::move(m_items)), false);
+        return finish(now, false, nothingSent(reasons::kPlanReadAgain));
+    }
+    m_isComparing = false;
+    m_items = std::exchange(m_edited, {});
+    m_rounds = 0;
+    plan().answered(0);
     enter(now, Phase::Announcing);
 }
 
 /// Whether the first item is a home position is only known from its form: a waypoint that has another form is left in its
 /// place, since a vehicle that took a second home for a waypoint would fly to it.
-void MissionClient::settleFirstItem(bool withoutHome)
+void MissionClient::settleFirstItem()
 {
     const MissionItem &first = m_items.front();
-    const bool likeHome = isLikeHome(first) && !withoutHome;
+    const bool likeHome = isLikeHome(first) && !m_withoutHome;
     if (m_type != MissionType::Mission) {
         if (!likeHome)
             return;
@@ -172,7 +281,7 @@ void MissionClient::settleFirstItem(bool withoutHome)
     } else if (!kind().isArduPilot()) {
         if (likeHome && first.current)
             m_remark = reasons::kHomeIsWaypoint;
-    } else if (withoutHome || first.command != mavlink::MAV_CMD_NAV_WAYPOINT) {
+    } else if (m_withoutHome || first.command != mavlink::MAV_CMD_NAV_WAYPOINT) {
         m_items = withHome(std::move(m_items), homeItem(state().home));
         m_moved = 1;
         m_remark = reasons::kHomeInserted;
@@ -188,7 +297,7 @@ Reason MissionClient::problemOf(const MissionItem &item) const
     for (const double value : {item.latitude, item.longitude}) {
         if (std::isnan(value))
             continue;
-        if (!(std::abs(value * scale) < kNotUsed))
+        if (!(std::abs(std::round(value * scale)) < kNotUsed))
             return isGlobal(item) ? reasons::kItemNotOnGlobe(numberInRequest(item.sequence))
                                   : refusalOf(item.sequence, reasons::kPlaceTooFar);
         if (scale == 1 && value != std::round(value))
@@ -219,7 +328,7 @@ void MissionClient::handleCount(TimePoint now, std::uint16_t count)
     m_repetition.measure(now, m_window.rtt());
     m_items.assign(count, {});
     if (count == 0)
-        return finish(true);
+        return downloaded(now);
     m_phase = Phase::Downloading;
     m_floatsDue = now + kFloatsAfter;
     awaitItem(now);
@@ -237,7 +346,7 @@ void MissionClient::handleItem(TimePoint now, const MissionItem &item)
     m_items[item.sequence] = item;
     awaitItem(now);
     if (m_window.isComplete())
-        return finish(true);
+        return downloaded(now);
     requestItems(now);
 }
 
@@ -280,14 +389,17 @@ void MissionClient::handleItemRequest(TimePoint now, std::uint16_t sequence, boo
     offer(now, sequence);
 }
 
-void MissionClient::handleAck(TimePoint now, std::uint8_t result)
+void MissionClient::handleAck(TimePoint now, std::uint8_t result, std::uint32_t id)
 {
     const bool accepted = result == mavlink::MAV_MISSION_ACCEPTED;
+    if (accepted && (m_phase == Phase::Uploading || m_phase == Phase::Announcing || m_phase == Phase::Clearing))
+        plan().answered(id);
     // Caused by a repeated item, perhaps of the transfer before.
     const bool otherExpected = result == mavlink::MAV_MISSION_INVALID_SEQUENCE;
     const bool timedOut = result == mavlink::MAV_MISSION_OPERATION_CANCELLED;
     switch (m_phase) {
-    case Phase::Idle: return;
+    case Phase::Idle:
+    case Phase::AwaitingCapabilities: return;
     case Phase::Announcing:
         // The end of an earlier upload: its acceptance, unless this one is empty, or its time-out.
         if (otherExpected || timedOut || (accepted && !m_items.empty()))
@@ -312,7 +424,7 @@ void MissionClient::handleAck(TimePoint now, std::uint8_t result)
             return;
         break;
     }
-    finish(accepted, accepted ? Reason() : missionResultReason(result));
+    finish(now, accepted, accepted ? Reason() : missionResultReason(result));
 }
 
 void MissionClient::handleUploadAck(TimePoint now, std::uint8_t result)
@@ -322,7 +434,7 @@ void MissionClient::handleUploadAck(TimePoint now, std::uint8_t result)
     switch (result) {
     case mavlink::MAV_MISSION_ACCEPTED:
         // Of an item before the last one: PX4 has ended the upload, and takes the repetition for that of the last item.
-        return m_furthest + 1 >= m_items.size() ? finish(true) : restart(now, reasons::kUploadEndedEarly);
+        return m_furthest + 1 >= m_items.size() ? finish(now, true) : restart(now, reasons::kUploadEndedEarly);
     case mavlink::MAV_MISSION_OPERATION_CANCELLED: return restart(now, missionResultReason(result));
     case mavlink::MAV_MISSION_INVALID_SEQUENCE:
         if (repeated && !last && m_inferred < kInferred) {
@@ -338,7 +450,7 @@ void MissionClient::handleUploadAck(TimePoint now, std::uint8_t result)
         break;
     default: break;
     }
-    finish(false, refusalOf(m_offered, missionResultReason(result)));
+    finish(now, false, refusalOf(m_offered, missionResultReason(result)));
 }
 
 bool MissionClient::begin(RequestId id, MissionTransfer transfer, MissionType type)
@@ -351,6 +463,10 @@ bool MissionClient::begin(RequestId id, MissionTransfer transfer, MissionType ty
     m_transfer = transfer;
     m_type = type;
     m_items.clear();
+    m_edited.clear();
+    m_basis.reset();
+    m_withoutHome = m_overwrite = m_isComparing = false;
+    plan().begin();
     m_rounds = m_releases = m_moved = 0;
     m_remark = {};
     m_furthest = 0;
@@ -385,6 +501,7 @@ void MissionClient::transmit(TimePoint now)
             sendItem(m_items[m_offered + 1]);
         break;
     case Phase::Idle:
+    case Phase::AwaitingCapabilities:
     case Phase::Downloading: return;
     }
     m_repetition.sent(now, m_window.rtt());
@@ -409,9 +526,9 @@ void MissionClient::release(TimePoint now)
 void MissionClient::restart(TimePoint now, Reason reason)
 {
     if (++m_rounds >= kRounds)
-        return finish(false, std::move(reason));
+        return finish(now, false, std::move(reason));
     m_furthest = 0;
-    enter(now, m_transfer == MissionTransfer::Upload ? Phase::Announcing : Phase::RequestingCount);
+    enter(now, m_transfer == MissionTransfer::Upload && !m_isComparing ? Phase::Announcing : Phase::RequestingCount);
 }
 
 /// The download is given up, or begins again, if none comes.
@@ -454,7 +571,7 @@ void MissionClient::sendItem(const MissionItem &item)
     }
 }
 
-void MissionClient::finish(bool ok, Reason reason, bool changeUnanswered)
+void MissionClient::finish(TimePoint now, bool ok, Reason reason, bool changeUnanswered)
 {
     MissionResult result{m_request, addressing().system, m_transfer, m_type, ok, std::move(reason), changeUnanswered};
     if (ok) {
@@ -464,7 +581,10 @@ void MissionClient::finish(bool ok, Reason reason, bool changeUnanswered)
             m_items.clear();
         result.remark = std::move(m_remark);
         result.items = std::make_shared<const std::vector<MissionItem>>(std::move(m_items));
-        m_plans[static_cast<std::size_t>(m_type)] = result.items;
+        plan().end(now, result.items, m_transfer != MissionTransfer::Download);
+    } else {
+        const bool mayHaveBegun = m_phase == Phase::Uploading || m_rounds > 0 || changeUnanswered;
+        plan().fail(now, m_transfer != MissionTransfer::Download && !m_isComparing && mayHaveBegun);
     }
     m_items.clear();
     m_phase = Phase::Idle;
@@ -473,11 +593,12 @@ void MissionClient::finish(bool ok, Reason reason, bool changeUnanswered)
     report(std::move(result));
 }
 
-void MissionClient::giveUp()
+void MissionClient::giveUp(TimePoint now)
 {
     if (m_phase == Phase::Downloading)
-        return finish(false, missingItem());
-    finish(false, reasons::kNoAnswer(m_repetition.attempts()), m_transfer != MissionTransfer::Download);
+        return finish(now, false, missingItem());
+    const bool isRead = m_phase == Phase::RequestingCount;
+    finish(now, false, reasons::kNoAnswer(m_repetition.attempts()), !isRead);
 }
 
 } // namespace skyseal::vehicle

@@ -21,6 +21,13 @@
 //
 // PX4 refuses a new upload (MAV_MISSION_ERROR) while it serves a transfer whose end was lost. Any acknowledgement ends that.
 //
+// Firmware that does not read mission_type, as ArduCopter 3.6, takes every list for its mission: to clear the fence would clear
+// the mission. Lists other than the mission are left alone unless the capabilities of the autopilot name them.
+//
+// Another station may change a list: PlanCopy watches for that. Such a list is not overwritten unless the request says so. One
+// that was edited is sent only if the vehicle still has the list that it was made from, which is read first where no id tells
+// it.
+//
 // Older firmware requests items by MISSION_REQUEST; it gets float items unless its capabilities name integer items.
 //
 // On ArduPilot item 0 of a mission is the home position: downloads contain it, and an upload must begin with it, or its first
@@ -28,7 +35,9 @@
 // points, Mission Planner writes a home position as well, which is left out. MissionResult says what was done.
 #pragma once
 
+#include "core/vehicle/firmware_info.h"
 #include "core/vehicle/micro_protocol.h"
+#include "core/vehicle/plan_copy.h"
 #include "core/vehicle/repetition.h"
 #include "core/vehicle/request_window.h"
 
@@ -62,7 +71,11 @@ public:
     static constexpr int kReleases = 3;
     static constexpr std::size_t kMaxItems = 65535;
 
-    using MicroProtocol::MicroProtocol;
+    /// For AUTOPILOT_VERSION, by which the autopilot says what lists it has.
+    static constexpr Duration kCapabilitiesTimeout = FirmwareInfo::kAttempts * FirmwareInfo::kInterval;
+
+    /// `firmware` must outlive this object.
+    MissionClient(VehicleContext &context, FirmwareInfo &firmware) : MicroProtocol(context), m_firmware(firmware) {}
 
     /// ReadMission, WriteMission and ClearMission. Fails at once while another transfer is in progress.
     bool perform(TimePoint now, RequestId id, const Request &request) override;
@@ -71,23 +84,40 @@ public:
     TimePoint nextDeadline() const override;
     std::optional<TransferProgress> progress() const override;
 
+    /// The part about the lists of a message that is not late.
+    void handleCurrent(TimePoint now, const mavlink::MissionCurrent &current);
+
     /// The list of this type as last read, or as the vehicle accepted it; null before.
-    const MissionItems &plan(MissionType type) const { return m_plans[static_cast<std::size_t>(type)]; }
+    const MissionItems &plan(MissionType type) const { return m_plans[static_cast<std::size_t>(type)].items(); }
+    const Reason &outdated(MissionType type) const { return m_plans[static_cast<std::size_t>(type)].outdated(); }
 
 private:
-    enum class Phase : std::uint8_t { Idle, Announcing, Uploading, RequestingCount, Downloading, Clearing };
+    enum class Phase : std::uint8_t {
+        Idle,
+        AwaitingCapabilities,
+        Announcing,
+        Uploading,
+        RequestingCount,
+        Downloading,
+        Clearing
+    };
 
-    void upload(TimePoint now, const WriteMission &request);
-    void settleFirstItem(bool withoutHome);
+    void start(TimePoint now);
+    void transfer(TimePoint now);
+    void upload(TimePoint now);
+    void downloaded(TimePoint now);
+    void settleFirstItem();
+    bool keepsHome(std::uint8_t type) const;
     Reason problemOf(const MissionItem &item) const;
     int numberInRequest(std::size_t sequence) const;
 
     void handleCount(TimePoint now, std::uint16_t count);
     void handleItemRequest(TimePoint now, std::uint16_t sequence, bool asInteger);
     void handleItem(TimePoint now, const MissionItem &item);
-    void handleAck(TimePoint now, std::uint8_t result);
+    void handleAck(TimePoint now, std::uint8_t result, std::uint32_t id);
     void handleUploadAck(TimePoint now, std::uint8_t result);
 
+    PlanCopy &plan() { return m_plans[static_cast<std::size_t>(m_type)]; }
     bool begin(RequestId id, MissionTransfer transfer, MissionType type);
     void enter(TimePoint now, Phase phase);
     void transmit(TimePoint now);
@@ -99,8 +129,8 @@ private:
     void offer(TimePoint now, std::size_t sequence);
     void sendItem(const MissionItem &item);
     Reason refusalOf(std::size_t sequence, Reason reason) const;
-    void finish(bool ok, Reason reason = {}, bool changeUnanswered = false);
-    void giveUp();
+    void finish(TimePoint now, bool ok, Reason reason = {}, bool changeUnanswered = false);
+    void giveUp(TimePoint now);
     /// The message with the type of this transfer.
     template<typename Message> void sendTyped(Message message)
     {
@@ -108,11 +138,17 @@ private:
         send(message);
     }
 
+    FirmwareInfo &m_firmware;
     RequestId m_request{};
     Phase m_phase = Phase::Idle;
     MissionTransfer m_transfer{};
     MissionType m_type{};
     std::vector<MissionItem> m_items;
+    bool m_withoutHome = false; ///< of an upload
+    bool m_overwrite = false;
+    MissionItems m_basis;              ///< of an upload
+    std::vector<MissionItem> m_edited; ///< to upload, while the vehicle's list is read to compare it with the basis
+    bool m_isComparing = false;
     RequestWindow m_window;       ///< of a download; its round trip serves all transfers
     bool m_requestFloats = false; ///< the vehicle does not answer MISSION_REQUEST_INT
     bool m_offerIntegers = true;  ///< the vehicle asks for integer items
@@ -123,10 +159,10 @@ private:
     int m_moved = 0;              ///< places that the items of an upload moved up, because of the first one
     Reason m_remark;              ///< of the result of an upload
     int m_releases = 0;
-    Repetition m_repetition;             ///< of the message sent last
-    TimePoint m_floatsDue{};             ///< without an item until then, the other form of items is requested
-    TimePoint m_deadline = kNever;       ///< the transfer fails, or begins again
-    std::array<MissionItems, 3> m_plans; ///< by MissionType
+    Repetition m_repetition;         ///< of the message sent last
+    TimePoint m_floatsDue{};         ///< without an item until then, the other form of items is requested
+    TimePoint m_deadline = kNever;   ///< the transfer fails, or begins again
+    std::array<PlanCopy, 3> m_plans; ///< by MissionType
 };
 
 } // namespace skyseal::vehicle

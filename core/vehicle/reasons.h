@@ -59,6 +59,21 @@ inline constexpr Sentence kSpeedTooLow = sentence("Reason", "the speed must be a
 
 // Of missions.
 inline constexpr Sentence kMissionUnderWay = sentence("Reason", "another mission transfer is under way");
+inline constexpr Sentence kNoFence = sentence(
+    "Reason", "the autopilot does not say that the mission protocol reaches its fence: it could take this for its mission");
+inline constexpr Sentence kNoRally = sentence(
+    "Reason",
+    "the autopilot does not say that the mission protocol reaches its rally points: it could take this for its mission");
+inline constexpr Sentence kCapabilitiesUnknown = sentence(
+    "Reason", "the autopilot does not answer what it can do (AUTOPILOT_VERSION): it could take this for its mission");
+/// Why a list that was read or sent may not be the vehicle's any more.
+inline constexpr Sentence kPlanChanged = sentence("Reason", "changed by another station");
+inline constexpr Sentence kPlanCount = sentence("Reason", "changed by another station: %1 items instead of %2");
+inline constexpr Sentence kPlanIncomplete = sentence("Reason", "a transfer to the vehicle was not completed");
+inline constexpr Sentence kPlanNotOverwritten = sentence("Reason",
+                                                         "what the vehicle has was %1; read it again, or overwrite it");
+inline constexpr Sentence kPlanReadAgain = sentence(
+    "Reason", "the vehicle has other items than those that were edited: another station changed them; they were read again");
 inline constexpr Sentence kTooManyItems = sentence("Reason", "a mission has at most %1 items");
 inline constexpr Sentence kItemNotOnGlobe = sentence("Reason", "item %1 is not on the globe");
 inline constexpr Sentence kItemRefused = sentence("Reason", "item %1, %2: %3"); // number, command, reason

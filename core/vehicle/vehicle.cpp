@@ -52,7 +52,6 @@ VehicleState Vehicle::state(TimePoint now) const
     out.lost = monitor.isLost(now);
     out.flightTime = m_parts->flightTimer.flightTime(now);
     out.takeOffSeen = m_parts->flightTimer.sawTakeOff();
-    out.inAir = m_parts->flightTimer.isFlying();
     for (Component &component : out.components)
         component.age = seconds(now - component.heard);
     out.traffic = m_parts->traffic.aircraft(now);
@@ -166,6 +165,11 @@ MissionItems Vehicle::fence() const
 MissionItems Vehicle::rally() const
 {
     return m_parts->mission.plan(MissionType::Rally);
+}
+
+const Reason &Vehicle::outdated(MissionType type) const
+{
+    return m_parts->mission.outdated(type);
 }
 
 } // namespace skyseal::vehicle

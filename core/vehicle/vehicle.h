@@ -72,6 +72,8 @@ public:
     MissionItems mission() const;
     MissionItems fence() const;
     MissionItems rally() const;
+    /// Why the vehicle may have another list by now than the one above; empty while there is no sign of it.
+    const Reason &outdated(MissionType type) const;
 
 private:
     struct Parts;

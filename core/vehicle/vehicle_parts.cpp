@@ -134,6 +134,7 @@ void Vehicle::Parts::handleHeartbeat(TimePoint now, const mavlink::Heartbeat &m)
         preArm.clear();
     home.update(state);
     flightTimer.update(now, state.armed, state.altitudeRelative);
+    state.inAir = flightTimer.isFlying();
     for (MicroProtocol *client : context.clients)
         client->handleHeartbeat(now);
 }
@@ -149,6 +150,8 @@ void Vehicle::Parts::handleTelemetry(TimePoint now, const mavlink::Frame &frame)
 {
     VehicleState &state = context.state;
     const bool checksPassed = state.preArmOk.value_or(false);
+    if (frame.messageId() == mavlink::MissionCurrent::kId)
+        mission.handleCurrent(now, unpack<mavlink::MissionCurrent>(frame));
     const TelemetryUpdate update = telemetry.handle(now, frame, state);
     if (!checksPassed && state.preArmOk.value_or(false))
         preArm.clear(); // reasons that it says later, at an attempt, count
@@ -162,6 +165,7 @@ void Vehicle::Parts::handleTelemetry(TimePoint now, const mavlink::Frame &frame)
         home.update(state);
         flightTimer.update(now, state.armed, state.altitudeRelative);
     }
+    state.inAir = flightTimer.isFlying();
 }
 
 void Vehicle::Parts::takeTexts(TimePoint now)

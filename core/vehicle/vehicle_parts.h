@@ -58,7 +58,7 @@ struct Vehicle::Parts
     Commander commander{context};
     FtpClient files{context};
     ParameterClient parameters{context, files};
-    MissionClient mission{context};
+    MissionClient mission{context, firmware};
     LogClient logs{context};
 
 private:

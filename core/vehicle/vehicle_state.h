@@ -141,8 +141,9 @@ struct VehicleState
     double tripSeconds = 0;    ///< their times added up: two readings give the mean between them
 
     RadioState radio;
-    std::string firmware; ///< "ArduCopter 4.5.7"; empty until known
-    std::uint64_t capabilities = 0;
+    std::string firmware;           ///< "ArduCopter 4.5.7"; empty until known
+    std::uint64_t capabilities = 0; ///< MAV_PROTOCOL_CAPABILITY; known together with `firmware`
+    bool knowsCapabilities() const { return !firmware.empty(); }
     TimePoint lastHeartbeat{};
     TimePoint lastMessage{};        ///< any message of the vehicle but RADIO_STATUS
     double heartbeatAge = kUnknown; ///< seconds

@@ -1888,6 +1888,38 @@
         <source>the only item is the home position of a mission; to remove what the vehicle has, clear its list</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the autopilot does not say that the mission protocol reaches its fence: it could take this for its mission</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the autopilot does not say that the mission protocol reaches its rally points: it could take this for its mission</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the autopilot does not answer what it can do (AUTOPILOT_VERSION): it could take this for its mission</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>changed by another station</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>changed by another station: %1 items instead of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a transfer to the vehicle was not completed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what the vehicle has was %1; read it again, or overwrite it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle has other items than those that were edited: another station changed them; they were read again</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Sweep</name>
@@ -5336,6 +5368,10 @@ Fingerprint %5</source>
         <source>Target</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the mission is outdated (%1): Plan, Read again</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::MapPainter</name>
@@ -5671,6 +5707,13 @@ Fingerprint %5</source>
     </message>
 </context>
 <context>
+    <name>skyseal::ui::MissionPainter</name>
+    <message>
+        <source>outdated</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>skyseal::ui::MissionPanel</name>
     <message>
         <source>Read from the vehicle</source>
@@ -5766,6 +5809,38 @@ Fingerprint %5</source>
     </message>
     <message>
         <source>The mission has not been read yet: choose Read from the vehicle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace the mission of another station?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace the mission of another station on vehicle %1?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mission of the vehicle was %1. Read it to see what it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The vehicle is armed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mission outdated: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fence outdated: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rally points outdated: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9566,6 +9641,10 @@ A click opens the links.</source>
     </message>
     <message>
         <source>the mission is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mission is outdated (%1): read it again</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

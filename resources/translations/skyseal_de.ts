@@ -1888,6 +1888,38 @@
         <source>the only item is the home position of a mission; to remove what the vehicle has, clear its list</source>
         <translation>der einzige Punkt ist die Home-Position einer Mission; um zu entfernen, was das Fahrzeug hat, ist seine Liste zu leeren</translation>
     </message>
+    <message>
+        <source>the autopilot does not say that the mission protocol reaches its fence: it could take this for its mission</source>
+        <translation>der Autopilot gibt nicht an, dass das Missionsprotokoll seinen Geofence erreicht: Er könnte dies für seine Mission halten</translation>
+    </message>
+    <message>
+        <source>the autopilot does not say that the mission protocol reaches its rally points: it could take this for its mission</source>
+        <translation>der Autopilot gibt nicht an, dass das Missionsprotokoll seine Rally-Punkte erreicht: Er könnte dies für seine Mission halten</translation>
+    </message>
+    <message>
+        <source>the autopilot does not answer what it can do (AUTOPILOT_VERSION): it could take this for its mission</source>
+        <translation>der Autopilot antwortet nicht, was er kann (AUTOPILOT_VERSION): Er könnte dies für seine Mission halten</translation>
+    </message>
+    <message>
+        <source>changed by another station</source>
+        <translation>von einer anderen Station geändert</translation>
+    </message>
+    <message>
+        <source>changed by another station: %1 items instead of %2</source>
+        <translation>von einer anderen Station geändert: %1 Punkte statt %2</translation>
+    </message>
+    <message>
+        <source>a transfer to the vehicle was not completed</source>
+        <translation>eine Übertragung zum Fahrzeug wurde nicht abgeschlossen</translation>
+    </message>
+    <message>
+        <source>what the vehicle has was %1; read it again, or overwrite it</source>
+        <translation>was das Fahrzeug hat, wurde %1; es ist neu zu lesen oder zu überschreiben</translation>
+    </message>
+    <message>
+        <source>the vehicle has other items than those that were edited: another station changed them; they were read again</source>
+        <translation>das Fahrzeug hat andere Punkte als die bearbeiteten: Eine andere Station hat sie geändert; sie wurden neu gelesen</translation>
+    </message>
 </context>
 <context>
     <name>Sweep</name>
@@ -5362,6 +5394,10 @@ Fingerabdruck %5</translation>
         <source>Target</source>
         <translation>Ziel</translation>
     </message>
+    <message>
+        <source>the mission is outdated (%1): Plan, Read again</source>
+        <translation>die Mission ist veraltet (%1): Planen, Neu lesen</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::MapPainter</name>
@@ -5697,6 +5733,13 @@ Fingerabdruck %5</translation>
     </message>
 </context>
 <context>
+    <name>skyseal::ui::MissionPainter</name>
+    <message>
+        <source>outdated</source>
+        <translation>veraltet</translation>
+    </message>
+</context>
+<context>
     <name>skyseal::ui::MissionPanel</name>
     <message>
         <source>Read from the vehicle</source>
@@ -5793,6 +5836,38 @@ Fingerabdruck %5</translation>
     <message>
         <source>The mission has not been read yet: choose Read from the vehicle.</source>
         <translation>Die Mission wurde noch nicht gelesen: Wählen Sie „Vom Fahrzeug lesen“.</translation>
+    </message>
+    <message>
+        <source>Read again</source>
+        <translation>Neu lesen</translation>
+    </message>
+    <message>
+        <source>Replace the mission of another station?</source>
+        <translation>Die Mission einer anderen Station ersetzen?</translation>
+    </message>
+    <message>
+        <source>Replace the mission of another station on vehicle %1?</source>
+        <translation>Die Mission einer anderen Station auf Fahrzeug %1 ersetzen?</translation>
+    </message>
+    <message>
+        <source>The mission of the vehicle was %1. Read it to see what it is.</source>
+        <translation>Die Mission des Fahrzeugs wurde %1. Sie ist zu lesen, um zu sehen, was sie enthält.</translation>
+    </message>
+    <message>
+        <source>The vehicle is armed.</source>
+        <translation>Das Fahrzeug ist scharf.</translation>
+    </message>
+    <message>
+        <source>Mission outdated: %1</source>
+        <translation>Mission veraltet: %1</translation>
+    </message>
+    <message>
+        <source>Fence outdated: %1</source>
+        <translation>Geofence veraltet: %1</translation>
+    </message>
+    <message>
+        <source>Rally points outdated: %1</source>
+        <translation>Rally-Punkte veraltet: %1</translation>
     </message>
 </context>
 <context>
@@ -9607,6 +9682,10 @@ Ein Klick öffnet die Verbindungen.</translation>
     <message>
         <source>the mission is not known</source>
         <translation>die Mission ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the mission is outdated (%1): read it again</source>
+        <translation>die Mission ist veraltet (%1): neu lesen</translation>
     </message>
 </context>
 <context>

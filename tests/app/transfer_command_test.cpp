@@ -18,6 +18,7 @@ private Q_SLOTS:
     void parameterFilesAsPeopleHaveThem();
     void missionIsUploadedAndDownloaded();
     void missionWithoutHomeGetsOne();
+    void missionOfAnotherStationIsNotOverwritten();
     void homeInAFenceFileIsLeftOut();
     void refusedItemIsNamed();
     void fullDiskKeepsTheOldFile();
@@ -132,6 +133,35 @@ void TransferCommandTest::missionWithoutHomeGetsOne()
     QCOMPARE(items[0][QLatin1String("command")].toInt(), 16);
     QCOMPARE(items[0][QLatin1String("frame")].toInt(), 0);
     QCOMPARE(items[1][QLatin1String("command")].toInt(), 22);
+}
+
+/// Between the download of a mission and the upload of the edited one, another station may upload its own.
+void TransferCommandTest::missionOfAnotherStationIsNotOverwritten()
+{
+    const auto mission = [](const char *altitude) {
+        return QByteArray("QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t47.3977\t8.5456\t488\t1\n"
+                          "1\t0\t3\t22\t0\t0\t0\t0\t0\t0\t15.37\t1\n"
+                          "2\t0\t3\t16\t0.5\t0\t0\t0\t47.3980461\t8.5455917\t")
+            + altitude + "\t1\n";
+    };
+    const auto upload = [&](const char *altitude, const QStringList &more) {
+        return run(QStringLiteral("mission upload ") + write("mission.waypoints", mission(altitude)), more);
+    };
+    QCOMPARE(upload("20.25", {}).status, 0);
+    const QString before = m_vehicle.path(QStringLiteral("before.waypoints"));
+    QCOMPARE(run(QStringLiteral("mission download ") + before).status, 0);
+    const QStringList expecting{QStringLiteral("--expect"), before};
+    const RunResult edited = upload("30", expecting);
+    QVERIFY2(edited.status == 0, edited.err.constData());
+    const RunResult again = upload("40", expecting); // the other one's mission has 30 m by now
+    QCOMPARE(again.status, 1);
+    QVERIFY2(again.err.contains("nothing was sent: the vehicle has other items than those that were edited"),
+             again.err.constData());
+    const auto items = eventsIn(run(QStringLiteral("mission list --json")), QStringLiteral("item"));
+    QCOMPARE(items.at(2)[QLatin1String("alt")].toDouble(), 30.);
+    QCOMPARE(upload("40", {QStringLiteral("--overwrite")}).status, 0);
+    QCOMPARE(upload("40", expecting + QStringList{QStringLiteral("--overwrite")}).status, 2);
+    QCOMPARE(upload("40", {QStringLiteral("--expect"), m_vehicle.path(QStringLiteral("missing"))}).status, 3);
 }
 
 void TransferCommandTest::homeInAFenceFileIsLeftOut()

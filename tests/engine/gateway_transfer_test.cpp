@@ -290,12 +290,13 @@ void GatewayTransferTest::readerChangesNothing()
     const std::vector<vehicle::MissionItem> items = someItems(MissionType::Rally);
     const vehicle::RequestId own = flight.ground.station->perform(1, vehicle::WriteMission{items, MissionType::Rally});
     EVENTUALLY(flight.gatewayWrote(own));
-    const vehicle::RequestId plan = flight.ask(vehicle::ClearMission{MissionType::Rally});
+    // The client has heard that another station sent the list.
+    const vehicle::RequestId plan = flight.ask(vehicle::ClearMission{.type = MissionType::Rally, .overwrite = true});
     const vehicle::RequestId files = flight.ask(vehicle::ListFolder{"APM"});
     const vehicle::RequestId logs = flight.ask(vehicle::ListLogs{});
     const vehicle::RequestId parameter = flight.ask(vehicle::WriteParameter{"WPNAV_SPEED", 333});
     const auto cleared = flight.resultOf<vehicle::MissionResult>(plan);
-    QVERIFY(!cleared.ok && cleared.changeUnanswered);
+    QVERIFY2(!cleared.ok && cleared.changeUnanswered, cleared.reason.text().c_str());
     QCOMPARE(itemsOf(*flight.aircraft, MissionType::Rally), items.size());
     QVERIFY(!flight.resultOf<vehicle::FileResult>(files).ok);
     QVERIFY(!flight.resultOf<vehicle::LogResult>(logs).ok);

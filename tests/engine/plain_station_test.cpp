@@ -4,6 +4,7 @@
 #include "core/engine/station/station_core.h"
 #include "core/keys/peers_file.h"
 #include "core/log/link_events.h"
+#include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"
 #include "tests/engine/ground.h"
 #include "tests/support/eventually.h"
@@ -37,6 +38,7 @@ private Q_SLOTS:
     void noTargetWithoutAHeartbeat();
     void announcementsAreNotCountedAsMalformed();
     void requestToAnUnknownVehicleFails();
+    void missionOfAnotherStationIsMarked();
 };
 
 void PlainStationTest::plainVehicleIsShownAsPlain()
@@ -340,6 +342,42 @@ void PlainStationTest::requestToAnUnknownVehicleFails()
     for (std::size_t i = 0; i < missions.size(); ++i)
         QVERIFY(missions[i].id == ids[12 + i] && !missions[i].ok && missions[i].reason.text() == reason);
     QCOMPARE(int(missions[2].transfer), int(vehicle::MissionTransfer::Clear));
+}
+
+/// Another station uploads a mission to the vehicle: the snapshot says so, and nothing is written over it.
+void PlainStationTest::missionOfAnotherStationIsMarked()
+{
+    FlightRig rig;
+    const engine::StationConfig config = rig.stationConfig(engine::SecureMode::Preferred);
+    QVERIFY(keys::PeersFile().save(config.keys.peers));
+    Ground ground(config);
+    QUdpSocket vehicle;
+    mavlink::FrameWriter writer(1, 1);
+    const auto send = [&](const auto &message) {
+        std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
+        const ByteView frame = writer.write(message, buffer);
+        vehicle.writeDatagram(reinterpret_cast<const char *>(frame.data()), static_cast<qint64>(frame.size()),
+                              QHostAddress::LocalHost, ground.port());
+    };
+    const auto outdated = [&]() -> std::string {
+        const auto &vehicles = ground.ears->snapshot->vehicles;
+        return vehicles.empty() ? "no vehicle" : vehicles[0].missionOutdated.text();
+    };
+    vehicle.writeDatagram(clearHeartbeat(1, 1, false), QHostAddress::LocalHost, ground.port());
+    mavlink::MissionCurrent current;
+    current.total = 3;
+    current.mission_state = mavlink::MISSION_STATE_NOT_STARTED;
+    current.mission_id = 10;
+    send(current);
+    EVENTUALLY_EQUAL(outdated(), std::string());
+    current.mission_id = 20;
+    send(current);
+    EVENTUALLY_EQUAL(outdated(), std::string("changed by another station"));
+    ground.station->perform(1, vehicle::WriteMission{{vehicle::MissionItem{}}});
+    EVENTUALLY(!ground.ears->all<vehicle::MissionResult>().empty());
+    const auto result = ground.ears->all<vehicle::MissionResult>()[0];
+    QVERIFY(!result.ok);
+    QVERIFY2(result.reason.text().starts_with("nothing was sent: "), result.reason.text().c_str());
 }
 
 SKYSEAL_TEST(PlainStationTest)

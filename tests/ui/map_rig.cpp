@@ -17,6 +17,7 @@ void MapRig::show(const ChangeState &change)
     if (change)
         change(state);
     snapshot.vehicles.front().mission = m_mission;
+    snapshot.vehicles.front().missionOutdated = m_missionOutdated;
     m_station->show(snapshot);
 }
 

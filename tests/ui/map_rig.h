@@ -19,6 +19,7 @@ protected:
         WindowRig::setUp();
         m_time = 0;
         m_mission.reset();
+        m_missionOutdated = {};
         showCopter();
     }
 
@@ -73,6 +74,7 @@ protected:
 
     MapView *m_map = nullptr;
     vehicle::MissionItems m_mission;
+    Reason m_missionOutdated;
     double m_time = 0;
     const double m_altitude = 12.4;
 

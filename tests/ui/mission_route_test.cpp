@@ -248,6 +248,37 @@ private Q_SLOTS:
         QCOMPARE(made.stops[0].radius, 0.0);
     }
 
+    /// A route that the vehicle may no longer have is labelled, and its legs are broken.
+    void outdatedRouteIsMarked()
+    {
+        const auto pictureOf = [](bool outdated) {
+            QImage picture(200, 200, QImage::Format_RGB32);
+            picture.fill(Qt::white);
+            QPainter painter(&picture);
+            MapViewport viewport;
+            viewport.setSize({200, 200});
+            viewport.setCentre(kOrigin);
+            QPalette palette;
+            palette.setColor(QPalette::Base, Qt::white);
+            MissionPainter(painter, viewport, palette)
+                .paint(route({at(1, mavlink::MAV_CMD_NAV_WAYPOINT, -40), at(2, mavlink::MAV_CMD_NAV_WAYPOINT, 40)}), -1,
+                       outdated);
+            painter.end();
+            return picture;
+        };
+        const auto inkOf = [](const QImage &picture, const QRect &place) {
+            int out = 0;
+            for (int y = place.top(); y <= place.bottom(); ++y)
+                for (int x = place.left(); x <= place.right(); ++x)
+                    out += picture.pixelColor(x, y) != QColor(Qt::white);
+            return out;
+        };
+        const QImage present = pictureOf(false), outdated = pictureOf(true);
+        const QRect leg(99, 70, 2, 60);
+        QVERIFY(inkOf(outdated, leg) > 0 && inkOf(outdated, leg) < inkOf(present, leg));
+        QVERIFY(inkOf(outdated, outdated.rect()) > inkOf(present, present.rect())); // the label
+    }
+
     /// Between two stops whose commands were not joined before, there is ink.
     void loiterIsJoinedOnThePicture()
     {
@@ -261,7 +292,7 @@ private Q_SLOTS:
         palette.setColor(QPalette::Base, Qt::white);
         MissionPainter(painter, viewport, palette)
             .paint(route({at(1, mavlink::MAV_CMD_NAV_WAYPOINT, -40), at(2, mavlink::MAV_CMD_NAV_LOITER_TURNS, 40, {1, 0, 5})}),
-                   1);
+                   1, false);
         painter.end();
         int inked = 0;
         for (int y = 60; y < 140; ++y) // the legs' middle

@@ -61,6 +61,7 @@ const QHash<QString, QString> &sameInMenus()
         {id("secureKeys"), id("actionKeys")},
         {id("secureHelp"), id("actionHelpSealing")},
         {id("logReplay"), id("actionReplay")},
+        {id("missionReadAgain"), id("press_missionRead")},
         {id("sweepStart"), id("actionSweep")},
         {id("editValues"), id("actionEditValues")},
         {id("chartSave"), id("chartCsv")}, // its menu

@@ -1,5 +1,6 @@
 // Commands against a scripted vehicle: exact times of the retries, fallbacks for old firmware, and how each ending is
 // worded.
+#include "core/vehicle/commander.h"
 #include "tests/support/test_runner.h"
 #include "vehicle_harness.h"
 
@@ -18,6 +19,10 @@ private Q_SLOTS:
     void shortStallChangesNothing();
     void armingIsConfirmedByTheHeartbeat();
     void heartbeatProvesWhatALostAckDidNot();
+    void refusedRepetitionOfATakeOffCountsForNothingInTheAir_data();
+    void refusedRepetitionOfATakeOffCountsForNothingInTheAir();
+    void refusedRepetitionWithoutItsEffectIsARefusal();
+    void refusedRepetitionOfAnyCommandIsJudgedByItsEffect();
     void acknowledgedButNotDoneTimesOut();
     void reasonMayComeBeforeTheRefusal();
     void reasonMayComeAfterTheRefusal();
@@ -40,7 +45,15 @@ private Q_SLOTS:
 
 namespace {
 constexpr std::uint16_t kArm = mavlink::MAV_CMD_COMPONENT_ARM_DISARM, kSetMode = mavlink::MAV_CMD_DO_SET_MODE;
+constexpr std::uint16_t kTakeOff = mavlink::MAV_CMD_NAV_TAKEOFF;
 constexpr std::uint8_t kAccepted = 0, kDenied = 2, kUnsupported = 3, kFailed = 4, kInProgress = 5;
+
+mavlink::ExtendedSysState extendedState(std::uint8_t landed)
+{
+    mavlink::ExtendedSysState out;
+    out.landed_state = landed;
+    return out;
+}
 } // namespace
 
 void CommandTest::repeatsOnceASecondWithARisingConfirmation()
@@ -154,6 +167,103 @@ void CommandTest::heartbeatProvesWhatALostAckDidNot()
     h.vehicle.perform(h.now, RequestId{2}, Arm{});
     h.feed(heartbeat(0, true));
     QVERIFY(!h.poll<CommandResult>());
+}
+
+void CommandTest::refusedRepetitionOfATakeOffCountsForNothingInTheAir_data()
+{
+    QTest::addColumn<bool>("climbsBefore");
+    QTest::newRow("seen to climb before the refusal") << true;
+    QTest::newRow("seen to climb after the refusal") << false;
+}
+
+/// The acknowledgement is lost, and a copter that climbs refuses the repetition.
+void CommandTest::refusedRepetitionOfATakeOffCountsForNothingInTheAir()
+{
+    QFETCH(bool, climbsBefore);
+    Harness h = Harness::copter(4, true);
+    h.feed(extendedState(mavlink::MAV_LANDED_STATE_ON_GROUND));
+    h.feed(heartbeat(4, true));
+    QVERIFY(!h.vehicle.state(h.now).inAir);
+    h.vehicle.perform(h.now, RequestId{1}, TakeOff{10});
+    h.sent();
+    QVERIFY(h.nextSent<mavlink::CommandLong>(at(101)));
+    const auto climb = [&] {
+        h.feed(extendedState(mavlink::MAV_LANDED_STATE_TAKEOFF));
+        mavlink::GlobalPositionInt position;
+        position.relative_alt = 900;
+        h.feed(position);
+    };
+    if (climbsBefore)
+        climb();
+    h.feed(statusText("Takeoff: already flying"));
+    h.ack(kTakeOff, kFailed);
+    if (!climbsBefore) {
+        QVERIFY(!h.poll<CommandResult>());
+        h.runUntil(h.now + std::chrono::milliseconds(900)); // longer than a reason takes
+        climb();
+        h.feed(heartbeat(4, true));
+    }
+    const auto result = h.poll<CommandResult>();
+    QVERIFY(result);
+    QVERIFY2(result->outcome == CommandOutcome::Accepted, result->reason.text().c_str());
+    QCOMPARE(result->result, kAccepted);
+    h.runUntil(h.now + std::chrono::seconds(10));
+    QVERIFY(h.sentOf<mavlink::CommandLong>().empty());
+    QVERIFY(!h.poll<CommandResult>());
+}
+
+/// On the ground it is a refusal, and so is that of the first transmission, whatever the vehicle does.
+void CommandTest::refusedRepetitionWithoutItsEffectIsARefusal()
+{
+    Harness h = Harness::copter(4, true);
+    h.vehicle.perform(h.now, RequestId{1}, TakeOff{10});
+    h.runUntil(at(101));
+    h.ack(kTakeOff, kFailed);
+    h.feed(statusText("Takeoff: wait for the estimator"));
+    h.feed(heartbeat(4, true));
+    h.runUntil(h.now + Commander::kConfirmTimeout);
+    const auto repeated = h.poll<CommandResult>();
+    QVERIFY(repeated);
+    QCOMPARE(repeated->outcome, CommandOutcome::Refused);
+    QCOMPARE(repeated->reason.text(), std::string("failed: Takeoff: wait for the estimator"));
+
+    h.vehicle.perform(h.now, RequestId{2}, TakeOff{10});
+    h.feed(extendedState(mavlink::MAV_LANDED_STATE_TAKEOFF));
+    h.ack(kTakeOff, kFailed);
+    h.runUntil(h.now + Commander::kReasonTimeout);
+    const auto first = h.poll<CommandResult>();
+    QVERIFY(first);
+    QCOMPARE(first->outcome, CommandOutcome::Refused);
+
+    // In the air already, the state says nothing about this command.
+    h.feed(heartbeat(4, true));
+    QVERIFY(h.vehicle.current().inAir);
+    h.vehicle.perform(h.now, RequestId{3}, TakeOff{10});
+    h.runUntil(h.now + std::chrono::seconds(1));
+    h.ack(kTakeOff, kFailed);
+    h.feed(heartbeat(4, true));
+    h.runUntil(h.now + Commander::kReasonTimeout);
+    const auto flying = h.poll<CommandResult>();
+    QVERIFY(flying);
+    QCOMPARE(flying->outcome, CommandOutcome::Refused);
+}
+
+void CommandTest::refusedRepetitionOfAnyCommandIsJudgedByItsEffect()
+{
+    const std::pair<VehicleCommand, mavlink::Heartbeat> commands[] = {
+        {Arm{}, heartbeat(4, true)}, {Disarm{}, heartbeat(4, false)}, {SetMode{"LOITER"}, heartbeat(5, false)}};
+    for (const auto &[command, effect] : commands) {
+        Harness h = Harness::copter(4, std::holds_alternative<Disarm>(command));
+        h.vehicle.perform(h.now, RequestId{1}, command);
+        h.runUntil(at(101));
+        h.ack(std::holds_alternative<SetMode>(command) ? kSetMode : kArm, kDenied);
+        h.runUntil(at(101.9));
+        QVERIFY(!h.poll<CommandResult>());
+        h.feed(effect);
+        const auto result = h.poll<CommandResult>();
+        QVERIFY(result);
+        QVERIFY2(result->outcome == CommandOutcome::Accepted, result->reason.text().c_str());
+    }
 }
 
 void CommandTest::acknowledgedButNotDoneTimesOut()

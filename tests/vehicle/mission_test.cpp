@@ -7,6 +7,8 @@
 using namespace skyseal;
 using namespace skyseal::vehicle;
 
+Q_DECLARE_METATYPE(skyseal::vehicle::Request)
+
 class MissionTest : public QObject
 {
     Q_OBJECT
@@ -29,6 +31,9 @@ private Q_SLOTS:
     void refusedRepetitionStandsForALostRequest();
     void requestThatCrossedItsItemIsNotAnswered();
     void fenceAndRallyPointsAreListsOfTheirOwn();
+    void listsThatTheAutopilotDoesNotNameAreLeftAlone_data();
+    void listsThatTheAutopilotDoesNotNameAreLeftAlone();
+    void withoutCapabilitiesNothingIsSent();
     void firmwareWithoutIntegersIsAskedForFloats();
     void oneTransferAtATime();
     void otherKindsOfPlansAreNotOurs();
@@ -58,6 +63,13 @@ std::vector<MissionItem> plan(std::size_t count)
         out[i].parameters[0] = static_cast<float>(i % 7);
     }
     return out;
+}
+
+/// Whether the mission protocol has the message.
+bool speaksOfLists(const OutMessage &message)
+{
+    return message.id == mavlink::MissionClearAll::kId || message.id == mavlink::MissionCount::kId
+        || message.id == mavlink::MissionRequestList::kId;
 }
 
 /// Seconds of a transfer of 500 items over 25 ms each way.
@@ -208,6 +220,8 @@ void MissionTest::numbersThatTheProtocolCannotCarryAreRefused()
                          "numbers only"));
     QCOMPARE(refusal({.frame = mavlink::MAV_FRAME_LOCAL_NED, .longitude = 3e5}),
              std::string("item 1, NAV_WAYPOINT: parameters 5 and 6 are too large for the mission protocol"));
+    // Rounded, it would mean "not used".
+    QVERIFY(refusal({.frame = mavlink::MAV_FRAME_LOCAL_NED, .longitude = 214748.36466}).starts_with("item 1, NAV_WAYPOINT: "));
     QVERIFY(h.sent().empty());
 }
 
@@ -464,6 +478,82 @@ void MissionTest::fenceAndRallyPointsAreListsOfTheirOwn()
         QVERIFY(!h.vehicle.mission()); // the flight plan is not concerned
         QVERIFY(type == MissionType::Fence ? !h.vehicle.rally() : !h.vehicle.fence());
     }
+}
+
+void MissionTest::listsThatTheAutopilotDoesNotNameAreLeftAlone_data()
+{
+    QTest::addColumn<Request>("request");
+    QTest::addColumn<bool>("isFence");
+    for (const auto type : {MissionType::Fence, MissionType::Rally}) {
+        const bool isFence = type == MissionType::Fence;
+        const char *name = isFence ? "fence" : "rally points";
+        QTest::addRow("clear %s", name) << Request(ClearMission{type}) << isFence;
+        QTest::addRow("upload %s", name) << Request(WriteMission{plan(2), type}) << isFence;
+        QTest::addRow("read %s", name) << Request(ReadMission{type}) << isFence;
+    }
+}
+
+/// ArduCopter 3.6 does not read mission_type: to clear its fence would clear its mission.
+void MissionTest::listsThatTheAutopilotDoesNotNameAreLeftAlone()
+{
+    QFETCH(Request, request);
+    QFETCH(bool, isFence);
+    constexpr std::uint64_t kFence = mavlink::MAV_PROTOCOL_CAPABILITY_MISSION_FENCE;
+    constexpr std::uint64_t kRally = mavlink::MAV_PROTOCOL_CAPABILITY_MISSION_RALLY;
+    for (const bool knownBefore : {true, false}) {
+        Harness h({.streams = StreamProfile::Quiet});
+        h.feed(heartbeat());
+        const auto tell = [&](std::uint64_t capabilities) { h.feed(mavlink::AutopilotVersion{.capabilities = capabilities}); };
+        if (knownBefore)
+            tell(isFence ? kRally : kFence); // the other one
+        h.sent();
+        h.vehicle.perform(h.now, RequestId{1}, request);
+        if (!knownBefore) {
+            h.runUntil(h.now);
+            const auto asked = h.sentOf<mavlink::CommandLong>();
+            QCOMPARE(asked.size(), std::size_t(1));
+            QCOMPARE(asked[0].param1, float(mavlink::AutopilotVersion::kId));
+            QVERIFY(!h.poll<MissionResult>());
+            tell(isFence ? kRally : kFence);
+        }
+        const auto refused = h.poll<MissionResult>();
+        QVERIFY(refused && !refused->ok && !refused->changeUnanswered);
+        QVERIFY(refused->reason.text().starts_with(
+            "nothing was sent: the autopilot does not say that the mission protocol reaches its"));
+        h.runUntil(h.now + std::chrono::seconds(20));
+        QVERIFY(std::ranges::none_of(h.sent(), speaksOfLists));
+
+        tell(isFence ? kFence : kRally);
+        h.vehicle.perform(h.now, RequestId{2}, request);
+        QCOMPARE(std::ranges::count_if(h.sent(), speaksOfLists), 1);
+        QVERIFY(!h.poll<MissionResult>());
+    }
+}
+
+void MissionTest::withoutCapabilitiesNothingIsSent()
+{
+    Harness h({.streams = StreamProfile::Quiet});
+    h.feed(heartbeat());
+    h.runUntil(at(160)); // no longer asked for by itself
+    h.sent();
+    h.vehicle.perform(h.now, RequestId{1}, ClearMission{MissionType::Rally});
+    const TimePoint begin = h.now;
+    int attempts[2] = {};
+    while (const auto asked = h.nextSent<mavlink::CommandLong>(begin + MissionClient::kCapabilitiesTimeout))
+        ++attempts[asked->second.command == mavlink::MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES];
+    QCOMPARE(attempts[0], 3); // MAV_CMD_REQUEST_MESSAGE
+    QCOMPARE(attempts[1], 3);
+    const auto refused = h.poll<MissionResult>();
+    QVERIFY(refused && !refused->ok && !refused->changeUnanswered);
+    QCOMPARE(refused->reason.text(),
+             std::string("nothing was sent: the autopilot does not answer what it can do (AUTOPILOT_VERSION): it could take "
+                         "this for its mission"));
+    // It waits for an answer that comes late.
+    h.vehicle.perform(h.now, RequestId{2}, ClearMission{MissionType::Rally});
+    h.runUntil(h.now + std::chrono::seconds(9));
+    h.sent();
+    h.feed(mavlink::AutopilotVersion{.capabilities = mavlink::MAV_PROTOCOL_CAPABILITY_MISSION_RALLY});
+    QCOMPARE(h.sentOf<mavlink::MissionClearAll>().at(0).mission_type, std::uint8_t(mavlink::MAV_MISSION_TYPE_RALLY));
 }
 
 void MissionTest::firmwareWithoutIntegersIsAskedForFloats()

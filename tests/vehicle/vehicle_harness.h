@@ -161,7 +161,9 @@ private:
         Harness out(config);
         out.feed(heartbeat);
         // So that nothing asks for it in between; without MAVLink FTP, so that parameters come one by one.
-        out.feed(mavlink::AutopilotVersion{.capabilities = mavlink::MAV_PROTOCOL_CAPABILITY_MAVLINK2});
+        out.feed(mavlink::AutopilotVersion{.capabilities = mavlink::MAV_PROTOCOL_CAPABILITY_MAVLINK2
+                                               | mavlink::MAV_PROTOCOL_CAPABILITY_MISSION_FENCE
+                                               | mavlink::MAV_PROTOCOL_CAPABILITY_MISSION_RALLY});
         out.sent();
         return out;
     }

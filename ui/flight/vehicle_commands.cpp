@@ -22,6 +22,7 @@ void VehicleCommands::showViewState(const ViewState &view)
 {
     m_systemId = view.vehicle ? view.vehicle->state.systemId : 0;
     m_mission = view.vehicle ? view.vehicle->mission : nullptr;
+    m_missionOutdated = view.vehicle ? reasonText(view.vehicle->missionOutdated) : QString();
     m_home.reset();
     if (view.vehicle && vehicle::keepsHomeFirst(view.vehicle->state.autopilot))
         m_home = vehicle::homeItem(view.vehicle->state.home);
@@ -53,7 +54,15 @@ void VehicleCommands::addWaypoint(std::uint8_t systemId, double latitude, double
         Q_EMIT resultReported(tr("%1: not sent: %2").arg(text, tr("the mission is not known")), false);
         return;
     }
-    request(systemId, vehicle::WriteMission{vehicle::withWaypoint(*m_mission, latitude, longitude, altitude, m_home)}, text);
+    if (!m_missionOutdated.isEmpty()) {
+        Q_EMIT resultReported(
+            tr("%1: not sent: %2").arg(text, tr("the mission is outdated (%1): read it again").arg(m_missionOutdated)), false);
+        return;
+    }
+    request(systemId,
+            vehicle::WriteMission{.items = vehicle::withWaypoint(*m_mission, latitude, longitude, altitude, m_home),
+                                  .basis = m_mission},
+            text);
 }
 
 bool VehicleCommands::maySend(std::uint8_t systemId, const QString &text)

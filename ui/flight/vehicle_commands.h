@@ -33,7 +33,10 @@ public:
     void send(std::uint8_t systemId, const vehicle::VehicleCommand &command);
     /// The mission of the selected vehicle as it was read or written last; null if it is not known.
     const vehicle::MissionItems &mission() const { return m_mission; }
-    /// Sends that mission with a further waypoint (degrees, metres above home), by the same rules as send().
+    /// Why the vehicle may have another mission by now; empty while there is no sign of it.
+    const QString &missionOutdated() const { return m_missionOutdated; }
+    /// Sends that mission with a further waypoint (degrees, metres above home), by the same rules as send(), and only over the
+    /// mission that it was made from.
     void addWaypoint(std::uint8_t systemId, double latitude, double longitude, float altitude);
     void handleEvent(const engine::Event &event);
 
@@ -70,6 +73,7 @@ private:
     std::uint8_t m_systemId = 0;
     bool m_severalVehicles = false;
     vehicle::MissionItems m_mission;
+    QString m_missionOutdated;
     std::optional<vehicle::MissionItem> m_home; ///< item 0 of a mission that is empty so far, if home belongs there
     QString m_disabledReason;
     double m_takeOffAltitude = 10;

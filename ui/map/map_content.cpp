@@ -24,8 +24,10 @@ bool MapContent::startOver(std::uint8_t systemId)
 bool MapContent::showMission(const engine::VehicleSnapshot &vehicle, bool homeMoved)
 {
     const bool another = m_mission != vehicle.mission;
-    if (!another && !homeMoved && m_missionCurrent == vehicle.state.missionCurrent)
+    const bool outdated = !vehicle.missionOutdated.empty();
+    if (!another && !homeMoved && m_missionCurrent == vehicle.state.missionCurrent && m_isRouteOutdated == outdated)
         return false;
+    m_isRouteOutdated = outdated;
     m_missionCurrent = vehicle.state.missionCurrent;
     m_mission = vehicle.mission;
     const bool homeFirst = vehicle::keepsHomeFirst(vehicle.state.autopilot);

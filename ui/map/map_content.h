@@ -49,6 +49,8 @@ public:
     void setTrackColors(TrackColors colors) { m_trackColors = colors; }
     /// Nothing until the mission was read.
     const std::optional<MissionRoute> &route() const { return m_route; }
+    /// The vehicle may have another mission by now.
+    bool isRouteOutdated() const { return m_isRouteOutdated; }
     int missionCurrent() const { return m_missionCurrent; }
 
 private:
@@ -70,6 +72,7 @@ private:
     std::shared_ptr<const engine::FlownTracks> m_flown; ///< of the last seek of a replay
     std::shared_ptr<const std::vector<vehicle::MissionItem>> m_mission;
     std::optional<MissionRoute> m_route;
+    bool m_isRouteOutdated = false;
     int m_missionCurrent = -1;
 };
 

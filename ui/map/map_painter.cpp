@@ -168,7 +168,7 @@ void MapPainter::paintTrackScale(UnitSystem units, double bottom)
 void MapPainter::paintMission()
 {
     if (const auto &route = m_content.route())
-        MissionPainter(m_painter, m_viewport, m_palette).paint(*route, m_content.missionCurrent());
+        MissionPainter(m_painter, m_viewport, m_palette).paint(*route, m_content.missionCurrent(), m_content.isRouteOutdated());
 }
 
 void MapPainter::paintHome()

@@ -32,9 +32,9 @@ QString loiterText(const RouteStop &stop)
 
 } // namespace
 
-void MissionPainter::paint(const MissionRoute &route, int current)
+void MissionPainter::paint(const MissionRoute &route, int current, bool outdated)
 {
-    paintLegs(route);
+    paintLegs(route, outdated ? Qt::DashDotLine : Qt::SolidLine);
     for (const RouteStop &stop : route.stops)
         if (stop.loiter != RouteStop::Loiter::None)
             paintLoiter(stop);
@@ -48,9 +48,12 @@ void MissionPainter::paint(const MissionRoute &route, int current)
     for (const RouteStop &stop : route.stops)
         if (stop.sequence >= 0)
             paintStop(stop, stop.sequence == current);
+    const auto first = std::ranges::find_if(route.stops, [](const RouteStop &stop) { return stop.sequence >= 0; });
+    if (outdated && first != route.stops.end())
+        paintLabel(m_painter, m_viewport.toPixels(first->at) - QPointF(0, 2.5 * kStopRadius), tr("outdated"), m_palette);
 }
 
-void MissionPainter::paintLegs(const MissionRoute &route)
+void MissionPainter::paintLegs(const MissionRoute &route, Qt::PenStyle style)
 {
     const StateColors &colors = stateColors(m_palette);
     for (std::size_t i = 1; i < route.stops.size(); ++i) {
@@ -64,7 +67,7 @@ void MissionPainter::paintLegs(const MissionRoute &route)
         } else {
             leg.lineTo(to);
         }
-        m_painter.setPen(QPen(colors.dim, 1.5));
+        m_painter.setPen(QPen(colors.dim, 1.5, style));
         m_painter.setBrush(Qt::NoBrush);
         m_painter.drawPath(leg);
         const double length = lengthOf(arrival);

@@ -21,11 +21,11 @@ public:
         : m_painter(painter), m_viewport(viewport), m_palette(palette)
     {}
 
-    /// `current`: sequence of the item that the vehicle executes; -1 if unknown.
-    void paint(const MissionRoute &route, int current);
+    /// `current`: sequence of the item that the vehicle executes; -1 if unknown. `outdated`: the vehicle may have another one.
+    void paint(const MissionRoute &route, int current, bool outdated);
 
 private:
-    void paintLegs(const MissionRoute &route);
+    void paintLegs(const MissionRoute &route, Qt::PenStyle style);
     void paintJump(const QPointF &from, const QPointF &to, int times);
     void paintLoiter(const RouteStop &stop);
     void paintStop(const RouteStop &stop, bool current);

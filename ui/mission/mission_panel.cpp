@@ -3,6 +3,7 @@
 #include "core/base/save_file.h"
 #include "core/engine/station/vehicle_snapshot.h"
 #include "core/engine/text/event_text.h"
+#include "core/vehicle/reasons.h"
 #include "ui/ask_file.h"
 #include "ui/confirm_box.h"
 #include "ui/control_action.h"
@@ -46,6 +47,21 @@ MissionPanel::MissionPanel(StationInterface &station, QWidget *parent)
         tools->addWidget(made);
     tools->addWidget(m_result, 1);
 
+    m_outdated = new QWidget(this);
+    m_outdatedText = new QLabel(m_outdated);
+    m_outdatedText->setObjectName(QStringLiteral("missionOutdated"));
+    m_outdatedText->setWordWrap(true);
+    QFont bold = m_outdatedText->font();
+    bold.setBold(true);
+    m_outdatedText->setFont(bold);
+    m_readAgain = button(tr("Read again"), "missionReadAgain");
+    auto *outdated = new QHBoxLayout(m_outdated);
+    outdated->setContentsMargins(0, 0, 0, 0);
+    outdated->setSpacing(kGrid);
+    outdated->addWidget(m_outdatedText, 1);
+    outdated->addWidget(m_readAgain);
+    m_outdated->hide();
+
     m_pages = new QStackedWidget(this);
     auto *view = new QTreeView(m_pages);
     view->setObjectName(QStringLiteral("missionView"));
@@ -69,9 +85,11 @@ MissionPanel::MissionPanel(StationInterface &station, QWidget *parent)
     column->setContentsMargins(kGrid, kGrid, kGrid, kGrid);
     column->setSpacing(kGrid);
     column->addLayout(tools);
+    column->addWidget(m_outdated);
     column->addWidget(m_pages, 1);
 
-    connect(m_read, &QPushButton::clicked, this, &MissionPanel::read);
+    for (QPushButton *made : {m_read, m_readAgain})
+        connect(made, &QPushButton::clicked, this, &MissionPanel::read);
     connect(m_send, &QPushButton::clicked, this, &MissionPanel::askAndSend);
     connect(m_save, &QPushButton::clicked, this, &MissionPanel::askAndSave);
     connect(&station, &StationInterface::eventOccurred, this, &MissionPanel::handleEvent);
@@ -129,25 +147,36 @@ void MissionPanel::sendFile(const QString &file, std::uint8_t systemId)
     const auto plan = vehicle::parseMission(in.readAll().toStdString(), file.toStdString());
     if (!plan)
         say(reasonText(plan.error().reason()));
-    else if (m_isArmed)
+    else if (m_isArmed || !m_changed.isEmpty())
         askToReplace(*plan, systemId);
     else
-        send(*plan, systemId);
+        send(*plan, systemId, false);
 }
 
-/// A vehicle that flies its mission turns to the new one as soon as it has it.
+/// A vehicle that flies its mission turns to the new one as soon as it has it. A mission of another station is lost.
 void MissionPanel::askToReplace(const vehicle::MissionFile &plan, std::uint8_t systemId)
 {
+    QString text = m_name == 0 ? tr("The vehicle is armed. Replace its mission?")
+                               : tr("Vehicle %1 is armed. Replace its mission?").arg(m_name);
+    QStringList details;
+    if (!m_changed.isEmpty()) {
+        text = m_name == 0 ? tr("Replace the mission of another station?")
+                           : tr("Replace the mission of another station on vehicle %1?").arg(m_name);
+        details << tr("The mission of the vehicle was %1. Read it to see what it is.").arg(m_changed);
+        if (m_isArmed)
+            details << tr("The vehicle is armed.");
+    }
+    if (m_isArmed)
+        details << tr("While it flies its mission, it turns to the new one at once.");
     askToConfirm({.objectName = QStringLiteral("confirmSendMission"),
                   .title = tr("Send a mission"),
-                  .text = m_name == 0 ? tr("The vehicle is armed. Replace its mission?")
-                                      : tr("Vehicle %1 is armed. Replace its mission?").arg(m_name),
-                  .details = tr("While it flies its mission, it turns to the new one at once."),
+                  .text = text,
+                  .details = details.join(QLatin1Char(' ')),
                   .yes = tr("Replace the mission"),
                   .icon = QMessageBox::Warning},
-                 this, this, [this, plan, systemId] {
+                 this, this, [this, plan, systemId, overwrite = !m_changed.isEmpty()] {
                      if (canSendTo(systemId))
-                         send(plan, systemId);
+                         send(plan, systemId, overwrite);
                  });
 }
 
@@ -161,10 +190,11 @@ bool MissionPanel::canSendTo(std::uint8_t systemId)
     return reason.isEmpty();
 }
 
-void MissionPanel::send(const vehicle::MissionFile &plan, std::uint8_t systemId)
+void MissionPanel::send(const vehicle::MissionFile &plan, std::uint8_t systemId, bool overwrite)
 {
     say(plan.items.size() == 1 ? tr("Sending one item…") : tr("Sending %1 items…").arg(plan.items.size()));
-    m_station.perform(systemId, vehicle::WriteMission{.items = plan.items, .withoutHome = plan.withoutHome});
+    m_station.perform(systemId,
+                      vehicle::WriteMission{.items = plan.items, .withoutHome = plan.withoutHome, .overwrite = overwrite});
 }
 
 void MissionPanel::saveFile(const QString &file, const MissionModel::Mission &mission)
@@ -186,7 +216,8 @@ void MissionPanel::showViewState(const ViewState &view)
     m_mission = view.vehicle ? view.vehicle->mission : nullptr;
     m_isArmed = view.vehicle && view.vehicle->state.armed;
     m_disabledReason = commandsDisabledReason(view);
-    for (QPushButton *button : {m_read, m_send}) {
+    showOutdated(view.vehicle);
+    for (QPushButton *button : {m_read, m_readAgain, m_send}) {
         button->setEnabled(m_disabledReason.isEmpty());
         button->setToolTip(m_disabledReason);
     }
@@ -206,6 +237,27 @@ void MissionPanel::showViewState(const ViewState &view)
                            vehicle::keepsHomeFirst(view.vehicle->state.autopilot));
     else
         m_model.setMission(nullptr, -1, false);
+}
+
+/// Says which of the lists that were read the vehicle no longer has, and why.
+void MissionPanel::showOutdated(const engine::VehicleSnapshot *vehicle)
+{
+    QStringList lines;
+    m_changed.clear();
+    if (vehicle) {
+        if (!vehicle->missionOutdated.empty() && !(vehicle->missionOutdated == Reason(vehicle::reasons::kPlanIncomplete)))
+            m_changed = reasonText(vehicle->missionOutdated);
+        if (vehicle->mission && !vehicle->missionOutdated.empty())
+            lines << tr("Mission outdated: %1").arg(reasonText(vehicle->missionOutdated));
+        if (vehicle->fence && !vehicle->fenceOutdated.empty())
+            lines << tr("Fence outdated: %1").arg(reasonText(vehicle->fenceOutdated));
+        if (vehicle->rally && !vehicle->rallyOutdated.empty())
+            lines << tr("Rally points outdated: %1").arg(reasonText(vehicle->rallyOutdated));
+    }
+    const QString text = lines.join(QLatin1Char('\n'));
+    if (m_outdatedText->text() != text)
+        m_outdatedText->setText(text);
+    m_outdated->setVisible(!text.isEmpty());
 }
 
 /// Where there are several vehicles, says which one is read and written.

@@ -143,9 +143,13 @@ MenuItems MapMenu::itemsFor(const LatLong &place)
              .disabledReason =
                  [this] {
                      const QString reason = commandsDisabledReason(m_selection.view());
-                     return reason.isEmpty() && !m_commands.mission()
-                         ? tr("the mission has not been read: Plan, Read from the vehicle")
-                         : reason;
+                     if (!reason.isEmpty())
+                         return reason;
+                     if (!m_commands.mission())
+                         return tr("the mission has not been read: Plan, Read from the vehicle");
+                     if (!m_commands.missionOutdated().isEmpty())
+                         return tr("the mission is outdated (%1): Plan, Read again").arg(m_commands.missionOutdated());
+                     return QString();
                  }},
             {},
             {.id = QStringLiteral("mapPointAt"),

@@ -77,6 +77,12 @@ int downloadItems(const QString &name, const QStringList &arguments, MissionType
     });
 }
 
+/// Declares that the items may also replace those of another station.
+void declareOverwrite(Options &options)
+{
+    options.addFlag("overwrite", "Also if another station changed the items while this command ran.");
+}
+
 int uploadItems(const QString &name, const QStringList &arguments, MissionType type)
 {
     Options options(
@@ -84,18 +90,33 @@ int uploadItems(const QString &name, const QStringList &arguments, MissionType t
         QStringLiteral("Replaces the items on the vehicle by those of a file (QGC WPL 110). On ArduPilot item 0 of a "
                        "mission is the home position; it is inserted before a mission that begins with another command."));
     options.addArgument("FILE", "File to read.");
+    options.addValue("expect", "FILE",
+                     "Only if the vehicle still has the items of this file, as downloaded before: they are read again first.");
+    declareOverwrite(options);
     declareTransfer(options);
     if (const auto status = options.parse(arguments))
         return *status;
     const QStringList files = options.arguments(1, 1);
+    const QString expected = QString::fromStdString(options.text("expect"));
+    const bool overwrite = options.has("overwrite");
+    if (!expected.isEmpty() && overwrite)
+        options.fail("--expect and --overwrite exclude each other");
     if (const auto status = options.finish())
         return *status;
     const auto plan = parseFile(name, files[0], vehicle::parseMission);
     if (!plan)
         return kCannotOpen;
+    vehicle::MissionItems basis;
+    if (!expected.isEmpty()) {
+        auto aboard = parseFile(name, expected, vehicle::parseMission);
+        if (!aboard)
+            return kCannotOpen;
+        basis = std::make_shared<const std::vector<MissionItem>>(std::move(aboard->items));
+    }
     return runTransfer(name, options, [&](const TaskSettings &settings) {
         return std::make_shared<PlanTask>(
-            settings, vehicle::WriteMission{plan->items, type, plan->withoutHome}, [settings](const MissionResult &result) {
+            settings, vehicle::WriteMission{plan->items, type, plan->withoutHome, overwrite, basis},
+            [settings](const MissionResult &result) {
                 const std::size_t count = result.items->size();
                 reportTransfer(settings.json, "uploaded", "items", count, counted(count, "item") + " accepted by the vehicle");
                 if (!result.remark.empty())
@@ -108,12 +129,14 @@ int uploadItems(const QString &name, const QStringList &arguments, MissionType t
 int clearItems(const QString &name, const QStringList &arguments, MissionType type)
 {
     Options options(name, QStringLiteral("Removes all items from the vehicle."));
+    declareOverwrite(options);
     declareTransfer(options);
     if (const auto status = options.parse(arguments))
         return *status;
     options.arguments(0, 0);
+    const bool overwrite = options.has("overwrite");
     return runTransfer(name, options, [&](const TaskSettings &settings) {
-        return std::make_shared<PlanTask>(settings, vehicle::ClearMission{type}, [settings](const MissionResult &) {
+        return std::make_shared<PlanTask>(settings, vehicle::ClearMission{type, overwrite}, [settings](const MissionResult &) {
             reportTransfer(settings.json, "cleared", "items", 0, "cleared");
             return std::string();
         });

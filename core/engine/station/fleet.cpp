@@ -174,6 +174,9 @@ VehicleSnapshot Fleet::describe(TimePoint now, const vehicle::Vehicle &vehicle) 
     out.mission = vehicle.mission();
     out.fence = vehicle.fence();
     out.rally = vehicle.rally();
+    out.missionOutdated = vehicle.outdated(vehicle::MissionType::Mission);
+    out.fenceOutdated = vehicle.outdated(vehicle::MissionType::Fence);
+    out.rallyOutdated = vehicle.outdated(vehicle::MissionType::Rally);
     return out;
 }
 

@@ -35,6 +35,8 @@ struct VehicleSnapshot
     std::shared_ptr<const std::vector<vehicle::Parameter>> parameters; ///< null until requested; shared while unchanged
     std::uint32_t parametersExpected = 0;
     vehicle::MissionItems mission, fence, rally; ///< as last read from the vehicle; null before
+    /// Why the vehicle may have others by now; empty while there is no sign of it.
+    Reason missionOutdated, fenceOutdated, rallyOutdated;
 };
 
 /// A vehicle in clear that is not shown, and to which nothing is sent, before the operator allows it; see
