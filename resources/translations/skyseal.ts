@@ -1920,6 +1920,10 @@
         <source>the vehicle has other items than those that were edited: another station changed them; they were read again</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 % of the frames came from another vehicle, which the costs contain</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Sweep</name>

@@ -1920,6 +1920,10 @@
         <source>the vehicle has other items than those that were edited: another station changed them; they were read again</source>
         <translation>das Fahrzeug hat andere Punkte als die bearbeiteten: Eine andere Station hat sie geändert; sie wurden neu gelesen</translation>
     </message>
+    <message>
+        <source>%1 % of the frames came from another vehicle, which the costs contain</source>
+        <translation>%1 % der Frames kamen von einem anderen Fahrzeug, dessen Aufwand in den Kosten steckt</translation>
+    </message>
 </context>
 <context>
     <name>Sweep</name>
