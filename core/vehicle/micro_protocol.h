@@ -31,12 +31,17 @@ struct VehicleContext
     std::vector<MicroProtocol *> clients{}; ///< in the order of their construction
 
     /// Queues a message; its target fields, if it has any, become the vehicle's autopilot.
-    template<typename Message> void send(Message message, bool urgent = true)
+    template<typename Message> void send(const Message &message, bool urgent = true)
+    {
+        sendTo(addressing.component, message, urgent);
+    }
+    /// Queues a message to a component of the vehicle; 0: to all of them.
+    template<typename Message> void sendTo(std::uint8_t component, Message message, bool urgent = true)
     {
         if constexpr (requires { message.target_system; })
             message.target_system = addressing.system;
         if constexpr (requires { message.target_component; })
-            message.target_component = addressing.component;
+            message.target_component = component;
         outbox.push(pack(message, urgent));
     }
     VehicleKind kind() const { return {state.type, state.autopilot}; }

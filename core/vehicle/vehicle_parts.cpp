@@ -40,6 +40,7 @@ void Vehicle::Parts::handleFrame(TimePoint now, WallTime wall, const mavlink::Fr
     if (frame.componentId() != context.addressing.component) {
         if (frame.messageId() == mavlink::Heartbeat::kId)
             noteComponent(now, frame);
+        parameters.handleFrame(now, frame);
         return;
     }
     VehicleState &state = context.state;
@@ -72,6 +73,8 @@ void Vehicle::Parts::handleLateFrame(TimePoint now, const mavlink::Frame &frame)
         handleStatusText(now, frame);
     if (frame.componentId() == context.addressing.component)
         offerToClients(now, frame);
+    else
+        parameters.handleFrame(now, frame);
 }
 
 bool Vehicle::Parts::offerToClients(TimePoint now, const mavlink::Frame &frame)
