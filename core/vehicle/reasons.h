@@ -14,6 +14,8 @@ inline constexpr Sentence kNoVehicle = sentence("Reason", "no vehicle with syste
 inline constexpr Sentence kNoAnswer = sentence("Reason", "no answer to %1 attempts");
 inline constexpr Sentence kOtherAutopilot = sentence("Reason",
                                                      "another component turned out to be the autopilot; request it again");
+inline constexpr Sentence kPlanNeedsVersion2 = sentence(
+    "Reason", "the vehicle speaks MAVLink 1, which knows missions only; fences and rally points need MAVLink 2");
 inline constexpr Sentence kCancelled = sentence("Reason", "cancelled");
 /// Only the agent's list contains the role of this station, and an agent answers neither an observer's commands nor late ones.
 inline constexpr Sentence kMaybeDropped = sentence(

@@ -46,6 +46,8 @@ void Vehicle::Parts::handleFrame(TimePoint now, WallTime wall, const mavlink::Fr
     VehicleState &state = context.state;
     const bool wasLost = state.lastMessage != TimePoint{} && monitor.isLost(now);
     monitor.handleMessage(now, frame.messageId());
+    version.handleFrame(now, frame.version());
+    state.mavlinkVersion = static_cast<std::uint8_t>(version.version());
     if (wasLost && !monitor.isLost(now))
         streams.restart(now);
     state.lastMessage = monitor.lastMessage();
