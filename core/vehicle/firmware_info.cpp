@@ -60,7 +60,7 @@ void FirmwareInfo::request(TimePoint now)
     m_isNeeded = true;
 }
 
-bool FirmwareInfo::handleFrame(TimePoint, const mavlink::Frame &frame)
+bool FirmwareInfo::handleFrame(TimePoint now, const mavlink::Frame &frame)
 {
     if (frame.messageId() != mavlink::AutopilotVersion::kId)
         return false;
@@ -69,12 +69,16 @@ bool FirmwareInfo::handleFrame(TimePoint, const mavlink::Frame &frame)
     m_isNeeded = false;
     state().firmware = productName(kind()) + versionText(m.flight_sw_version);
     state().capabilities = m.capabilities;
+    if ((m.capabilities & mavlink::MAV_PROTOCOL_CAPABILITY_MAVLINK2) != 0 && m_versionAttempts == 0)
+        m_versionDue = now;
     return false; // clients may wait for it
 }
 
 void FirmwareInfo::handleDeadline(TimePoint now)
 {
-    if (now < nextDeadline())
+    if (mayAsk() && now >= m_versionDue)
+        askForVersion2(now);
+    if (now < nextRequest())
         return;
     mavlink::CommandLong request;
     const bool older = m_attempts % 2 == 1;
@@ -83,6 +87,16 @@ void FirmwareInfo::handleDeadline(TimePoint now)
     send(request, false);
     ++m_attempts;
     m_next = m_attempts < kAttempts ? now + kInterval : kNever;
+}
+
+void FirmwareInfo::askForVersion2(TimePoint now)
+{
+    m_versionDue = kNever;
+    if (state().mavlinkVersion == 2)
+        return;
+    m_context.sendInVersion2(mavlink::CommandLong{.param1 = 1, .command = mavlink::MAV_CMD_REQUEST_PROTOCOL_VERSION});
+    if (++m_versionAttempts < kVersionAttempts)
+        m_versionDue = now + kInterval;
 }
 
 } // namespace skyseal::vehicle

@@ -154,14 +154,14 @@ ParsedAction parseSleep(ScriptTokens &tokens)
 
 ParsedAction parseParam(ScriptTokens &tokens)
 {
-    const std::string_view name = tokens.peek();
+    const auto [component, name] = parameterName(tokens.peek());
     if (name.empty() || name.size() > 16)
         return fail(tokens, "a parameter's name, up to 16 characters");
     tokens.take();
     const auto value = tokens.number("the parameter's value, a number", -3.4e38, 3.4e38);
     if (!value)
         return tl::make_unexpected(value.error());
-    return Action(WriteParameter{std::string(name), *value});
+    return Action(WriteParameter{name, *value, component});
 }
 
 constexpr std::pair<std::string_view, ComparisonOperator> kComparisons[] = {

@@ -68,7 +68,11 @@ struct ActionText
             + (isText ? wait.text : numberText(wait.number)) + " " + numberText(seconds(wait.timeout));
     }
     std::string operator()(const Sleep &sleep) const { return "sleep " + numberText(seconds(sleep.time)); }
-    std::string operator()(const WriteParameter &write) const { return "param " + write.name + " " + numberText(write.value); }
+    std::string operator()(const WriteParameter &write) const
+    {
+        return "param " + parameterLabel({.name = write.name, .componentId = write.componentId}) + " "
+            + numberText(write.value);
+    }
 };
 
 /// True for each of the names that a mode has, the vehicle's own and the autopilot's.

@@ -16,6 +16,7 @@ struct OutMessage
 {
     std::uint32_t id = 0;                     ///< MAVLink message id
     std::uint8_t crcExtra = 0, minLength = 0; ///< of this message, for the frame
+    std::uint8_t version = 0;                 ///< of its frame, 1 or 2; 0: as the vehicle is spoken to
     bool urgent = false;                      ///< flush at once: commands, mission items, heartbeats
     std::uint8_t size = 0;                    ///< bytes of the payload in use
     std::array<std::uint8_t, 255> payload{};  ///< zeros after `size`

@@ -31,13 +31,32 @@ struct VehicleContext
     std::vector<MicroProtocol *> clients{}; ///< in the order of their construction
 
     /// Queues a message; its target fields, if it has any, become the vehicle's autopilot.
-    template<typename Message> void send(Message message, bool urgent = true)
+    template<typename Message> void send(const Message &message, bool urgent = true)
     {
+        sendTo(addressing.component, message, urgent);
+    }
+    /// Queues a message to a component of the vehicle; 0: to all of them. One that the vehicle's version of MAVLink cannot carry
+    /// is dropped; Vehicle::perform() has refused requests that need one.
+    template<typename Message> void sendTo(std::uint8_t component, Message message, bool urgent = true)
+    {
+        if constexpr (requires { message.mission_type; }) {
+            if (state.mavlinkVersion == 1 && message.mission_type != mavlink::MAV_MISSION_TYPE_MISSION)
+                return;
+        }
         if constexpr (requires { message.target_system; })
             message.target_system = addressing.system;
         if constexpr (requires { message.target_component; })
-            message.target_component = addressing.component;
+            message.target_component = component;
         outbox.push(pack(message, urgent));
+    }
+    /// The same to the autopilot, whatever version the vehicle speaks.
+    template<typename Message> void sendInVersion2(Message message)
+    {
+        message.target_system = addressing.system;
+        message.target_component = addressing.component;
+        OutMessage packed = pack(message);
+        packed.version = 2;
+        outbox.push(packed);
     }
     VehicleKind kind() const { return {state.type, state.autopilot}; }
 };

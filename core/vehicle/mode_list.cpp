@@ -46,8 +46,8 @@ bool ModeList::handleFrame(TimePoint now, const mavlink::Frame &frame)
 
 void ModeList::handleHeartbeat(TimePoint now)
 {
-    if (m_profile != StreamProfile::Standard || state().firmware.empty() || m_kind == kind())
-        return;
+    if (m_profile != StreamProfile::Standard || state().firmware.empty() || m_kind == kind() || state().mavlinkVersion == 1)
+        return; // MAVLink 1 has no place for AVAILABLE_MODES
     m_kind = kind();
     start(now);
 }

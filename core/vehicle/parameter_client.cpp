@@ -3,12 +3,13 @@
 #include "core/base/number_text.h"
 #include "core/base/printable.h"
 #include "core/mavlink/packed_parameters.h"
+#include "core/vehicle/parameter_file.h"
 #include "core/vehicle/reasons.h"
+#include "core/vehicle/result_reason.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace skyseal::vehicle {
@@ -23,67 +24,16 @@ constexpr bool isInteger(std::uint8_t type)
     return type >= mavlink::MAV_PARAM_TYPE_UINT8 && type <= mavlink::MAV_PARAM_TYPE_INT32;
 }
 
-/// True if the values are equal within the precision of the float on the wire.
-bool sameValue(double requested, double reported)
+bool fitsFloat(double value)
 {
-    return requested == reported || static_cast<float>(requested) == static_cast<float>(reported);
+    return static_cast<double>(static_cast<float>(value)) == value;
 }
 
-} // namespace
+// Integers travel as their bytes (PX4, and components after MAVLink's specification) or as floats (ArduPilot).
 
-bool ParameterClient::perform(TimePoint now, RequestId id, const Request &request)
+double decode(float raw, std::uint8_t type, bool bytewise)
 {
-    if (std::holds_alternative<ReadParameters>(request))
-        read(now, id);
-    else if (const auto *one = std::get_if<ReadParameter>(&request))
-        exchange(now, id, one->name, std::nullopt);
-    else if (const auto *change = std::get_if<WriteParameter>(&request))
-        exchange(now, id, change->name, change->value);
-    else
-        return false;
-    return true;
-}
-
-bool ParameterClient::handleFrame(TimePoint now, const mavlink::Frame &frame)
-{
-    if (frame.messageId() != mavlink::ParamValue::kId)
-        return false;
-    handleValue(now, unpack<mavlink::ParamValue>(frame));
-    return true;
-}
-
-void ParameterClient::handleDeadline(TimePoint now)
-{
-    if (now >= m_store.publishDue())
-        m_store.publish(now);
-    if (m_file || now >= m_openDue)
-        handleFile(now);
-    if (now >= m_giveUp)
-        giveUp();
-    else if (now >= m_listDeadline)
-        handleListDeadline(now);
-    else if (isReadingList())
-        requestGaps(now);
-    if (now >= m_repetition.due())
-        handleExchangeDeadline(now);
-}
-
-TimePoint ParameterClient::nextDeadline() const
-{
-    if (m_file)
-        return TimePoint::min();
-    const TimePoint gaps = isReadingList() ? m_window.nextDeadline() : kNever;
-    return std::min({m_openDue, m_store.publishDue(), m_listDeadline, m_giveUp, gaps, m_repetition.due()});
-}
-
-bool ParameterClient::isBytewise() const
-{
-    return kind().isPx4() || (state().capabilities & mavlink::MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_BYTEWISE) != 0;
-}
-
-double ParameterClient::decode(float raw, std::uint8_t type) const
-{
-    if (!isBytewise() || !isInteger(type))
+    if (!bytewise || !isInteger(type))
         return raw;
     const auto bits = std::bit_cast<std::uint32_t>(raw);
     switch (type) {
@@ -96,20 +46,203 @@ double ParameterClient::decode(float raw, std::uint8_t type) const
     }
 }
 
-float ParameterClient::encode(double value, std::uint8_t type) const
+/// `value` is within the range of the type.
+float encode(double value, std::uint8_t type, bool bytewise)
 {
-    if (!isBytewise() || !isInteger(type))
+    if (!bytewise || !isInteger(type))
         return static_cast<float>(value);
-    const double whole = std::clamp(std::round(value), -2147483648.0, 4294967295.0);
-    return std::bit_cast<float>(static_cast<std::uint32_t>(static_cast<std::int64_t>(whole)));
+    return std::bit_cast<float>(static_cast<std::uint32_t>(static_cast<std::int64_t>(value)));
+}
+
+std::string textOfValue(double value)
+{
+    return valueText({.value = value});
+}
+
+/// Why the parameter cannot take the value, or the wire cannot carry it; empty if both can.
+Reason unfit(double value, std::uint8_t type, bool bytewise)
+{
+    const auto range = rangeOfType(type);
+    if (!range)
+        return {};
+    if (value < range->least || value > range->greatest)
+        return reasons::kOutOfType(textOfValue(value), textOfValue(range->least), textOfValue(range->greatest));
+    if (range->isWhole && value != std::trunc(value))
+        return reasons::kNotWhole(textOfValue(value));
+    if (range->isWhole && !bytewise && !fitsFloat(value))
+        return reasons::kNotExact(textOfValue(value), textOfValue(static_cast<float>(value)));
+    return {};
+}
+
+} // namespace
+
+bool ParameterClient::perform(TimePoint now, RequestId id, const Request &request)
+{
+    if (std::holds_alternative<ReadParameters>(request))
+        read(now, id);
+    else if (const auto *one = std::get_if<ReadParameter>(&request))
+        exchange(now, {.id = id, .parameter = {.name = one->name, .componentId = one->componentId}});
+    else if (const auto *change = std::get_if<WriteParameter>(&request))
+        exchange(now,
+                 {.id = id,
+                  .parameter = {.name = change->name, .value = change->value, .componentId = change->componentId},
+                  .isWrite = true});
+    else
+        return false;
+    return true;
+}
+
+bool ParameterClient::handleFrame(TimePoint now, const mavlink::Frame &frame)
+{
+    if (frame.messageId() == mavlink::ParamValue::kId)
+        handleValue(now, componentOf(frame), unpack<mavlink::ParamValue>(frame));
+    else if (frame.messageId() == mavlink::ParamError::kId)
+        handleError(now, componentOf(frame), unpack<mavlink::ParamError>(frame));
+    else
+        return false;
+    return true;
+}
+
+void ParameterClient::handleHeartbeat(TimePoint now)
+{
+    m_heardSince = std::min(m_heardSince, now);
+}
+
+void ParameterClient::handleDeadline(TimePoint now)
+{
+    if (now >= m_store.publishDue())
+        m_store.publish(now);
+    if (m_file || now >= m_openDue)
+        handleFile(now);
+    m_list.handleDeadline(now);
+    for (auto &[component, list] : m_others)
+        list.handleDeadline(now);
+    sendRequests(now);
+    checkRead(now);
+    if (now >= m_repetition.due())
+        handleExchangeDeadline(now);
+}
+
+TimePoint ParameterClient::nextDeadline() const
+{
+    if (m_file)
+        return TimePoint::min();
+    TimePoint next = std::min({m_openDue, m_store.publishDue(), m_list.nextDeadline(), m_settled, m_repetition.due()});
+    for (const auto &[component, list] : m_others)
+        next = std::min(next, list.nextDeadline());
+    return next;
+}
+
+/// As in Parameter: 0 for the autopilot.
+std::uint8_t ParameterClient::componentOf(const mavlink::Frame &frame) const
+{
+    return frame.componentId() == addressing().component ? std::uint8_t(0) : frame.componentId();
+}
+
+/// Other components do as the vehicle does, until one shows that it sends bytes: the bytes of a small integer are no whole
+/// number as a float.
+bool ParameterClient::isBytewise(std::uint8_t component) const
+{
+    return kind().isPx4() || (state().capabilities & mavlink::MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_BYTEWISE) != 0
+        || m_bytewise.test(component);
+}
+
+void ParameterClient::handleValue(TimePoint now, std::uint8_t component, const mavlink::ParamValue &value)
+{
+    const std::string name(mavlink::textOf(value.param_id));
+    if (name.empty() || !isPrintable(name) || (kind().isPx4() && name == kHash))
+        return;
+    if (component != 0 && isInteger(value.param_type) && std::trunc(value.param_value) != value.param_value)
+        m_bytewise.set(component);
+    const bool wasReading = m_list.isReading();
+    if (value.param_count > 0 && value.param_index < value.param_count) {
+        m_store.expect(component, value.param_count);
+        if (component == 0) {
+            m_list.arrived(now, value.param_index, value.param_count);
+        } else if (m_read) {
+            const auto [list, isNew] = m_others.try_emplace(component);
+            if (isNew) // it answers the request to all of them
+                list->second.begin(now, kOthersGiveUp, now + ParameterList::kListTimeout);
+            list->second.arrived(now, value.param_index, value.param_count);
+        }
+    }
+    const bool listEnded = wasReading && !m_list.isReading();
+    const Parameter parameter{name, decode(value.param_value, value.param_type, isBytewise(component)), value.param_type,
+                              value.param_index, component};
+    const bool changed = m_store.store(parameter);
+    const bool answersWrite = checkExchange(now, parameter);
+    if (listEnded || changed)
+        m_store.publishChange(now, listEnded || answersWrite);
+    sendRequests(now);
+    checkRead(now);
+}
+
+/// An error names the request that it answers, as the request named the parameter: by its index, or by its name. One that
+/// answers no request in progress changes nothing.
+void ParameterClient::handleError(TimePoint now, std::uint8_t component, const mavlink::ParamError &error)
+{
+    if (!addressing().isForUs(error.target_system, error.target_component) || error.error == mavlink::MAV_PARAM_ERROR_NO_ERROR)
+        return;
+    const Reason reason = parameterErrorReason(error.error);
+    if (error.param_index >= 0) {
+        const auto index = static_cast<std::uint16_t>(error.param_index);
+        const auto other = m_others.find(component);
+        if (component == 0)
+            m_list.refused(now, index, reason);
+        else if (other != m_others.end())
+            other->second.refused(now, index, reason);
+        sendRequests(now);
+        return checkRead(now);
+    }
+    if (m_exchanges.empty())
+        return;
+    const Exchange &front = m_exchanges.front();
+    const bool speaksForIt = component == front.parameter.componentId
+        || (component == 0 && error.error == mavlink::MAV_PARAM_ERROR_COMPONENT_NOT_FOUND); // that component cannot
+    if (!speaksForIt || front.parameter.name != mavlink::textOf(error.param_id))
+        return;
+    m_repetition.measure(now, m_list.rtt());
+    finishExchange(now, resultOf(front, reason));
 }
 
 void ParameterClient::read(TimePoint now, RequestId id)
 {
     m_read = id;
-    if (isReadingFile() || readFile(now))
+    m_settled = kNever;
+    if (isReadingFile())
         return;
-    beginList(now);
+    m_others.clear();
+    m_isFileTaken = m_askedAll = false;
+    if (!readFile(now))
+        beginLists(now);
+}
+
+/// By one request to all components, of which the heartbeats show some.
+void ParameterClient::beginLists(TimePoint now)
+{
+    suppose(m_list.rtt());
+    m_askedAll = mayAsk();
+    m_list.begin(now, kGiveUp, m_askedAll ? now + ParameterList::kListTimeout : now);
+    if (m_askedAll) {
+        m_context.sendTo(mavlink::MAV_COMP_ID_ALL, mavlink::ParamRequestList{});
+        beginOthers(now, now + kOthersAgain);
+    }
+    sendRequests(now);
+}
+
+/// Begins the lists of the components that are known by their heartbeats. Returns false if there are no others by now.
+bool ParameterClient::beginOthers(TimePoint now, TimePoint request)
+{
+    bool any = false;
+    for (const Component &component : state().components) {
+        const auto [list, isNew] = m_others.try_emplace(component.id);
+        if (!isNew || !mayAsk())
+            continue;
+        suppose(list->second.rtt());
+        list->second.begin(now, kOthersGiveUp, request);
+        any = true;
+    }
+    return any;
 }
 
 /// Returns false, and does nothing, if the vehicle does not have the file, or is busy with another one.
@@ -118,7 +251,7 @@ bool ParameterClient::readFile(TimePoint now)
     const auto capabilities = state().capabilities;
     const bool mayHave = kind().isArduPilot()
         && (capabilities == 0 || (capabilities & mavlink::MAV_PROTOCOL_CAPABILITY_FTP) != 0); // 0: not known yet
-    if (!mayHave || m_hasNoFile || isReadingList()
+    if (!mayHave || m_hasNoFile || m_list.isReading()
         || !m_files.read(now, kFile, [this](FileResult file) { m_file = std::move(file); }))
         return false;
     m_openDue = now + kOpenTimeout;
@@ -136,10 +269,13 @@ void ParameterClient::handleFile(TimePoint now)
     m_files.cancelRead(now);
     const auto file = std::exchange(m_file, std::nullopt);
     const bool wasOpen = std::exchange(m_isFileOpen, false);
-    if (file && take(now, *file))
-        return reportList();
-    m_hasNoFile = !wasOpen || (file && file->ok); // not open, or damaged; a link that was down says nothing
-    beginList(now);
+    m_isFileTaken = file && take(now, *file);
+    if (!m_isFileTaken) {
+        m_hasNoFile = !wasOpen || (file && file->ok); // not open, or damaged; a link that was down says nothing
+        beginLists(now);
+    } else {
+        beginOthers(now, now);
+    }
 }
 
 /// Returns false if the file is none, or not of all parameters.
@@ -150,7 +286,7 @@ bool ParameterClient::take(TimePoint now, const FileResult &file)
     const auto packed = mavlink::parsePackedParameters(*file.content);
     if (!packed || packed->parameters.size() != packed->total || packed->total > ParameterStore::kMostNames)
         return false;
-    m_store.expect(packed->total);
+    m_store.expect(0, packed->total);
     for (std::uint16_t index = 0; index < packed->total; ++index) {
         const mavlink::PackedParameter &parameter = packed->parameters[index];
         if (isPrintable(parameter.name))
@@ -160,137 +296,165 @@ bool ParameterClient::take(TimePoint now, const FileResult &file)
     return true;
 }
 
-void ParameterClient::beginList(TimePoint now)
+/// Sends what the lists need now.
+void ParameterClient::sendRequests(TimePoint now)
 {
-    suppose(m_window.rtt());
-    m_window.begin();
-    m_reached = 0;
-    m_interval = m_variation = Duration::zero();
-    m_giveUp = now + kGiveUp;
-    requestList(now);
+    const auto sendFor = [&](std::uint8_t component, ParameterList &list) {
+        while (const auto index = list.poll(now)) {
+            if (*index == ParameterList::kWhole) {
+                m_context.sendTo(component, mavlink::ParamRequestList{});
+                continue;
+            }
+            mavlink::ParamRequestRead request;
+            request.param_index = static_cast<std::int16_t>(*index);
+            m_context.sendTo(component, request);
+        }
+    };
+    sendFor(addressing().component, m_list);
+    for (auto &[component, list] : m_others)
+        sendFor(component, list);
 }
 
-void ParameterClient::exchange(TimePoint now, RequestId id, const std::string &name, std::optional<double> value)
+/// Ends the read when its lists have ended.
+void ParameterClient::checkRead(TimePoint now)
 {
-    if (name.empty() || name.size() > 16 || (value && !std::isfinite(*value))) {
-        report(ParameterResult{.id = id,
-                               .systemId = addressing().system,
-                               .parameter = {name, value.value_or(0)},
-                               .reason = nothingSent(reasons::kNoParameter),
-                               .action = value ? ParameterAction::Write : ParameterAction::Read});
+    if (!m_read || isReadingFile() || m_list.isReading())
+        return;
+    if (!m_isFileTaken && !m_list.isComplete())
+        return endRead(now, failureOfList());
+    if (std::ranges::any_of(m_others, [](const auto &other) { return other.second.isReading(); })) {
+        m_settled = kNever;
         return;
     }
-    m_exchanges.push_back({id, name, value});
-    if (m_exchanges.size() == 1)
-        beginExchange(now);
-}
-
-void ParameterClient::handleValue(TimePoint now, const mavlink::ParamValue &value)
-{
-    const std::string name(mavlink::textOf(value.param_id));
-    if (name.empty() || !isPrintable(name) || (kind().isPx4() && name == kHash))
+    if (m_settled == kNever)
+        m_settled = m_askedAll ? now + kSettle : std::max(now, m_heardSince + kHeartbeats);
+    if (now < m_settled)
         return;
-    const bool wasReading = isReadingList();
-    if (value.param_count > 0 && value.param_index < value.param_count)
-        noteIndex(now, value.param_index, value.param_count);
-    const Parameter parameter{name, decode(value.param_value, value.param_type), value.param_type, value.param_index};
-    const bool changed = m_store.store(parameter);
-    const bool answersWrite = checkExchange(now, parameter);
-    const bool readIsComplete = wasReading && !isReadingList();
-    if (readIsComplete || changed)
-        m_store.publishChange(now, readIsComplete || answersWrite);
-    if (readIsComplete)
-        reportList();
+    if (!m_askedAll && beginOthers(now, now))
+        return sendRequests(now);
+    endRead(now, {});
 }
 
-void ParameterClient::reportList()
+Reason ParameterClient::failureOfList() const
 {
-    report(ParameterResult{
-        .id = m_read, .systemId = addressing().system, .ok = true, .action = ParameterAction::ReadList, .all = m_store.list()});
+    if (m_list.count() == 0)
+        return reasons::kParametersMissing;
+    if (m_list.refusal().empty())
+        return reasons::kParametersIncomplete(m_list.received(), m_list.count());
+    return reasons::kParametersRefused(m_list.received(), m_list.count(), m_list.refusal());
 }
 
-void ParameterClient::noteIndex(TimePoint now, std::uint16_t index, std::uint16_t count)
+/// Of the first one of which a part is missing; empty if there is none.
+Reason ParameterClient::failureOfOthers() const
 {
-    if (m_store.expected() != count || m_window.count() != count) {
-        // The number changes when a write makes further parameters visible; those received before still count.
-        m_store.expect(count);
-        m_window.setCount(count);
+    for (const auto &[component, list] : m_others) {
+        if (list.count() != 0 && !list.isComplete())
+            return reasons::kComponentIncomplete(component, list.received(), list.count());
     }
-    const bool isNew = m_window.arrived(now, index);
-    if (!isReadingList())
-        return;
-    if (m_window.isComplete()) {
-        m_giveUp = m_listDeadline = kNever;
-        return;
+    return {};
+}
+
+void ParameterClient::endRead(TimePoint now, Reason failure)
+{
+    m_settled = kNever;
+    ParameterResult result{.id = *std::exchange(m_read, std::nullopt),
+                           .systemId = addressing().system,
+                           .ok = failure.empty(),
+                           .reason = std::move(failure),
+                           .action = ParameterAction::ReadList};
+    if (result.ok) {
+        m_store.publish(now);
+        result.reason = failureOfOthers();
+        result.all = m_store.list();
     }
-    if (isNew)
-        m_giveUp = now + kGiveUp;
-    if (index >= m_reached) {
-        noteInterval(now);
-        m_reached = index + std::size_t(1);
-        m_listDeadline = now
-            + (m_interval == Duration::zero() ? kListTimeout : std::max(m_interval + m_variation * 4, kLeastPause));
-        m_window.openUpTo(m_reached > kReordered ? m_reached - kReordered : 0);
-    }
-    requestGaps(now);
-}
-
-/// Of the list, not of the answers to single requests.
-void ParameterClient::noteInterval(TimePoint now)
-{
-    const Duration interval = m_reached > 0 ? now - m_latest : Duration::zero();
-    m_latest = now;
-    if (m_interval == Duration::zero()) {
-        m_interval = interval;
-        m_variation = interval / 2;
-    } else {
-        const Duration difference = interval > m_interval ? interval - m_interval : m_interval - interval;
-        m_variation += (difference - m_variation) / 4;
-        m_interval += (interval - m_interval) / 8;
-    }
-}
-
-void ParameterClient::requestList(TimePoint now)
-{
-    send(mavlink::ParamRequestList{});
-    m_listDeadline = now + kListTimeout;
-}
-
-void ParameterClient::requestGaps(TimePoint now)
-{
-    while (const auto index = m_window.poll(now)) {
-        mavlink::ParamRequestRead request;
-        request.param_index = static_cast<std::int16_t>(*index);
-        send(request);
-    }
-}
-
-/// The list is over, or was not answered.
-void ParameterClient::handleListDeadline(TimePoint now)
-{
-    if (m_reached == 0)
-        return requestList(now);
-    m_listDeadline = kNever;
-    m_window.openUpTo(m_window.count());
-    requestGaps(now);
-}
-
-void ParameterClient::giveUp()
-{
-    m_giveUp = m_listDeadline = kNever;
-    Reason reason = m_window.received() == 0 ? Reason(reasons::kParametersMissing)
-                                             : reasons::kParametersIncomplete(m_window.received(), m_store.expected());
-    report(ParameterResult{
-        .id = m_read, .systemId = addressing().system, .reason = std::move(reason), .action = ParameterAction::ReadList});
+    m_others.clear();
+    report(std::move(result));
 }
 
 std::optional<TransferProgress> ParameterClient::progress() const
 {
-    if (isReadingFile())
-        return TransferProgress{m_read, m_files.transferred().done, m_files.transferred().total};
-    if (!isReadingList())
+    if (!m_read)
         return std::nullopt;
-    return TransferProgress{m_read, m_window.received(), m_window.count()};
+    if (isReadingFile())
+        return TransferProgress{*m_read, m_files.transferred().done, m_files.transferred().total};
+    TransferProgress out{*m_read, m_list.received(), m_list.count()};
+    for (const auto &[component, list] : m_others) {
+        out.done += list.received();
+        out.total += list.count();
+    }
+    return out;
+}
+
+void ParameterClient::exchange(TimePoint now, Exchange exchange)
+{
+    Parameter &parameter = exchange.parameter;
+    if (parameter.componentId == addressing().component)
+        parameter.componentId = 0;
+    if (parameter.name.empty() || parameter.name.size() > 16 || !std::isfinite(parameter.value))
+        return report(resultOf(exchange, nothingSent(reasons::kNoParameter)));
+    m_exchanges.push_back(std::move(exchange));
+    if (m_exchanges.size() == 1)
+        beginExchange(now);
+}
+
+/// The failed result of an exchange, with the value that the vehicle has reported, if it has.
+ParameterResult ParameterClient::resultOf(const Exchange &exchange, Reason failure) const
+{
+    return {.id = exchange.id,
+            .systemId = addressing().system,
+            .parameter = exchange.reported.value_or(exchange.parameter),
+            .reason = std::move(failure),
+            .action = exchange.isWrite ? ParameterAction::Write : ParameterAction::Read};
+}
+
+/// Begins the first one in the queue that can be sent. Writes that cannot end here.
+void ParameterClient::beginExchange(TimePoint now)
+{
+    m_repetition.stop();
+    for (; !m_exchanges.empty(); m_exchanges.pop_front()) {
+        const Exchange &front = m_exchanges.front();
+        const Parameter &wanted = front.parameter;
+        const Parameter *known = front.isWrite ? m_store.find(wanted.componentId, wanted.name) : nullptr;
+        Reason problem = known ? unfit(wanted.value, known->type, isBytewise(wanted.componentId)) : Reason();
+        if (problem.empty())
+            break;
+        report(resultOf(front, std::move(problem)));
+    }
+    if (m_exchanges.empty())
+        return;
+    suppose(m_list.rtt());
+    m_repetition.begin();
+    m_exchangeGiveUp = now + kExchangeGiveUp;
+    sendExchange(now);
+}
+
+/// The bytes of a float, written to an integer, would be a huge number, and a float cannot hold every integer: the type must be
+/// known first, unless the vehicle takes any number as a float.
+bool ParameterClient::needsType(const Parameter &wanted) const
+{
+    return wanted.componentId != 0 || isBytewise(0) || (wanted.value == std::trunc(wanted.value) && !fitsFloat(wanted.value));
+}
+
+void ParameterClient::sendExchange(TimePoint now)
+{
+    Exchange &front = m_exchanges.front();
+    const Parameter &wanted = front.parameter;
+    const std::uint8_t target = wanted.componentId == 0 ? addressing().component : wanted.componentId;
+    const Parameter *known = m_store.find(wanted.componentId, wanted.name);
+    if (front.isWrite && (known || !needsType(wanted))) {
+        front.written = true;
+        mavlink::ParamSet message;
+        message.param_type = known ? known->type : std::uint8_t(mavlink::MAV_PARAM_TYPE_REAL32);
+        message.param_value = encode(wanted.value, message.param_type, isBytewise(wanted.componentId));
+        mavlink::setText(message.param_id, wanted.name);
+        m_context.sendTo(target, message);
+    } else {
+        mavlink::ParamRequestRead message;
+        message.param_index = -1;
+        mavlink::setText(message.param_id, wanted.name);
+        m_context.sendTo(target, message);
+    }
+    m_repetition.sent(now, m_list.rtt());
 }
 
 void ParameterClient::handleExchangeDeadline(TimePoint now)
@@ -299,56 +463,24 @@ void ParameterClient::handleExchangeDeadline(TimePoint now)
     const bool answers = front.reports >= kReports;
     if (m_repetition.attempts() < kExchangeAttempts || (now < m_exchangeGiveUp && !answers))
         return sendExchange(now);
-    ParameterResult result{.id = front.id, .systemId = addressing().system};
-    if (front.reported) {
-        result.parameter = *front.reported;
-        result.reason = reasons::kValueKept(shortNumber(front.reported->value, 6));
-    } else {
-        result.parameter = {front.name, front.value.value_or(0)};
-        result.reason = reasons::kNoAnswer(m_repetition.attempts());
-        result.changeUnanswered = front.value.has_value();
-    }
+    ParameterResult result = resultOf(
+        front, front.reported ? reasons::kValueKept(valueText(*front.reported)) : reasons::kNoAnswer(m_repetition.attempts()));
+    result.changeUnanswered = front.isWrite && !front.reported;
     finishExchange(now, std::move(result));
-}
-
-void ParameterClient::beginExchange(TimePoint now)
-{
-    suppose(m_window.rtt());
-    m_repetition.begin();
-    m_exchangeGiveUp = now + kExchangeGiveUp;
-    sendExchange(now);
-}
-
-void ParameterClient::sendExchange(TimePoint now)
-{
-    Exchange &front = m_exchanges.front();
-    const Parameter *known = m_store.find(front.name);
-    // The bytes of a float, written to an integer of PX4, would be a huge number: its type must be known first.
-    if (front.value && (known || !isBytewise())) {
-        front.written = true;
-        mavlink::ParamSet message;
-        message.param_type = known ? known->type : std::uint8_t(mavlink::MAV_PARAM_TYPE_REAL32);
-        message.param_value = encode(*front.value, message.param_type);
-        mavlink::setText(message.param_id, front.name);
-        send(message);
-    } else {
-        mavlink::ParamRequestRead message;
-        message.param_index = -1;
-        mavlink::setText(message.param_id, front.name);
-        send(message);
-    }
-    m_repetition.sent(now, m_window.rtt());
 }
 
 /// Returns true if the value answers the exchange in progress.
 bool ParameterClient::checkExchange(TimePoint now, const Parameter &parameter)
 {
-    if (m_exchanges.empty() || m_exchanges.front().name != parameter.name)
+    if (m_exchanges.empty() || !m_exchanges.front().isOf(parameter))
         return false;
     Exchange &front = m_exchanges.front();
-    m_repetition.measure(now, m_window.rtt());
-    if (!front.value || sameValue(*front.value, parameter.value)) {
-        finishExchange(now, {front.id, addressing().system, parameter, true});
+    m_repetition.measure(now, m_list.rtt());
+    if (!front.isWrite || hasValue(parameter, front.parameter.value)) {
+        ParameterResult result = resultOf(front, {});
+        result.parameter = parameter;
+        result.ok = true;
+        finishExchange(now, std::move(result));
     } else if (!front.written) {
         beginExchange(now); // now its type is known
     } else {
@@ -360,12 +492,9 @@ bool ParameterClient::checkExchange(TimePoint now, const Parameter &parameter)
 
 void ParameterClient::finishExchange(TimePoint now, ParameterResult result)
 {
-    result.action = m_exchanges.front().value ? ParameterAction::Write : ParameterAction::Read;
     report(std::move(result));
     m_exchanges.pop_front();
-    m_repetition.stop();
-    if (!m_exchanges.empty())
-        beginExchange(now);
+    beginExchange(now);
 }
 
 } // namespace skyseal::vehicle

@@ -5,13 +5,22 @@
 
 namespace skyseal::vehicle {
 
+std::uint32_t ParameterStore::expected() const
+{
+    std::uint32_t sum = 0;
+    for (const auto &[number, component] : m_components)
+        sum += component.expected;
+    return sum;
+}
+
 bool ParameterStore::store(Parameter parameter)
 {
-    const auto known = m_values.find(parameter.name);
-    if (known == m_values.end()) {
-        if (!mayAdd())
+    auto &values = m_components[parameter.componentId].values;
+    const auto known = values.find(parameter.name);
+    if (known == values.end()) {
+        if (!mayAddTo(parameter.componentId))
             return false;
-        m_values.emplace(parameter.name, parameter);
+        values.emplace(parameter.name, parameter);
         return true;
     }
     if (parameter.index == kNoIndex)
@@ -23,24 +32,36 @@ bool ParameterStore::store(Parameter parameter)
     return true;
 }
 
-bool ParameterStore::mayAdd() const
+bool ParameterStore::mayAddTo(std::uint8_t component) const
 {
-    return m_values.size() < std::min(kMostNames, m_expected + kNamesBeyondCount);
+    const OfComponent &own = m_components.at(component);
+    std::size_t beside = 0;
+    for (const auto &[number, other] : m_components)
+        beside += component != 0 && number != 0 && number != component ? other.values.size() : 0;
+    return own.values.size() < own.expected + kNamesBeyondCount && own.values.size() + beside < kMostNames;
 }
 
-const Parameter *ParameterStore::find(std::string_view name) const
+const Parameter *ParameterStore::find(std::uint8_t component, std::string_view name) const
 {
-    const auto known = m_values.find(name);
-    return known == m_values.end() ? nullptr : &known->second;
+    const auto of = m_components.find(component);
+    if (of == m_components.end())
+        return nullptr;
+    const auto known = of->second.values.find(name);
+    return known == of->second.values.end() ? nullptr : &known->second;
 }
 
 std::shared_ptr<const std::vector<Parameter>> ParameterStore::list() const
 {
-    if (!m_list && !m_values.empty()) {
+    std::size_t size = 0;
+    for (const auto &[number, component] : m_components)
+        size += component.values.size();
+    if (!m_list && size > 0) {
         auto list = std::make_shared<std::vector<Parameter>>();
-        list->reserve(m_values.size());
-        for (const auto &entry : m_values)
-            list->push_back(entry.second);
+        list->reserve(size);
+        for (const auto &[number, component] : m_components) {
+            for (const auto &[name, parameter] : component.values)
+                list->push_back(parameter);
+        }
         m_list = std::move(list);
     }
     return m_list;

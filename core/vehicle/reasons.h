@@ -14,6 +14,8 @@ inline constexpr Sentence kNoVehicle = sentence("Reason", "no vehicle with syste
 inline constexpr Sentence kNoAnswer = sentence("Reason", "no answer to %1 attempts");
 inline constexpr Sentence kOtherAutopilot = sentence("Reason",
                                                      "another component turned out to be the autopilot; request it again");
+inline constexpr Sentence kPlanNeedsVersion2 = sentence(
+    "Reason", "the vehicle speaks MAVLink 1, which knows missions only; fences and rally points need MAVLink 2");
 inline constexpr Sentence kCancelled = sentence("Reason", "cancelled");
 /// Only the agent's list contains the role of this station, and an agent answers neither an observer's commands nor late ones.
 inline constexpr Sentence kMaybeDropped = sentence(
@@ -101,7 +103,14 @@ inline constexpr Sentence kHomeLeftOut = sentence(
 inline constexpr Sentence kNoParameter = sentence("Reason", "a name of up to 16 characters and a number are needed");
 inline constexpr Sentence kParametersMissing = sentence("Reason", "the vehicle does not send its parameters");
 inline constexpr Sentence kParametersIncomplete = sentence("Reason", "only %1 of %2 parameters came");
+/// Why the list is not whole: what came of it, and why the vehicle refused the rest.
+inline constexpr Sentence kParametersRefused = sentence("Reason", "only %1 of %2 parameters came: %3");
+inline constexpr Sentence kComponentIncomplete = sentence("Reason", "of component %1 only %2 of %3 parameters came");
 inline constexpr Sentence kValueKept = sentence("Reason", "the vehicle keeps %1");
+inline constexpr Sentence kOutOfType = sentence("Reason", "%1 does not fit the parameter, which takes %2 to %3");
+inline constexpr Sentence kNotWhole = sentence("Reason", "%1 does not fit the parameter, which takes whole numbers");
+inline constexpr Sentence kNotExact = sentence(
+    "Reason", "this vehicle takes whole numbers as floats, which cannot hold %1; the nearest is %2");
 
 // Of files.
 inline constexpr Sentence kFileUnderWay = sentence("Reason", "another file transfer is under way");

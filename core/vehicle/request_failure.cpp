@@ -15,9 +15,15 @@ struct Failure
     {
         return CommandResult{.id = id, .systemId = systemId, .outcome = CommandOutcome::Refused, .reason = reason};
     }
-    Event operator()(const ReadParameters &) const { return parameter({}, ParameterAction::ReadList); }
-    Event operator()(const ReadParameter &request) const { return parameter(request.name, ParameterAction::Read); }
-    Event operator()(const WriteParameter &request) const { return parameter(request.name, ParameterAction::Write); }
+    Event operator()(const ReadParameters &) const { return parameter({}, 0, ParameterAction::ReadList); }
+    Event operator()(const ReadParameter &request) const
+    {
+        return parameter(request.name, request.componentId, ParameterAction::Read);
+    }
+    Event operator()(const WriteParameter &request) const
+    {
+        return parameter(request.name, request.componentId, ParameterAction::Write);
+    }
     Event operator()(const ReadMission &request) const { return mission(MissionTransfer::Download, request.type); }
     Event operator()(const WriteMission &request) const { return mission(MissionTransfer::Upload, request.type); }
     Event operator()(const ClearMission &request) const { return mission(MissionTransfer::Clear, request.type); }
@@ -31,9 +37,13 @@ struct Failure
     Event operator()(const EraseLogs &) const { return log(0, LogAction::Erase); }
     Event operator()(const CancelTransfer &) const { return file({}, FileAction::Read); }
 
-    Event parameter(const std::string &name, ParameterAction action) const
+    Event parameter(const std::string &name, std::uint8_t component, ParameterAction action) const
     {
-        return ParameterResult{.id = id, .systemId = systemId, .parameter = {.name = name}, .reason = reason, .action = action};
+        return ParameterResult{.id = id,
+                               .systemId = systemId,
+                               .parameter = {.name = name, .componentId = component},
+                               .reason = reason,
+                               .action = action};
     }
     Event file(const std::string &path, FileAction action) const
     {

@@ -43,6 +43,8 @@ public:
     bool isComplete() const { return !m_items.empty() && m_received == m_items.size(); }
     /// The first item that has not arrived; count() if none is missing.
     std::size_t firstMissing() const;
+    /// A request for this item has no answer yet.
+    bool isAsked(std::size_t index) const;
     /// Of the link: answers to other requests may be measured as well.
     RttEstimator &rtt() { return m_rtt; }
     const RttEstimator &rtt() const { return m_rtt; }
@@ -64,7 +66,6 @@ private:
     void measure(Duration roundTrip);
     std::size_t missing() const { return m_items.size() - m_received; }
     std::optional<std::size_t> nextMissing() const;
-    bool isAsked(std::size_t index) const;
 
     std::vector<Item> m_items;
     std::size_t m_received = 0;

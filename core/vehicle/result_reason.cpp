@@ -43,6 +43,19 @@ constexpr Sentence kMissionResults[] = {
     sentence("Reason", "cancelled"),
 };
 
+/// By MAV_PARAM_ERROR, from DOES_NOT_EXIST on.
+constexpr Sentence kParameterErrors[] = {
+    sentence("Reason", "the vehicle has no such parameter"),
+    sentence("Reason", "the vehicle refuses the value: it is out of range"),
+    sentence("Reason", "the vehicle denies the permission"),
+    sentence("Reason", "the vehicle has no such component"),
+    sentence("Reason", "the parameter is read-only"),
+    sentence("Reason", "the vehicle does not support the type of the parameter"),
+    sentence("Reason", "the vehicle has the parameter with another type"),
+    sentence("Reason", "the vehicle cannot read the parameter"),
+};
+constexpr Sentence kOtherParameterError = sentence("Reason", "the vehicle refuses it with error %1");
+
 constexpr Sentence kFtpFailure = sentence("Reason", "the vehicle reports a failure");
 constexpr Sentence kFtpSize = sentence("Reason", "the vehicle refuses the size");
 constexpr Sentence kFtpClosed = sentence("Reason", "the vehicle has closed the file");
@@ -67,6 +80,12 @@ Reason commandResultReason(std::uint8_t result)
 Reason missionResultReason(std::uint8_t result)
 {
     return result < std::size(kMissionResults) ? Reason(kMissionResults[result]) : kOtherResult(result);
+}
+
+Reason parameterErrorReason(std::uint8_t error)
+{
+    const std::size_t row = error - std::size_t(mavlink::MAV_PARAM_ERROR_DOES_NOT_EXIST);
+    return row < std::size(kParameterErrors) ? Reason(kParameterErrors[row]) : kOtherParameterError(error);
 }
 
 Reason ftpErrorReason(const mavlink::FtpMessage &refusal)

@@ -110,6 +110,10 @@ TimePoint Vehicle::nextDeadline() const
 
 void Vehicle::perform(TimePoint now, RequestId id, const Request &request)
 {
+    if (Reason unfit = current().mavlinkVersion == 1 ? unfitForVersion1(request) : Reason(); !unfit.empty()) {
+        m_parts->context.events.push_back(failureOf(id, systemId(), request, nothingSent(std::move(unfit))));
+        return;
+    }
     for (MicroProtocol *client : m_parts->context.clients) {
         if (client->perform(now, id, request)) {
             m_parts->unanswered.note(id, systemId(), request);

@@ -40,11 +40,14 @@ void Vehicle::Parts::handleFrame(TimePoint now, WallTime wall, const mavlink::Fr
     if (frame.componentId() != context.addressing.component) {
         if (frame.messageId() == mavlink::Heartbeat::kId)
             noteComponent(now, frame);
+        parameters.handleFrame(now, frame);
         return;
     }
     VehicleState &state = context.state;
     const bool wasLost = state.lastMessage != TimePoint{} && monitor.isLost(now);
     monitor.handleMessage(now, frame.messageId());
+    version.handleFrame(now, frame.version());
+    state.mavlinkVersion = static_cast<std::uint8_t>(version.version());
     if (wasLost && !monitor.isLost(now))
         streams.restart(now);
     state.lastMessage = monitor.lastMessage();
@@ -72,6 +75,8 @@ void Vehicle::Parts::handleLateFrame(TimePoint now, const mavlink::Frame &frame)
         handleStatusText(now, frame);
     if (frame.componentId() == context.addressing.component)
         offerToClients(now, frame);
+    else
+        parameters.handleFrame(now, frame);
 }
 
 bool Vehicle::Parts::offerToClients(TimePoint now, const mavlink::Frame &frame)

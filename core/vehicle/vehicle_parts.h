@@ -14,6 +14,7 @@
 #include "core/vehicle/mode_list.h"
 #include "core/vehicle/parameter_client.h"
 #include "core/vehicle/pre_arm_reasons.h"
+#include "core/vehicle/protocol_version.h"
 #include "core/vehicle/status_text_joiner.h"
 #include "core/vehicle/stream_requester.h"
 #include "core/vehicle/telemetry.h"
@@ -45,6 +46,7 @@ struct Vehicle::Parts
     UnansweredRequests unanswered;
     std::deque<StatusText> texts; ///< the last kMaxTexts, for the state
     HeartbeatMonitor monitor;
+    ProtocolVersion version;
     FlightTimer flightTimer;
     Traffic traffic;
     PreArmReasons preArm;

@@ -96,11 +96,12 @@ struct Battery
 struct VehicleState
 {
     std::uint8_t systemId = 0;
-    std::uint8_t componentId = 1; ///< of the autopilot
-    std::uint8_t type = 0;        ///< MAV_TYPE
-    std::uint8_t autopilot = 0;   ///< MAV_AUTOPILOT
-    std::string mode;             ///< as the vehicle, ArduPilot or PX4 name it, see modeName(); "MODE(17)" when not known
-    std::uint8_t baseMode = 0;    ///< MAV_MODE_FLAG
+    std::uint8_t componentId = 1;    ///< of the autopilot
+    std::uint8_t mavlinkVersion = 2; ///< of its frames, and of those to it: 1 or 2
+    std::uint8_t type = 0;           ///< MAV_TYPE
+    std::uint8_t autopilot = 0;      ///< MAV_AUTOPILOT
+    std::string mode;                ///< as the vehicle, ArduPilot or PX4 name it, see modeName(); "MODE(17)" when not known
+    std::uint8_t baseMode = 0;       ///< MAV_MODE_FLAG
     std::uint32_t customMode = 0;
     std::vector<OwnMode> ownModes;  ///< as the vehicle names them; empty if it does not
     std::vector<std::string> modes; ///< that can be asked for

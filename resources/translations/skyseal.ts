@@ -1922,6 +1922,63 @@
     </message>
     <message>
         <source>%1 % of the frames came from another vehicle, which the costs contain</source>
+        <source>the vehicle speaks MAVLink 1, which knows missions only; fences and rally points need MAVLink 2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only %1 of %2 parameters came: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of component %1 only %2 of %3 parameters came</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 does not fit the parameter, which takes %2 to %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 does not fit the parameter, which takes whole numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this vehicle takes whole numbers as floats, which cannot hold %1; the nearest is %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle has no such parameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle refuses the value: it is out of range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle denies the permission</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle has no such component</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the parameter is read-only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle does not support the type of the parameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle has the parameter with another type</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle cannot read the parameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle refuses it with error %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6382,6 +6439,10 @@ Then there is no code to compare. It is valid for this pairing only.</source>
     </message>
     <message>
         <source>not written: not confirmed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fetched; %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1924,6 +1924,66 @@
         <source>%1 % of the frames came from another vehicle, which the costs contain</source>
         <translation>%1 % der Frames kamen von einem anderen Fahrzeug, dessen Aufwand in den Kosten steckt</translation>
     </message>
+    <message>
+        <source>the vehicle speaks MAVLink 1, which knows missions only; fences and rally points need MAVLink 2</source>
+        <translation>das Fahrzeug spricht MAVLink 1, das nur Missionen kennt; Geofences und Rally-Punkte brauchen MAVLink 2</translation>
+    </message>
+    <message>
+        <source>only %1 of %2 parameters came: %3</source>
+        <translation>nur %1 von %2 Parametern kamen an: %3</translation>
+    </message>
+    <message>
+        <source>of component %1 only %2 of %3 parameters came</source>
+        <translation>von Komponente %1 kamen nur %2 von %3 Parametern an</translation>
+    </message>
+    <message>
+        <source>%1 does not fit the parameter, which takes %2 to %3</source>
+        <translation>%1 passt nicht zum Parameter, der %2 bis %3 annimmt</translation>
+    </message>
+    <message>
+        <source>%1 does not fit the parameter, which takes whole numbers</source>
+        <translation>%1 passt nicht zum Parameter, der ganze Zahlen annimmt</translation>
+    </message>
+    <message>
+        <source>this vehicle takes whole numbers as floats, which cannot hold %1; the nearest is %2</source>
+        <translation>dieses Fahrzeug nimmt ganze Zahlen als Gleitkommazahlen, die %1 nicht darstellen können; die nächste ist %2</translation>
+    </message>
+    <message>
+        <source>the vehicle has no such parameter</source>
+        <translation>das Fahrzeug hat keinen solchen Parameter</translation>
+    </message>
+    <message>
+        <source>the vehicle refuses the value: it is out of range</source>
+        <translation>das Fahrzeug lehnt den Wert ab: er liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>the vehicle denies the permission</source>
+        <translation>das Fahrzeug verweigert die Erlaubnis</translation>
+    </message>
+    <message>
+        <source>the vehicle has no such component</source>
+        <translation>das Fahrzeug hat keine solche Komponente</translation>
+    </message>
+    <message>
+        <source>the parameter is read-only</source>
+        <translation>der Parameter ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>the vehicle does not support the type of the parameter</source>
+        <translation>das Fahrzeug unterstützt den Typ des Parameters nicht</translation>
+    </message>
+    <message>
+        <source>the vehicle has the parameter with another type</source>
+        <translation>das Fahrzeug hat den Parameter mit einem anderen Typ</translation>
+    </message>
+    <message>
+        <source>the vehicle cannot read the parameter</source>
+        <translation>das Fahrzeug kann den Parameter nicht lesen</translation>
+    </message>
+    <message>
+        <source>the vehicle refuses it with error %1</source>
+        <translation>das Fahrzeug lehnt es mit Fehler %1 ab</translation>
+    </message>
 </context>
 <context>
     <name>Sweep</name>
@@ -6416,6 +6476,10 @@ Dann ist kein Code zu vergleichen. Sie gilt nur für diese Kopplung.</translatio
     <message>
         <source>not written: not confirmed</source>
         <translation>nicht geschrieben: nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>Fetched; %1</source>
+        <translation>Gelesen; %1</translation>
     </message>
 </context>
 <context>

@@ -93,7 +93,7 @@ void TransferCommandTest::parameterFilesAsPeopleHaveThem()
     QCOMPARE(loaded.out, QByteArray("RTL_ALT 1800\nWPNAV_SPEED 600\n"));
     for (const QByteArray &line : {QByteArray(":2:1: a name and a value, or QGroundControl's five columns, are expected"),
                                    QByteArray(":5: RTL_ALT occurs again; this line counts"),
-                                   QByteArray("WPNAV_SPEED: of component 154: only the autopilot's parameters")})
+                                   QByteArray("154:WPNAV_SPEED: the vehicle has no such parameter")})
         QVERIFY2(loaded.err.contains(line), loaded.err.constData());
 }
 

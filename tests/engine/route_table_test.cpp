@@ -31,6 +31,7 @@ private Q_SLOTS:
     void pathWithNewestHeartbeatsIsTaken();
     void otherComponentsLeadNowhereElse();
     void routesEndWithTheirLink();
+    void version1IsRemembered();
 };
 
 void RouteTableTest::sealedRouteWins()
@@ -117,6 +118,22 @@ void RouteTableTest::routesEndWithTheirLink()
     routes.heardClear(kRoutedAt, 1, pathOf(10), true);
     routes.removeLink(LinkId{1});
     QVERIFY(!routes.leadingTo(1));
+}
+
+/// The station's heartbeat goes to a route, not to a vehicle: one that needs version 1 decides.
+void RouteTableTest::version1IsRemembered()
+{
+    RouteTable routes;
+    routes.heardClear(kRoutedAt, 1, pathOf(10), true);
+    routes.heardClear(kRoutedAt, 2, pathOf(10), true);
+    routes.heardVersion(1, pathOf(10), std::nullopt, 1);
+    routes.heardVersion(2, pathOf(10), std::nullopt, 2);
+    QVERIFY(routes.leadingTo(2)->version1.any());
+    routes.heardVersion(1, pathOf(10), std::nullopt, 2);
+    QVERIFY(routes.leadingTo(2)->version1.none());
+    routes.heardSealed(3, kRouteSession);
+    routes.heardVersion(3, {}, kRouteSession, 1);
+    QVERIFY(routes.leadingTo(3)->version1.any());
 }
 
 SKYSEAL_TEST(RouteTableTest)

@@ -263,6 +263,32 @@ private Q_SLOTS:
         QCOMPARE(model.index(0, ParameterModel::State).data().toString().startsWith(QStringLiteral("not written")), !fits);
     }
 
+    /// The same name on two components, and whole numbers with all their digits.
+    void parametersOfOtherComponentsHaveRowsOfTheirOwn()
+    {
+        constexpr std::uint8_t kWhole = mavlink::MAV_PARAM_TYPE_INT32;
+        ParameterModel model;
+        QAbstractItemModelTester tester(&model, kFatal);
+        const QSignalSpy wanted(&model, &ParameterModel::writeRequested);
+        const auto show = [&model](std::uint8_t second) {
+            model.setParameters(std::make_shared<const std::vector<vehicle::Parameter>>(
+                std::vector<vehicle::Parameter>{{"RTL_ALT", 1500}, {"RTL_ALT", 60180513, kWhole, 0, second}}));
+        };
+        show(154);
+        QCOMPARE(cell(model, 0, ParameterModel::Name), QStringLiteral("RTL_ALT"));
+        QCOMPARE(cell(model, 1, ParameterModel::Name), QStringLiteral("154:RTL_ALT"));
+        QCOMPARE(cell(model, 1, ParameterModel::Value), QStringLiteral("60180513"));
+        QVERIFY(model.setData(model.index(1, ParameterModel::Value), QStringLiteral("60180512"), Qt::EditRole));
+        QCOMPARE(wanted[0][0].toString(), QStringLiteral("154:RTL_ALT"));
+        QCOMPARE(wanted[0][1].toDouble(), 60180512.);
+        model.written({"RTL_ALT", 60180512, kWhole, 0, 154}, true, {});
+        QVERIFY(cell(model, 0, ParameterModel::State).isEmpty());
+        QVERIFY(cell(model, 1, ParameterModel::State).contains(QStringLiteral("60180512")));
+        QCOMPARE(model.find(QStringLiteral("154:RTL_ALT"))->componentId, std::uint8_t(154));
+        show(100); // another component, with the same names
+        QCOMPARE(cell(model, 1, ParameterModel::Name), QStringLiteral("100:RTL_ALT"));
+    }
+
     void resultsOfWritesAreForgottenWithTheVehicle()
     {
         ParameterModel model;

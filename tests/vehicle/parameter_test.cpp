@@ -4,6 +4,7 @@
 #include "tests/support/test_runner.h"
 #include "transfer_measure.h"
 
+#include <cmath>
 #include <set>
 
 using namespace skyseal;
@@ -23,6 +24,10 @@ private Q_SLOTS:
     void vehicleMayKeepItsOwnValue();
     void writesTakeTurns();
     void bytewiseIntegers();
+    void integersAreExact_data();
+    void integersAreExact();
+    void floatsThatCannotHoldTheIntegerAreRefused();
+    void valuesThatDoNotFitAreRefused();
     void hashOfAllValuesIsNoParameter();
     void typeIsReadBeforeABytewiseWrite();
     void unchangedListIsShared();
@@ -36,6 +41,17 @@ private Q_SLOTS:
     void slowListIsNotAskedForTwice();
     void deadLinkIsNotFlooded();
     void lossCostsLittleTime();
+    void componentsHaveParametersOfTheirOwn();
+    void listsOfAllComponentsAreRead_data();
+    void listsOfAllComponentsAreRead();
+    void otherComponentsDoNotFailTheRead();
+    void componentThatSendsBytesIsReadSo();
+    void satelliteModemCarriesOneRequest();
+    void errorEndsTheRequest_data();
+    void errorEndsTheRequest();
+    void foreignErrorsEndNothing_data();
+    void foreignErrorsEndNothing();
+    void refusedIndexEndsTheList();
 };
 
 void ParameterTest::gapsAreAskedForByIndex()
@@ -204,6 +220,85 @@ void ParameterTest::bytewiseIntegers()
     QCOMPARE(int(sent.at(0).param_type), int(mavlink::MAV_PARAM_TYPE_INT32));
 }
 
+void ParameterTest::integersAreExact_data()
+{
+    QTest::addColumn<double>("present");
+    QTest::addColumn<double>("wanted");
+    QTest::addColumn<int>("type");
+    const int signedType = mavlink::MAV_PARAM_TYPE_INT32, unsignedType = mavlink::MAV_PARAM_TYPE_UINT32;
+    QTest::newRow("above 2^24") << 16777216. << 16777217. << signedType;
+    QTest::newRow("the neighbour of a device") << 60180513. << 60180512. << signedType;
+    QTest::newRow("-1, the bytes of a NaN") << 0. << -1. << signedType;
+    QTest::newRow("the least") << -2147483647. << -2147483648. << signedType;
+    QTest::newRow("the greatest") << 2147483646. << 2147483647. << signedType;
+    QTest::newRow("the greatest without a sign") << 4294967294. << 4294967295. << unsignedType;
+    QTest::newRow("the bytes of an infinity") << 1. << double(0x7f800000) << unsignedType;
+}
+
+/// A PX4 whose value is another one, which as a float is the same: it is written, and the vehicle's word is compared exactly.
+void ParameterTest::integersAreExact()
+{
+    QFETCH(double, present);
+    QFETCH(double, wanted);
+    QFETCH(int, type);
+    const auto report = [&](Harness &h, double number) {
+        const auto bits = static_cast<std::uint32_t>(static_cast<std::int64_t>(number));
+        h.feed(value("CAL_MAG0_ID", std::bit_cast<float>(bits), 0, 1, static_cast<std::uint8_t>(type)));
+    };
+    for (const bool isKnown : {false, true}) {
+        Harness h = Harness::px4();
+        if (isKnown)
+            report(h, present);
+        h.vehicle.perform(h.now, RequestId{1}, WriteParameter{"CAL_MAG0_ID", wanted});
+        if (!isKnown)
+            report(h, present);
+        const auto sent = h.sentOf<mavlink::ParamSet>();
+        QCOMPARE(sent.size(), std::size_t(1));
+        QCOMPARE(std::bit_cast<std::uint32_t>(sent[0].param_value),
+                 static_cast<std::uint32_t>(static_cast<std::int64_t>(wanted)));
+        QCOMPARE(int(sent[0].param_type), type);
+        report(h, present);
+        QVERIFY(!h.poll<ParameterResult>());
+        report(h, wanted);
+        const auto result = h.poll<ParameterResult>();
+        QVERIFY(result && result->ok);
+        QCOMPARE(result->parameter.value, wanted);
+        QCOMPARE(h.vehicle.parameters()->front().value, wanted);
+    }
+}
+
+/// ArduPilot rounds silently what a float cannot hold.
+void ParameterTest::floatsThatCannotHoldTheIntegerAreRefused()
+{
+    Harness h = Harness::copter();
+    h.vehicle.perform(h.now, RequestId{1}, WriteParameter{"OSD_OPTIONS", 1073741825});
+    QVERIFY(h.sentOf<mavlink::ParamSet>().empty());
+    h.feed(value("OSD_OPTIONS", 3, 0, 1, mavlink::MAV_PARAM_TYPE_INT32));
+    QVERIFY(h.sentOf<mavlink::ParamSet>().empty());
+    const auto result = h.poll<ParameterResult>();
+    QVERIFY(result && !result->ok);
+    QCOMPARE(result->reason.text(),
+             std::string("this vehicle takes whole numbers as floats, which cannot hold 1073741825; the "
+                         "nearest is 1073741824"));
+    h.vehicle.perform(h.now, RequestId{2}, WriteParameter{"OSD_OPTIONS", 1073741824});
+    QCOMPARE(h.sentOf<mavlink::ParamSet>().at(0).param_value, 1073741824.f);
+}
+
+void ParameterTest::valuesThatDoNotFitAreRefused()
+{
+    Harness h = Harness::px4();
+    h.feed(value("COM_LIMIT", 0, 0, 1, mavlink::MAV_PARAM_TYPE_INT32));
+    h.sent();
+    const auto refusal = [&h](double number) {
+        h.vehicle.perform(h.now, RequestId{1}, WriteParameter{"COM_LIMIT", number});
+        const auto result = h.poll<ParameterResult>();
+        return result && !result->ok ? result->reason.text() : std::string();
+    };
+    QCOMPARE(refusal(2147483648), std::string("2147483648 does not fit the parameter, which takes -2147483648 to 2147483647"));
+    QCOMPARE(refusal(1.5), std::string("1.5 does not fit the parameter, which takes whole numbers"));
+    QVERIFY(h.sent().empty());
+}
+
 void ParameterTest::hashOfAllValuesIsNoParameter()
 {
     Harness h;
@@ -312,8 +407,9 @@ void ParameterTest::wholeListThroughABadRadio()
     for (const Parameter &parameter : *h.vehicle.parameters())
         QCOMPARE(parameter.value, parameter.index * 0.5);
     QCOMPARE(link.dropped() > 0, loss > 0);
-    const auto read = h.poll<ParameterResult>();
-    QVERIFY(read && read->ok && read->action == ParameterAction::ReadList);
+    std::optional<ParameterResult> read;
+    QVERIFY(link.run(std::chrono::seconds(1), [&] { return (read = h.poll<ParameterResult>()).has_value(); }));
+    QVERIFY(read->ok && read->action == ParameterAction::ReadList);
     QCOMPARE(read->all->size(), std::size_t(600));
 
     h.vehicle.perform(h.now, RequestId{1}, WriteParameter{nameOf(17), 99});
@@ -345,7 +441,7 @@ void ParameterTest::gapsAreAskedForWhileTheListComes()
     Harness h = Harness::copter();
     h.vehicle.perform(h.now, RequestId{1}, ReadParameters{});
     h.sent();
-    for (std::uint16_t i = 0; i <= 2 + ParameterClient::kReordered; ++i) {
+    for (std::uint16_t i = 0; i <= 2 + ParameterList::kReordered; ++i) {
         h.now += std::chrono::milliseconds(1);
         if (i != 2)
             h.feed(value(nameOf(i), 1, i, 500));
@@ -416,6 +512,263 @@ void ParameterTest::lossCostsLittleTime()
     const double clean = timeToRead(0, 1);
     QVERIFY2(clean < 0.6, std::to_string(clean).c_str());
     verifyCostOfLoss(timeToRead, clean);
+}
+
+namespace {
+
+constexpr std::uint8_t kGimbal = 154, kCamera = 100;
+
+/// A message of another component of the vehicle.
+template<typename Message> void feedFrom(Harness &h, std::uint8_t component, const Message &message)
+{
+    Sender sender(1, component);
+    h.vehicle.handleFrame(h.now, {}, sender.frame(message));
+}
+
+mavlink::Heartbeat gimbalHeartbeat()
+{
+    return heartbeat(0, false, mavlink::MAV_TYPE_GIMBAL, mavlink::MAV_AUTOPILOT_INVALID);
+}
+
+mavlink::ParamError error(std::string_view name, std::int16_t index, std::uint8_t code)
+{
+    mavlink::ParamError out;
+    out.target_system = 255;
+    out.target_component = mavlink::MAV_COMP_ID_MISSIONPLANNER;
+    mavlink::setText(out.param_id, name);
+    out.param_index = index;
+    out.error = code;
+    return out;
+}
+
+/// The label and the value of each parameter.
+std::string words(const std::vector<Parameter> &parameters)
+{
+    std::string out;
+    for (const Parameter &parameter : parameters)
+        out += parameterLabel(parameter) + "=" + std::to_string(std::lround(parameter.value)) + " ";
+    return out;
+}
+
+} // namespace
+
+/// The same name on two components: each value is that of its own.
+void ParameterTest::componentsHaveParametersOfTheirOwn()
+{
+    Harness h = Harness::copter();
+    h.feed(value("RTL_ALT", 1500, 0, 1));
+    feedFrom(h, kGimbal, value("RTL_ALT", 3, 0, 1));
+    h.runUntil(h.now + ParameterStore::kCollectFor);
+    QCOMPARE(words(*h.vehicle.parameters()), std::string("RTL_ALT=1500 154:RTL_ALT=3 "));
+    h.sent();
+    h.vehicle.perform(h.now, RequestId{1}, WriteParameter{"RTL_ALT", 4, kGimbal});
+    const auto sent = h.sentOf<mavlink::ParamSet>();
+    QCOMPARE(sent.size(), std::size_t(1));
+    QCOMPARE(sent[0].target_component, kGimbal);
+    h.feed(value("RTL_ALT", 4, 65535, 1)); // the autopilot's does not answer it
+    QVERIFY(!h.poll<ParameterResult>());
+    feedFrom(h, kGimbal, value("RTL_ALT", 4, 65535, 1));
+    const auto result = h.poll<ParameterResult>();
+    QVERIFY(result && result->ok);
+    QCOMPARE(result->parameter.componentId, kGimbal);
+
+    h.vehicle.perform(h.now, RequestId{2}, ReadParameter{"RTL_ALT", 1}); // by its number
+    QCOMPARE(h.sentOf<mavlink::ParamRequestRead>().at(0).target_component, std::uint8_t(1));
+    feedFrom(h, kGimbal, value("RTL_ALT", 5, 65535, 1));
+    QVERIFY(!h.poll<ParameterResult>());
+    h.feed(value("RTL_ALT", 1500, 0, 1));
+    QCOMPARE(h.poll<ParameterResult>()->parameter.componentId, std::uint8_t(0));
+
+    // A component whose encoding is not known is asked for the type first.
+    h.vehicle.perform(h.now, RequestId{3}, WriteParameter{"CAM_MODE", 1, kCamera});
+    QVERIFY(h.sentOf<mavlink::ParamSet>().empty());
+}
+
+void ParameterTest::listsOfAllComponentsAreRead_data()
+{
+    QTest::addColumn<bool>("hasHeartbeat");
+    QTest::newRow("known by its heartbeat") << true;
+    QTest::newRow("silent until asked") << false;
+}
+
+/// Indexes and counts are those of each component; what is lost of either is asked for there.
+void ParameterTest::listsOfAllComponentsAreRead()
+{
+    QFETCH(bool, hasHeartbeat);
+    Harness h = Harness::px4();
+    if (hasHeartbeat)
+        feedFrom(h, kGimbal, gimbalHeartbeat());
+    h.sent();
+    h.vehicle.perform(h.now, RequestId{1}, ReadParameters{});
+    const auto asked = h.sentOf<mavlink::ParamRequestList>();
+    QCOMPARE(asked.size(), std::size_t(1));
+    QCOMPARE(asked[0].target_component, std::uint8_t(mavlink::MAV_COMP_ID_ALL));
+    h.feed(value("A", 1, 0, 2));
+    h.feed(value("B", 2, 1, 2));
+    feedFrom(h, kGimbal, value("A", 3, 0, 3));
+    feedFrom(h, kGimbal, value("C", 5, 2, 3));
+    const auto lost = h.nextSent<mavlink::ParamRequestRead>(at(110));
+    QVERIFY(lost);
+    QCOMPARE(lost->second.target_component, kGimbal);
+    QCOMPARE(lost->second.param_index, std::int16_t(1));
+    QVERIFY(!h.poll<ParameterResult>());
+    feedFrom(h, kGimbal, value("B", 4, 1, 3));
+    h.runUntil(h.now + ParameterClient::kSettle);
+    const auto result = h.poll<ParameterResult>();
+    QVERIFY(result && result->ok && result->reason.empty());
+    QCOMPARE(words(*result->all), std::string("A=1 B=2 154:A=3 154:B=4 154:C=5 "));
+    QCOMPARE(h.vehicle.parametersExpected(), 5u);
+}
+
+void ParameterTest::otherComponentsDoNotFailTheRead()
+{
+    Harness h = Harness::px4();
+    feedFrom(h, kGimbal, gimbalHeartbeat());
+    feedFrom(h, kCamera, heartbeat(0, false, mavlink::MAV_TYPE_CAMERA, mavlink::MAV_AUTOPILOT_INVALID)); // has none
+    const TimePoint begin = h.now;
+    h.vehicle.perform(h.now, RequestId{1}, ReadParameters{});
+    h.feed(value("A", 1, 0, 1));
+    feedFrom(h, kGimbal, value("G", 1, 0, 4)); // counts those of the whole vehicle
+    std::optional<ParameterResult> result;
+    while (!result && h.now < begin + std::chrono::seconds(20)) {
+        h.runUntil(h.now + std::chrono::milliseconds(10));
+        result = h.poll<ParameterResult>();
+    }
+    QVERIFY(result && result->ok);
+    QVERIFY(h.now < begin + std::chrono::seconds(4));
+    QCOMPARE(words(*result->all), std::string("A=1 154:G=1 "));
+    QCOMPARE(result->reason.text(), std::string("of component 154 only 1 of 4 parameters came"));
+}
+
+/// The bytes of a small integer are no whole number as a float.
+void ParameterTest::componentThatSendsBytesIsReadSo()
+{
+    Harness h = Harness::copter();
+    feedFrom(h, kGimbal, value("MODE", 2, 0, 2, mavlink::MAV_PARAM_TYPE_INT32)); // as the autopilot would
+    QCOMPARE(h.vehicle.parameters()->front().value, 2.);
+    const auto bytes = [](std::int32_t number) { return std::bit_cast<float>(number); };
+    feedFrom(h, kCamera, value("ID", bytes(60180513), 0, 2, mavlink::MAV_PARAM_TYPE_INT32));
+    h.sent();
+    h.vehicle.perform(h.now, RequestId{1}, WriteParameter{"ID", 60180512, kCamera});
+    QCOMPARE(std::bit_cast<std::int32_t>(h.sentOf<mavlink::ParamSet>().at(0).param_value), 60180512);
+    feedFrom(h, kCamera, value("ID", bytes(60180512), 0, 2, mavlink::MAV_PARAM_TYPE_INT32));
+    QCOMPARE(h.poll<ParameterResult>()->parameter.value, 60180512.);
+    h.feed(value("ID", bytes(5), 0, 2, mavlink::MAV_PARAM_TYPE_INT32)); // the autopilot is known
+    h.vehicle.perform(h.now, RequestId{1}, WriteParameter{"ID", 7});
+    QCOMPARE(h.sentOf<mavlink::ParamSet>().at(0).param_value, 7.f);
+}
+
+void ParameterTest::satelliteModemCarriesOneRequest()
+{
+    Harness h = Harness::px4();
+    h.feed(mavlink::HighLatency2{.type = mavlink::MAV_TYPE_QUADROTOR, .autopilot = mavlink::MAV_AUTOPILOT_PX4});
+    feedFrom(h, kGimbal, gimbalHeartbeat());
+    h.sent();
+    h.vehicle.perform(h.now, RequestId{1}, ReadParameters{});
+    const auto asked = h.sentOf<mavlink::ParamRequestList>();
+    QCOMPARE(asked.size(), std::size_t(1));
+    QCOMPARE(asked[0].target_component, std::uint8_t(1));
+}
+
+void ParameterTest::errorEndsTheRequest_data()
+{
+    QTest::addColumn<int>("code");
+    QTest::addColumn<QString>("reason");
+    QTest::newRow("does not exist") << 1 << QStringLiteral("the vehicle has no such parameter");
+    QTest::newRow("out of range") << 2 << QStringLiteral("the vehicle refuses the value: it is out of range");
+    QTest::newRow("permission") << 3 << QStringLiteral("the vehicle denies the permission");
+    QTest::newRow("read-only") << 5 << QStringLiteral("the parameter is read-only");
+    QTest::newRow("type unsupported") << 6 << QStringLiteral("the vehicle does not support the type of the parameter");
+    QTest::newRow("type mismatch") << 7 << QStringLiteral("the vehicle has the parameter with another type");
+    QTest::newRow("read fails") << 8 << QStringLiteral("the vehicle cannot read the parameter");
+    QTest::newRow("of a later standard") << 200 << QStringLiteral("the vehicle refuses it with error 200");
+}
+
+void ParameterTest::errorEndsTheRequest()
+{
+    QFETCH(int, code);
+    QFETCH(QString, reason);
+    for (const bool isWrite : {true, false}) {
+        for (const std::uint8_t component : {std::uint8_t(1), kGimbal}) {
+            Harness h = Harness::copter();
+            if (isWrite)
+                h.vehicle.perform(h.now, RequestId{1}, WriteParameter{"STAT_BOOTCNT", 1, component});
+            else
+                h.vehicle.perform(h.now, RequestId{1}, ReadParameter{"STAT_BOOTCNT", component});
+            h.vehicle.perform(h.now, RequestId{2}, ReadParameter{"NEXT"});
+            h.sent();
+            feedFrom(h, component, error("STAT_BOOTCNT", -1, static_cast<std::uint8_t>(code)));
+            const auto result = h.poll<ParameterResult>();
+            QVERIFY(result && !result->ok && result->id == RequestId{1});
+            QVERIFY(!result->changeUnanswered); // it is answered
+            QCOMPARE(QString::fromStdString(result->reason.text()), reason);
+            const auto next = h.sentOf<mavlink::ParamRequestRead>();
+            QCOMPARE(next.size(), std::size_t(1));
+            QCOMPARE(mavlink::textOf(next[0].param_id), std::string_view("NEXT"));
+        }
+    }
+    Harness h = Harness::copter(); // the autopilot speaks for a component that is not there
+    h.vehicle.perform(h.now, RequestId{1}, ReadParameter{"PAN", kGimbal});
+    h.feed(error("PAN", -1, mavlink::MAV_PARAM_ERROR_COMPONENT_NOT_FOUND));
+    QCOMPARE(h.poll<ParameterResult>()->reason.text(), std::string("the vehicle has no such component"));
+}
+
+void ParameterTest::foreignErrorsEndNothing_data()
+{
+    QTest::addColumn<int>("sender");
+    QTest::addColumn<int>("target");
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<int>("index");
+    QTest::addColumn<int>("code");
+    const QString asked = QStringLiteral("RTL_ALT");
+    QTest::newRow("another component") << 154 << 255 << asked << -1 << 2;
+    QTest::newRow("to another station") << 1 << 254 << asked << -1 << 2;
+    QTest::newRow("another name") << 1 << 255 << QStringLiteral("RTL_ALT2") << -1 << 2;
+    QTest::newRow("no name") << 1 << 255 << QString() << -1 << 2;
+    QTest::newRow("an index that was not asked for") << 1 << 255 << asked << 3 << 2;
+    QTest::newRow("no error") << 1 << 255 << asked << -1 << 0;
+}
+
+void ParameterTest::foreignErrorsEndNothing()
+{
+    QFETCH(int, sender);
+    QFETCH(int, target);
+    QFETCH(QString, name);
+    QFETCH(int, index);
+    QFETCH(int, code);
+    Harness h = Harness::copter();
+    mavlink::ParamError foreign = error(name.toStdString(), static_cast<std::int16_t>(index), static_cast<std::uint8_t>(code));
+    foreign.target_system = static_cast<std::uint8_t>(target);
+    feedFrom(h, static_cast<std::uint8_t>(sender), foreign); // nothing is asked at all
+    h.vehicle.perform(h.now, RequestId{1}, WriteParameter{"RTL_ALT", 5});
+    feedFrom(h, static_cast<std::uint8_t>(sender), foreign);
+    QVERIFY(!h.poll<ParameterResult>());
+    h.feed(value("RTL_ALT", 5, 0, 9));
+    QVERIFY(h.poll<ParameterResult>()->ok);
+
+    h.vehicle.perform(h.now, RequestId{2}, ReadParameters{});
+    h.feed(value("A", 1, 0, 2));
+    feedFrom(h, static_cast<std::uint8_t>(sender), foreign);
+    h.feed(value("B", 1, 1, 2));
+    h.runUntil(h.now + ParameterClient::kSettle);
+    QVERIFY(h.poll<ParameterResult>()->ok);
+}
+
+/// Parameters may vanish while the list is read: the rest comes, and the read ends as soon as nothing is left to ask for.
+void ParameterTest::refusedIndexEndsTheList()
+{
+    Harness h = Harness::copter();
+    h.vehicle.perform(h.now, RequestId{1}, ReadParameters{});
+    h.feed(value("A", 1, 0, 3));
+    h.feed(error("", 1, mavlink::MAV_PARAM_ERROR_DOES_NOT_EXIST)); // not asked for
+    h.feed(value("C", 3, 2, 3));
+    QVERIFY(h.nextSent<mavlink::ParamRequestRead>(at(110)));
+    QVERIFY(!h.poll<ParameterResult>());
+    h.feed(error("", 1, mavlink::MAV_PARAM_ERROR_DOES_NOT_EXIST));
+    const auto result = h.poll<ParameterResult>();
+    QVERIFY(result && !result->ok);
+    QCOMPARE(result->reason.text(), std::string("only 2 of 3 parameters came: the vehicle has no such parameter"));
+    QCOMPARE(h.vehicle.parameters()->size(), std::size_t(2)); // nothing that came is lost
 }
 
 SKYSEAL_TEST_APPLESS(ParameterTest)

@@ -1,10 +1,8 @@
 #include "ui/parameters/parameter_model.h"
 
-#include "core/mavlink/enums.h"
 #include "ui/text/vehicle_text.h"
 
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -12,46 +10,39 @@ namespace skyseal::ui {
 
 namespace {
 
-/// The least and the greatest value of a type; real types have no whole numbers only.
-struct Range
+QString labelOf(const vehicle::Parameter &parameter)
 {
-    double least, greatest;
-    bool whole = true;
-};
+    return fromStd(vehicle::parameterLabel(parameter));
+}
 
-std::optional<Range> rangeOf(std::uint8_t type)
+/// Whole numbers with all their digits, others with as many as a float has.
+QString numberText(double value)
 {
-    const auto of = []<typename T>(T) {
-        return Range{static_cast<double>(std::numeric_limits<T>::lowest()), static_cast<double>(std::numeric_limits<T>::max()),
-                     std::numeric_limits<T>::is_integer};
-    };
-    switch (type) {
-    case mavlink::MAV_PARAM_TYPE_UINT8: return of(std::uint8_t{});
-    case mavlink::MAV_PARAM_TYPE_INT8: return of(std::int8_t{});
-    case mavlink::MAV_PARAM_TYPE_UINT16: return of(std::uint16_t{});
-    case mavlink::MAV_PARAM_TYPE_INT16: return of(std::int16_t{});
-    case mavlink::MAV_PARAM_TYPE_UINT32: return of(std::uint32_t{});
-    case mavlink::MAV_PARAM_TYPE_INT32: return of(std::int32_t{});
-    case mavlink::MAV_PARAM_TYPE_REAL32: return of(float{});
-    case mavlink::MAV_PARAM_TYPE_REAL64: return of(double{});
-    default: return std::nullopt;
-    }
+    constexpr double kExact = 9007199254740992; // 2^53
+    const bool isWhole = value == std::trunc(value) && std::abs(value) <= kExact;
+    return isWhole ? QString::number(value, 'f', 0) : QString::number(value, 'g', 7);
 }
 
 } // namespace
+
+QString ParameterModel::valueText(const vehicle::Parameter &parameter)
+{
+    return numberText(parameter.value);
+}
 
 /// Why the type of the parameter cannot hold the value; empty if it can.
 QString ParameterModel::outOfRange(const vehicle::Parameter &parameter, double value)
 {
     if (!std::isfinite(value))
         return tr("not written: not a finite number");
-    const auto range = rangeOf(parameter.type);
+    const auto range = vehicle::rangeOfType(parameter.type);
     if (!range)
         return {};
     if (value < range->least || value > range->greatest)
-        return tr("not written: %1 is not between %2 and %3").arg(value).arg(range->least).arg(range->greatest);
-    if (range->whole && value != std::trunc(value))
-        return tr("not written: %1 is not a whole number").arg(value);
+        return tr("not written: %1 is not between %2 and %3")
+            .arg(numberText(value), numberText(range->least), numberText(range->greatest));
+    if (range->isWhole && value != std::trunc(value))
+        return tr("not written: %1 is not a whole number").arg(numberText(value));
     return {};
 }
 
@@ -63,7 +54,8 @@ void ParameterModel::setParameters(const Parameters &parameters)
         if (!m_parameters || !parameters || m_parameters->size() != parameters->size())
             return false;
         for (std::size_t i = 0; i < parameters->size(); ++i)
-            if ((*parameters)[i].name != (*m_parameters)[i].name)
+            if ((*parameters)[i].name != (*m_parameters)[i].name
+                || (*parameters)[i].componentId != (*m_parameters)[i].componentId)
                 return false;
         return true;
     };
@@ -100,14 +92,14 @@ void ParameterModel::setName(int vehicle)
 
 void ParameterModel::written(const vehicle::Parameter &parameter, bool ok, const QString &reason)
 {
-    const QString name = fromStd(parameter.name);
-    m_states.insert(name, ok ? tr("written, read back as %1").arg(parameter.value) : tr("not written: %1").arg(reason));
+    const QString name = labelOf(parameter);
+    m_states.insert(name, ok ? tr("written, read back as %1").arg(valueText(parameter)) : tr("not written: %1").arg(reason));
     touch(name);
 }
 
 void ParameterModel::showWriting(const QString &name, double value)
 {
-    showNote(name, tr("writing %1…").arg(valueText(value)));
+    showNote(name, tr("writing %1…").arg(numberText(value)));
 }
 
 void ParameterModel::showNote(const QString &name, const QString &note)
@@ -116,11 +108,11 @@ void ParameterModel::showNote(const QString &name, const QString &note)
     touch(name);
 }
 
-std::optional<double> ParameterModel::valueOf(const QString &name) const
+std::optional<vehicle::Parameter> ParameterModel::find(const QString &name) const
 {
     for (int row = 0; row < rowCount(); ++row)
-        if (const vehicle::Parameter &one = (*m_parameters)[static_cast<std::size_t>(row)]; fromStd(one.name) == name)
-            return one.value;
+        if (const vehicle::Parameter &one = (*m_parameters)[static_cast<std::size_t>(row)]; labelOf(one) == name)
+            return one;
     return std::nullopt;
 }
 
@@ -151,9 +143,9 @@ QVariant ParameterModel::data(const QModelIndex &index, int role) const
     if (role != Qt::DisplayRole && role != Qt::EditRole)
         return {};
     switch (index.column()) {
-    case Name: return fromStd(parameter.name);
-    case Value: return valueText(parameter.value);
-    case State: return m_states.value(fromStd(parameter.name));
+    case Name: return labelOf(parameter);
+    case Value: return valueText(parameter);
+    case State: return m_states.value(labelOf(parameter));
     default: return {};
     }
 }
@@ -165,7 +157,7 @@ bool ParameterModel::setData(const QModelIndex &index, const QVariant &value, in
     bool ok = false;
     const double wanted = value.toString().trimmed().toDouble(&ok);
     const vehicle::Parameter &parameter = (*m_parameters)[static_cast<std::size_t>(index.row())];
-    const QString name = fromStd(parameter.name);
+    const QString name = labelOf(parameter);
     if (!ok) {
         m_states.insert(name, tr("\"%1\" is not a number").arg(value.toString()));
         touch(name);

@@ -1,4 +1,5 @@
-// The vehicle's parameters. Editing a value requests a write; the table shows the value that the vehicle reports.
+// The vehicle's parameters, named by their labels (vehicle::parameterLabel()). Editing a value requests a write; the table shows
+// the value that the vehicle reports.
 #pragma once
 
 #include "core/vehicle/parameter.h"
@@ -33,10 +34,10 @@ public:
     void showWriting(const QString &name, double value);
     /// Shows why nothing was sent, or not yet.
     void showNote(const QString &name, const QString &note);
-    /// The value that the vehicle reported last; nullopt if it has no such parameter.
-    std::optional<double> valueOf(const QString &name) const;
+    /// As the vehicle reported it last; nullopt if it has no such parameter.
+    std::optional<vehicle::Parameter> find(const QString &name) const;
     /// As the table shows it.
-    static QString valueText(double value) { return QString::number(value, 'g', 7); }
+    static QString valueText(const vehicle::Parameter &parameter);
 
     int rowCount(const QModelIndex &parent = {}) const override;
     int columnCount(const QModelIndex &parent = {}) const override;

@@ -112,19 +112,20 @@ void ParametersPanel::fetch()
 /// closed, which would otherwise take the loss of its focus for the same entry once more.
 void ParametersPanel::writeOrAsk(const QString &name, double value)
 {
-    const auto before = m_model.valueOf(name);
+    const auto before = m_model.find(name);
     if (!m_disabledReason.isEmpty() || !m_isArmed || !before)
         return write(name, value);
     m_model.showNote(name, tr("waits for your confirmation"));
-    const auto ask = [this, name, value, before = *before, systemId = m_systemId] {
+    const auto ask = [this, value, before = *before, systemId = m_systemId] {
         if (systemId == m_systemId)
-            askToWrite(name, before, value);
+            askToWrite(before, value);
     };
     QMetaObject::invokeMethod(this, ask, Qt::QueuedConnection);
 }
 
-void ParametersPanel::askToWrite(const QString &name, double before, double value)
+void ParametersPanel::askToWrite(const vehicle::Parameter &before, double value)
 {
+    const QString name = fromStd(vehicle::parameterLabel(before));
     const QString from = ParameterModel::valueText(before), to = QString::number(value, 'g', QLocale::FloatingPointShortest);
     QMessageBox *box = askToConfirm({.objectName = kParameterQuestion,
                                      .title = tr("Write a parameter"),
@@ -147,10 +148,11 @@ void ParametersPanel::askToWrite(const QString &name, double before, double valu
 
 void ParametersPanel::write(const QString &name, double value)
 {
+    const auto [component, parameter] = vehicle::parameterName(name.toStdString());
     if (!m_disabledReason.isEmpty())
-        return m_model.written({name.toStdString(), value}, false, m_disabledReason);
+        return m_model.written({.name = parameter, .value = value, .componentId = component}, false, m_disabledReason);
     m_model.showWriting(name, value);
-    m_station.perform(m_systemId, vehicle::WriteParameter{name.toStdString(), value});
+    m_station.perform(m_systemId, vehicle::WriteParameter{parameter, value, component});
 }
 
 void ParametersPanel::showViewState(const ViewState &view)
@@ -201,7 +203,9 @@ void ParametersPanel::handleEvent(const engine::Event &event)
 {
     const auto *written = std::get_if<vehicle::ParameterResult>(&event);
     if (written && written->action == vehicle::ParameterAction::ReadList && written->systemId == m_systemId)
-        m_result->showResult(written->ok ? tr("Fetched") : tr("Not fetched: %1").arg(reasonText(written->reason)));
+        m_result->showResult(!written->ok                  ? tr("Not fetched: %1").arg(reasonText(written->reason))
+                                 : written->reason.empty() ? tr("Fetched")
+                                                           : tr("Fetched; %1").arg(reasonText(written->reason)));
     if (written && written->action == vehicle::ParameterAction::Write && written->systemId == m_systemId)
         m_model.written(written->parameter, written->ok, reasonText(written->reason));
 }

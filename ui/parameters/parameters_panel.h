@@ -28,7 +28,7 @@ public:
 private:
     void fetch();
     void writeOrAsk(const QString &name, double value);
-    void askToWrite(const QString &name, double before, double value);
+    void askToWrite(const vehicle::Parameter &before, double value);
     void write(const QString &name, double value);
     void showName(int vehicle);
     void showCount();

@@ -9,8 +9,9 @@
 #include "core/vehicle/parameter_file.h"
 
 #include <algorithm>
-#include <cmath>
 #include <deque>
+#include <tuple>
+#include <variant>
 
 namespace skyseal::app {
 
@@ -20,54 +21,72 @@ using vehicle::Parameter;
 using vehicle::ParameterResult;
 using Parameters = std::vector<Parameter>;
 
-void printParameter(const Parameter &parameter, std::uint8_t systemId, bool json)
+/// Begins the JSON of an event about a parameter. `vehicle`: to which it belongs.
+JsonWriter beginJson(const char *event, const Parameter &parameter, const vehicle::VehicleState &vehicle)
+{
+    JsonWriter out;
+    out.beginObject().field("event", event).field("sysid", unsigned(vehicle.systemId));
+    out.field("compid", unsigned(parameter.componentId ? parameter.componentId : vehicle.componentId));
+    out.field("name", parameter.name);
+    return out;
+}
+
+void printParameter(const Parameter &parameter, const vehicle::VehicleState &vehicle, bool json)
 {
     if (!json) {
-        printLine(parameter.name + " " + vehicle::valueText(parameter));
+        printLine(parameterLabel(parameter) + " " + vehicle::valueText(parameter));
         return;
     }
-    JsonWriter out;
-    out.beginObject().field("event", "parameter").field("sysid", unsigned(systemId)).field("name", parameter.name);
+    JsonWriter out = beginJson("parameter", parameter, vehicle);
     out.field("value", parameter.value).field("type", unsigned(parameter.type)).endObject();
     printLine(out.text());
 }
 
-void printFailure(const std::string &name, std::uint8_t systemId, const std::string &reason, bool json)
+void printFailure(const Parameter &parameter, const vehicle::VehicleState &vehicle, const std::string &reason, bool json)
 {
     if (!json)
-        return remark(name + ": " + reason);
-    JsonWriter out;
-    out.beginObject().field("event", "failed").field("sysid", unsigned(systemId)).field("name", name);
+        return remark(parameterLabel(parameter) + ": " + reason);
+    JsonWriter out = beginJson("failed", parameter, vehicle);
     out.field("reason", reason).endObject();
     printLine(out.text());
+}
+
+/// Says what of a list that was read is missing.
+void remarkMissing(const ParameterResult &list)
+{
+    if (list.ok && !list.reason.empty())
+        remark(list.reason.text());
 }
 
 /// Reads or writes single parameters, one after the other.
 class Exchange : public VehicleTask
 {
 public:
-    struct Step
-    {
-        std::string name;
-        std::optional<double> value{}; ///< to write
-    };
+    using Step = std::variant<vehicle::ReadParameter, vehicle::WriteParameter>;
 
     Exchange(const TaskSettings &settings, std::deque<Step> steps) : VehicleTask(settings), m_steps(std::move(steps)) {}
 
 protected:
-    void start(const vehicle::VehicleState &) override { next(); }
+    void start(const vehicle::VehicleState &state) override
+    {
+        m_vehicle = state;
+        next();
+    }
     void parameterEnded(const ParameterResult &result) override
     {
-        if (result.ok) {
-            printParameter(result.parameter, systemId(), isJson());
-        } else {
-            printFailure(result.parameter.name, systemId(), result.reason.text(), isJson());
-            ++m_failed;
-        }
+        if (result.ok)
+            printParameter(result.parameter, m_vehicle, isJson());
+        else
+            fail(result.parameter, result.reason.text());
         next();
     }
 
     void add(Step step) { m_steps.push_back(std::move(step)); }
+    void fail(const Parameter &parameter, const std::string &reason)
+    {
+        printFailure(parameter, m_vehicle, reason, isJson());
+        ++m_failed;
+    }
     void countFailure() { ++m_failed; }
     void next()
     {
@@ -75,11 +94,10 @@ protected:
             return finish(m_failed == 0 ? std::string() : counted(m_failed, "parameter") + " failed");
         const Step step = std::move(m_steps.front());
         m_steps.pop_front();
-        if (step.value)
-            ask(vehicle::WriteParameter{step.name, *step.value});
-        else
-            ask(vehicle::ReadParameter{step.name});
+        std::visit([this](const auto &request) { ask(request); }, step);
     }
+
+    vehicle::VehicleState m_vehicle{};
 
 private:
     std::deque<Step> m_steps;
@@ -110,18 +128,12 @@ private:
     vehicle::VehicleState m_vehicle;
 };
 
-bool differs(const Parameter &wanted, const Parameter &present)
+/// The parameter of this component and name in a list that is sorted by both; null if there is none.
+const Parameter *findIn(const Parameters &sorted, const Parameter &wanted)
 {
-    if (std::isnan(wanted.value) && std::isnan(present.value))
-        return false;
-    return wanted.value != present.value && static_cast<float>(wanted.value) != static_cast<float>(present.value);
-}
-
-/// The parameter of this name in a list that is sorted by name; null if there is none.
-const Parameter *findIn(const Parameters &sorted, const std::string &name)
-{
-    const auto found = std::ranges::lower_bound(sorted, name, {}, &Parameter::name);
-    return found != sorted.end() && found->name == name ? &*found : nullptr;
+    const auto place = [](const Parameter &parameter) { return std::tie(parameter.componentId, parameter.name); };
+    const auto found = std::ranges::lower_bound(sorted, place(wanted), {}, place);
+    return found != sorted.end() && place(*found) == place(wanted) ? &*found : nullptr;
 }
 
 /// Compares a file with the vehicle; writes the differences if requested. Lines that could not be read count as failures.
@@ -138,59 +150,50 @@ public:
 protected:
     void start(const vehicle::VehicleState &state) override
     {
-        m_autopilot = state.componentId;
+        m_vehicle = state;
         ask(vehicle::ReadParameters{});
     }
     void parameterEnded(const ParameterResult &result) override
     {
         if (result.action != vehicle::ParameterAction::ReadList)
             return Exchange::parameterEnded(result);
+        remarkMissing(result);
         if (!result.ok || !result.all)
             return finish(result.reason.text());
-        std::size_t compared = 0;
-        for (const Parameter &wanted : m_file) {
-            if (wanted.componentId == 0 || wanted.componentId == m_autopilot) {
-                compare(wanted, findIn(*result.all, wanted.name));
-                ++compared;
-                continue;
-            }
-            printFailure(
-                wanted.name, systemId(),
-                format("of component %u: only the autopilot's parameters are read and written", unsigned(wanted.componentId)),
-                isJson());
-            countFailure();
+        for (Parameter wanted : m_file) {
+            if (wanted.componentId == m_vehicle.componentId)
+                wanted.componentId = 0; // the autopilot's, as in the list
+            compare(wanted, findIn(*result.all, wanted));
         }
         if (!isJson() && m_differ == 0)
-            remark(counted(compared, "parameter") + ", no difference");
+            remark(counted(m_compared, "parameter") + ", no difference");
         next();
     }
 
 private:
     void compare(const Parameter &wanted, const Parameter *present)
     {
-        if (!present) {
-            printFailure(wanted.name, systemId(), "the vehicle has no such parameter", isJson());
-            return countFailure();
-        }
-        if (!differs(wanted, *present))
+        if (!present)
+            return fail(wanted, "the vehicle has no such parameter");
+        ++m_compared;
+        if (hasValue(*present, wanted.value))
             return;
         ++m_differ;
         if (m_writes)
-            return add({wanted.name, wanted.value});
+            return add(vehicle::WriteParameter{wanted.name, wanted.value, wanted.componentId});
         if (!isJson()) {
-            printLine(wanted.name + " " + vehicle::valueText(*present) + " (file: " + vehicle::valueText(wanted) + ")");
+            printLine(parameterLabel(wanted) + " " + vehicle::valueText(*present) + " (file: " + vehicle::valueText(wanted)
+                      + ")");
             return;
         }
-        JsonWriter out;
-        out.beginObject().field("event", "difference").field("sysid", unsigned(systemId())).field("name", wanted.name);
+        JsonWriter out = beginJson("difference", wanted, m_vehicle);
         out.field("value", present->value).field("file", wanted.value).endObject();
         printLine(out.text());
     }
 
     const Parameters m_file;
     const bool m_writes;
-    std::uint8_t m_autopilot = 0; ///< component
-    std::uint64_t m_differ = 0;
+    std::uint64_t m_compared = 0, m_differ = 0;
 };
 
 int listParameters(const QString &name, const QStringList &arguments)
@@ -203,7 +206,7 @@ int listParameters(const QString &name, const QStringList &arguments)
     return runTransfer(name, options, [](const TaskSettings &settings) {
         return std::make_shared<ReadAll>(settings, [settings](const Parameters &all, const vehicle::VehicleState &vehicle) {
             for (const Parameter &parameter : all)
-                printParameter(parameter, vehicle.systemId, settings.json);
+                printParameter(parameter, vehicle, settings.json);
             return std::string();
         });
     });
@@ -228,9 +231,16 @@ int saveParameters(const QString &name, const QStringList &arguments)
             const std::string text = form == "qgc" ? vehicle::qgcParameterText(all, vehicle.systemId, vehicle.componentId)
                                                    : vehicle::parameterText(all);
             std::string problem = writeWhole(file, text);
-            if (problem.empty())
-                reportTransfer(settings.json, "downloaded", "parameters", all.size(),
-                               file.toStdString() + ": " + counted(all.size(), "parameter"));
+            if (!problem.empty())
+                return problem;
+            const auto isOfOther = [](const Parameter &parameter) { return parameter.componentId != 0; };
+            const auto others = static_cast<std::size_t>(std::ranges::count_if(all, isOfOther));
+            const std::size_t leftOut = form == "qgc" ? 0 : others;
+            reportTransfer(settings.json, "downloaded", "parameters", all.size() - leftOut,
+                           file.toStdString() + ": " + counted(all.size() - leftOut, "parameter"));
+            if (leftOut > 0)
+                remark(counted(leftOut, "parameter")
+                       + " of other components left out: NAME,VALUE lines cannot name them, --format qgc can");
             return problem;
         });
     });
@@ -239,13 +249,15 @@ int saveParameters(const QString &name, const QStringList &arguments)
 int getParameters(const QString &name, const QStringList &arguments)
 {
     Options options(name, QStringLiteral("Reads single parameters."));
-    options.addArgument("NAME...", "Names of parameters.");
+    options.addArgument("NAME...", "Names of parameters; COMPONENT:NAME of one that is not the autopilot's.");
     declareTransfer(options);
     if (const auto status = options.parse(arguments))
         return *status;
     std::deque<Exchange::Step> steps;
-    for (const QString &one : options.arguments(1, 1000))
-        steps.push_back({one.toStdString()});
+    for (const QString &one : options.arguments(1, 1000)) {
+        auto [component, parameter] = vehicle::parameterName(one.toStdString());
+        steps.push_back(vehicle::ReadParameter{std::move(parameter), component});
+    }
     return runTransfer(name, options,
                        [&](const TaskSettings &settings) { return std::make_shared<Exchange>(settings, steps); });
 }
@@ -253,7 +265,7 @@ int getParameters(const QString &name, const QStringList &arguments)
 int setParameters(const QString &name, const QStringList &arguments)
 {
     Options options(name, QStringLiteral("Writes parameters, and reads back the values of the vehicle."));
-    options.addArgument("NAME=VALUE...", "Parameters and their values.");
+    options.addArgument("NAME=VALUE...", "Parameters and their values; COMPONENT:NAME of one that is not the autopilot's.");
     declareTransfer(options);
     if (const auto status = options.parse(arguments))
         return *status;
@@ -261,10 +273,10 @@ int setParameters(const QString &name, const QStringList &arguments)
     for (const QString &one : options.arguments(1, 1000)) {
         bool isNumber = false;
         const double value = one.section(QLatin1Char('='), 1).toDouble(&isNumber);
-        const std::string parameter = one.section(QLatin1Char('='), 0, 0).toStdString();
+        auto [component, parameter] = vehicle::parameterName(one.section(QLatin1Char('='), 0, 0).toStdString());
         if (!isNumber || parameter.empty() || parameter.size() > 16)
             options.fail("'" + one.toStdString() + "': NAME=VALUE is expected");
-        steps.push_back({parameter, value});
+        steps.push_back(vehicle::WriteParameter{std::move(parameter), value, component});
     }
     return runTransfer(name, options,
                        [&](const TaskSettings &settings) { return std::make_shared<Exchange>(settings, steps); });

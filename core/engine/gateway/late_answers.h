@@ -13,6 +13,7 @@ constexpr bool isLateAnswer(std::uint32_t messageId)
 {
     switch (messageId) {
     case mavlink::MAVLINK_MSG_ID_PARAM_VALUE:
+    case mavlink::MAVLINK_MSG_ID_PARAM_ERROR:
     case mavlink::MAVLINK_MSG_ID_MISSION_REQUEST:
     case mavlink::MAVLINK_MSG_ID_MISSION_REQUEST_INT:
     case mavlink::MAVLINK_MSG_ID_MISSION_COUNT:

@@ -69,6 +69,12 @@ void RouteTable::heardClear(TimePoint now, std::uint8_t systemId, const Path &pa
         target->second = {std::nullopt, path, now, isAutopilot};
 }
 
+void RouteTable::heardVersion(std::uint8_t systemId, const Path &path, std::optional<channel::SessionId> session, int version)
+{
+    if (Route *route = session ? &ofSession(*session) : find(path))
+        route->version1.set(systemId, version == 1);
+}
+
 void RouteTable::forgetSilent(TimePoint now)
 {
     for (Route &route : m_routes) {

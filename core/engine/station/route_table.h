@@ -6,6 +6,7 @@
 #include "core/base/path.h"
 #include "core/channel/events.h"
 
+#include <bitset>
 #include <deque>
 #include <map>
 #include <optional>
@@ -20,6 +21,7 @@ struct Route
     std::optional<TimePoint> heard; ///< time at which a vehicle in clear was last accepted there
     bool highLatency = false;       ///< a satellite modem, to which nothing is sent that nobody has asked for
     bool fixed = false;             ///< named by the operator, so it does not expire
+    std::bitset<256> version1{};    ///< systems there whose autopilot speaks MAVLink 1
 };
 
 class RouteTable
@@ -46,6 +48,8 @@ public:
     /// followed by any of its heartbeats. Of several paths to one autopilot, the present one is kept while its heartbeats
     /// arrive: the vehicle answers on the path of the request, and a transfer must not change its path in between.
     void heardClear(TimePoint now, std::uint8_t systemId, const Path &path, bool isAutopilot, bool highLatency = false);
+    /// The MAVLink version that the autopilot of a system speaks on its route, after heardSealed() or heardClear().
+    void heardVersion(std::uint8_t systemId, const Path &path, std::optional<channel::SessionId> session, int version);
     void forgetSilent(TimePoint now);
     /// Removes all clear targets, including those that the operator named.
     void forgetClear();

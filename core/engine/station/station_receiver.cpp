@@ -223,11 +223,15 @@ void StationReceiver::acceptFrame(TimePoint now, const Path &from, const mavlink
     if (const auto found = m_parts.fleet.take(now, wall, from, frame, session))
         m_parts.notify(*found);
     const bool highLatency = mavlink::isHighLatency(frame.messageId());
-    if (!session && live && (highLatency || frame.messageId() == mavlink::Heartbeat::kId)) {
+    if (live && (highLatency || frame.messageId() == mavlink::Heartbeat::kId)) {
         const vehicle::Vehicle *vehicle = m_parts.fleet.find(systemId);
         const bool isAutopilot = vehicle && vehicle->componentId() == frame.componentId();
-        m_parts.routes.heardClear(now, systemId, from, isAutopilot, highLatency);
-        m_parts.links.noteRemote(from.link, from.remote);
+        if (!session) {
+            m_parts.routes.heardClear(now, systemId, from, isAutopilot, highLatency);
+            m_parts.links.noteRemote(from.link, from.remote);
+        }
+        if (isAutopilot)
+            m_parts.routes.heardVersion(systemId, from, session, vehicle->current().mavlinkVersion);
     }
     if (live && m_parts.fleet.vehicles().claimsOwnId(frame) && m_ownIdLimit.take(now))
         m_parts.notify(OwnIdClaimed{systemId, frame.componentId(), link::toText(from.remote)});

@@ -28,7 +28,7 @@ bool StationSender::sendOutgoing(TimePoint now, std::uint8_t systemId, vehicle::
     Route *route = m_routes.leadingTo(systemId);
     while (const vehicle::OutMessage *message = vehicle.pollOutgoing()) {
         if (route)
-            send(now, *route, *message);
+            send(now, *route, *message, message->version != 0 ? message->version : vehicle.current().mavlinkVersion);
     }
     return route && route->session;
 }
@@ -53,7 +53,7 @@ void StationSender::sendHeartbeats(TimePoint now, const SenderPolicy &policy)
         return;
     for (Route &route : m_routes.all()) {
         if (mayHeartbeat(route, policy))
-            send(now, route, *message);
+            send(now, route, *message, route.version1.any() ? 1 : 2);
     }
 }
 
@@ -72,10 +72,10 @@ bool StationSender::mayHeartbeat(const Route &route, const SenderPolicy &policy)
                         [&](const channel::Unanswered &agent) { return agent.path.sharesPlace(route.path); });
 }
 
-void StationSender::send(TimePoint now, Route &route, const vehicle::OutMessage &message)
+void StationSender::send(TimePoint now, Route &route, const vehicle::OutMessage &message, int version)
 {
     std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
-    const ByteView frame = mavlink::writeFrame(buffer, 2, route.sequence, m_self.system, m_self.component, message.id,
+    const ByteView frame = mavlink::writeFrame(buffer, version, route.sequence, m_self.system, m_self.component, message.id,
                                                message.crcExtra, message.minLength, message.view());
     if (frame.empty())
         return;
