@@ -39,9 +39,9 @@ public:
     /// Sends a frame of the gateway's clients, unchanged: to a system, or for 0 to every route where a heartbeat is allowed.
     void forward(TimePoint now, std::uint8_t systemId, ByteView frame, const SenderPolicy &policy);
     /// Sends the heartbeat to every route where it is allowed, if it is due: in MAVLink 1 where a vehicle speaks that, since
-    /// readers of version 2 understand it as well, and otherwise in MAVLink 2, also where no vehicle was heard yet. Other
-    /// stations of today begin so, too: an autopilot that knows version 1 alone sends its heartbeats without being asked, and is
-    /// answered in version 1 from then on, while many that know both speak version 1 until they hear version 2 (FirmwareInfo).
+    /// readers of version 2 understand it as well, and otherwise in MAVLink 2, also where no vehicle was heard yet. An
+    /// autopilot that knows version 1 alone sends its heartbeats without being asked, and is answered in version 1 from then
+    /// on, while many that know both speak version 1 until they hear version 2 (FirmwareInfo).
     void sendHeartbeats(TimePoint now, const SenderPolicy &policy);
     TimePoint nextHeartbeat() const { return m_heartbeat.nextDeadline(); }
     /// Sends an empty TUNNEL message on every datagram client link without a session.
