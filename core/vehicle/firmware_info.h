@@ -3,8 +3,8 @@
 //
 // Many autopilots that know MAVLink 2 send version 1 until they hear version 2 (ArduPilot before 4.2, PX4 with its former
 // default MAV_PROTO_VER = 0), while the station speaks what it hears: both would stay with version 1 for ever. One that says it
-// knows version 2 is therefore asked for its protocol version by a frame of version 2. If the autopilot and all links on the way
-// understand it, its frames are of version 2 from then on; otherwise version 1 goes on undisturbed.
+// knows version 2 is therefore asked for its protocol version by a frame of version 2. If the autopilot and all links on the
+// way understand it, its frames are of version 2 from then on; otherwise version 1 goes on undisturbed.
 #pragma once
 
 #include "core/vehicle/micro_protocol.h"

@@ -35,8 +35,8 @@ struct VehicleContext
     {
         sendTo(addressing.component, message, urgent);
     }
-    /// Queues a message to a component of the vehicle; 0: to all of them. One that the vehicle's version of MAVLink cannot carry
-    /// is dropped; Vehicle::perform() has refused requests that need one.
+    /// Queues a message to a component of the vehicle; 0: to all of them. One that the vehicle's version of MAVLink cannot
+    /// carry is dropped; Vehicle::perform() has refused requests that need one.
     template<typename Message> void sendTo(std::uint8_t component, Message message, bool urgent = true)
     {
         if constexpr (requires { message.mission_type; }) {

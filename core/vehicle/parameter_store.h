@@ -1,6 +1,6 @@
 // The parameters of a vehicle as far as they are known, by component and name, and the list of them that others see: a new
-// object after a change, at most one in kCollectFor, besides the results of requests. A vehicle can invent names without end, so
-// their number is bounded. Component 0 is the autopilot, as in Parameter.
+// object after a change, at most one in kCollectFor, besides the results of requests. A vehicle can invent names without end,
+// so their number is bounded. Component 0 is the autopilot, as in Parameter.
 #pragma once
 
 #include "core/base/clock.h"

@@ -1,6 +1,6 @@
-// The MAVLink version in which a vehicle is spoken to: that of the frames that it sends. An autopilot that knows version 1 alone
-// drops every frame of version 2 without a word, and version 1 has no place for message ids above 255, for extension fields
-// (the type of a plan among them) and for signatures.
+// The MAVLink version in which a vehicle is spoken to: that of the frames that it sends. An autopilot that knows version 1
+// alone drops every frame of version 2 without a word, and version 1 has no place for message ids above 255, for extension
+// fields (the type of a plan among them) and for signatures.
 // https://mavlink.io/en/guide/mavlink_version.html
 #pragma once
 

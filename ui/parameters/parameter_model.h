@@ -1,5 +1,5 @@
-// The vehicle's parameters, named by their labels (vehicle::parameterLabel()). Editing a value requests a write; the table shows
-// the value that the vehicle reports.
+// The vehicle's parameters, named by their labels (vehicle::parameterLabel()). Editing a value requests a write; the table
+// shows the value that the vehicle reports.
 #pragma once
 
 #include "core/vehicle/parameter.h"
