@@ -94,7 +94,7 @@ void FirmwareInfo::askForVersion2(TimePoint now)
     m_versionDue = kNever;
     if (state().mavlinkVersion == 2)
         return;
-    m_context.sendInVersion2(mavlink::CommandLong{.param1 = 1, .command = mavlink::MAV_CMD_REQUEST_PROTOCOL_VERSION});
+    m_context.sendInVersion2(mavlink::CommandLong{.command = mavlink::MAV_CMD_REQUEST_PROTOCOL_VERSION, .param1 = 1});
     if (++m_versionAttempts < kVersionAttempts)
         m_versionDue = now + kInterval;
 }

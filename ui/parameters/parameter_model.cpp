@@ -16,7 +16,7 @@ QString labelOf(const vehicle::Parameter &parameter)
 }
 
 /// Whole numbers with all their digits, others with as many as a float has.
-QString numberText(double value)
+QString exactNumber(double value)
 {
     constexpr double kExact = 9007199254740992; // 2^53
     const bool isWhole = value == std::trunc(value) && std::abs(value) <= kExact;
@@ -27,7 +27,7 @@ QString numberText(double value)
 
 QString ParameterModel::valueText(const vehicle::Parameter &parameter)
 {
-    return numberText(parameter.value);
+    return exactNumber(parameter.value);
 }
 
 /// Why the type of the parameter cannot hold the value; empty if it can.
@@ -40,9 +40,9 @@ QString ParameterModel::outOfRange(const vehicle::Parameter &parameter, double v
         return {};
     if (value < range->least || value > range->greatest)
         return tr("not written: %1 is not between %2 and %3")
-            .arg(numberText(value), numberText(range->least), numberText(range->greatest));
+            .arg(exactNumber(value), exactNumber(range->least), exactNumber(range->greatest));
     if (range->isWhole && value != std::trunc(value))
-        return tr("not written: %1 is not a whole number").arg(numberText(value));
+        return tr("not written: %1 is not a whole number").arg(exactNumber(value));
     return {};
 }
 
@@ -99,7 +99,7 @@ void ParameterModel::written(const vehicle::Parameter &parameter, bool ok, const
 
 void ParameterModel::showWriting(const QString &name, double value)
 {
-    showNote(name, tr("writing %1…").arg(numberText(value)));
+    showNote(name, tr("writing %1…").arg(exactNumber(value)));
 }
 
 void ParameterModel::showNote(const QString &name, const QString &note)
