@@ -1921,7 +1921,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 % of the frames came from another vehicle, which the costs contain</source>
         <source>the vehicle speaks MAVLink 1, which knows missions only; fences and rally points need MAVLink 2</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1979,6 +1978,10 @@
     </message>
     <message>
         <source>the vehicle refuses it with error %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 % of the frames came from another vehicle, which the costs contain</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
