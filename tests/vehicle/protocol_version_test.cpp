@@ -91,6 +91,7 @@ void ProtocolVersionTest::plansThatVersion1CannotNameAreRefused()
     vehicle.vehicle.perform(vehicle.now, RequestId{2}, ReadMission{});
     QCOMPARE(vehicle.sentOf<mavlink::MissionRequestList>().size(), std::size_t(1));
     Speaker other(2);
+    other.speak(2, mavlink::AutopilotVersion{.capabilities = mavlink::MAV_PROTOCOL_CAPABILITY_MISSION_FENCE});
     other.vehicle.perform(other.now, RequestId{3}, ReadMission{.type = MissionType::Fence});
     QCOMPARE(other.sentOf<mavlink::MissionRequestList>().size(), std::size_t(1));
 }
