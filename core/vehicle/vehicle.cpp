@@ -52,7 +52,6 @@ VehicleState Vehicle::state(TimePoint now) const
     out.lost = monitor.isLost(now);
     out.flightTime = m_parts->flightTimer.flightTime(now);
     out.takeOffSeen = m_parts->flightTimer.sawTakeOff();
-    out.inAir = m_parts->flightTimer.isFlying();
     for (Component &component : out.components)
         component.age = seconds(now - component.heard);
     out.traffic = m_parts->traffic.aircraft(now);
