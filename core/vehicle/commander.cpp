@@ -363,6 +363,8 @@ void Commander::tookEffect(TimePoint now, Action &action, Reason reason)
 {
     if (!action.plan.then)
         return finish(action, CommandOutcome::Accepted, std::move(reason));
+    if (action.ticket) // a heartbeat was faster than the acknowledgement
+        m_client.cancel(now, *action.ticket);
     if (!reason.empty())
         return finish(action, CommandOutcome::TimedOut, std::move(reason));
     const VehicleCommand command = *std::exchange(action.plan.then, std::nullopt);
@@ -371,8 +373,6 @@ void Commander::tookEffect(TimePoint now, Action &action, Reason reason)
         return finish(action, CommandOutcome::Refused, plan.error());
     if (++action.prepared == kMostPrepared && plan->then)
         return finish(action, CommandOutcome::Refused, reasons::kNotReady(state().mode));
-    if (action.ticket)
-        m_client.cancel(now, *action.ticket);
     action.texts.clear();
     adopt(action, std::move(*plan));
     startAlternative(now, action);
