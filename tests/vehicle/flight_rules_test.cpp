@@ -1,5 +1,5 @@
-// What the table of autopilots and frames offers: acts and modes, of real vehicles by their recordings, and of the kinds that no
-// recording shows. How the commands are carried out is in command_test.
+// What the table of autopilots and frames offers: acts and modes, of real vehicles by their recordings, and of the kinds that
+// no recording shows. How the commands are carried out is in command_test.
 #include "recorded_flight.h"
 #include "tests/support/test_runner.h"
 
