@@ -1,5 +1,7 @@
 #include "ui/control_action.h"
 
+#include "ui/command_guard.h"
+
 #include <QtCore/QEvent>
 #include <QtWidgets/QAbstractButton>
 #include <QtWidgets/QDockWidget>
@@ -101,6 +103,8 @@ QAction *pressAction(QAbstractButton &button, const QKeySequence &keys)
 QAction *focusAction(QWidget &control, const QString &text, const QKeySequence &keys)
 {
     return new ControlAction(control, QStringLiteral("focus_") + control.objectName(), text, keys, [&control] {
+        if (auto *guard = control.findChild<CommandGuard *>(QString(), Qt::FindDirectChildrenOnly))
+            guard->noteChoice();
         control.activateWindow(); // a dock may float
         control.setFocus(Qt::ShortcutFocusReason);
     });

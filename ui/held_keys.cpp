@@ -41,6 +41,10 @@ bool HeldKeys::eventFilter(QObject *watched, QEvent *event)
         return isPressed(watched, press) && m_isHeld && !isFresh(press) && m_pressedIn.value(press.key()) != watched;
     }
     case QEvent::KeyRelease: noteRelease(*static_cast<const QKeyEvent *>(event)); break;
+    case QEvent::FocusOut:
+        if (watched->isWidgetType())
+            m_left = static_cast<const QWidget *>(watched);
+        break;
     case QEvent::ApplicationStateChange:
         if (QGuiApplication::applicationState() != Qt::ApplicationActive)
             releaseAll(); // their releases go to another program

@@ -1,5 +1,5 @@
-// The keys that are down, so that a control can tell a press by a finger from the auto-repeat of a key that was pressed
-// elsewhere.
+// The keys that are down, and the widget that had the focus before, so that a control can tell a press by a finger from the
+// auto-repeat of a key that was pressed elsewhere, and where the focus came from.
 //
 // QKeyEvent::isAutoRepeat() is not enough: X11 sends a held key as pairs of a release and a press, and Qt marks only the pairs
 // whose halves it reads together. The two halves carry the same time, while a finger needs longer to press a key again.
@@ -7,7 +7,9 @@
 
 #include <QtCore/QHash>
 #include <QtCore/QObject>
+#include <QtCore/QPointer>
 #include <QtCore/QSet>
+#include <QtWidgets/QWidget>
 
 class QKeyEvent;
 
@@ -33,6 +35,8 @@ public:
     bool isFresh(const QKeyEvent &press) const;
     /// False between the halves of a pair as well, until the press or released() tells which it was.
     bool isDown(int key) const { return m_down.contains(key); }
+    /// The widget that lost the focus last; null if it is gone.
+    const QWidget *focusLeft() const { return m_left; }
 
 Q_SIGNALS:
     /// The key is up, or another program receives the keys now.
@@ -61,7 +65,8 @@ private:
     QHash<int, const QObject *> m_pressedIn; ///< the widget that got the press of each key; to compare only
     const QKeyEvent *m_fresh = nullptr;      ///< the event that pressed a key which was up; events share addresses on the stack
     quint64 m_freshAt = 0;                   ///< its timestamp
-    bool m_isHeld = false;                   ///< the last press certainly belongs to a key that is held
+    QPointer<const QWidget> m_left;
+    bool m_isHeld = false; ///< the last press certainly belongs to a key that is held
     int m_number = 0;
 };
 

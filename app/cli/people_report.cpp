@@ -7,8 +7,12 @@
 #include "core/engine/station/snapshot.h"
 #include "core/engine/text/event_text.h"
 #include "core/engine/text/state_text.h"
+#include "core/link/link_url.h"
+#include "core/log/link_events.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace skyseal::app {
 
@@ -31,6 +35,31 @@ std::string linkText(const engine::Snapshot &snapshot)
     return out;
 }
 
+/// How the links were protected whose recordings are replayed, as far as it is noted beside them; empty without a recording.
+std::string recordedText(const engine::Snapshot &snapshot)
+{
+    std::string out;
+    for (const engine::LinkSnapshot &link : snapshot.links) {
+        const auto url = link.recording ? link::LinkUrl::parse(link.url) : tl::make_unexpected(InputError{});
+        if (!url)
+            continue;
+        std::vector<std::string> noted;
+        for (const tlog::LinkEvent &event : tlog::linkEventsOf(url->path()).events) {
+            const std::string text = event.kind == tlog::LinkEvent::Kind::Plain
+                ? "vehicle " + event.peer + " was not sealed"
+                : "was sealed: " + event.suite + ", " + event.peer;
+            if (std::ranges::find(noted, text) == noted.end())
+                noted.push_back(text);
+        }
+        out += out.empty() ? "replay" : "; replay";
+        if (noted.empty())
+            out += ", its protection was not noted";
+        for (const std::string &text : noted)
+            out += ", " + text;
+    }
+    return out;
+}
+
 std::string sealText(const engine::Snapshot &snapshot)
 {
     std::string out;
@@ -49,6 +78,8 @@ std::string sealText(const engine::Snapshot &snapshot)
         out += (out.empty() ? "" : "; ") + agent.peerName + " does not answer";
     if (out.empty() && !snapshot.unknownAgents.empty())
         out = "no session: the agent at " + snapshot.unknownAgents.front().remoteAddress + " is not known here";
+    if (out.empty() && snapshot.security != engine::Security::Plain)
+        out = recordedText(snapshot);
     if (out.empty())
         out = snapshot.security == engine::Security::Plain ? "NOT SEALED" : "no session";
     return out;

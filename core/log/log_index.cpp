@@ -125,6 +125,24 @@ LogIndex LogIndexer::take()
     return std::move(m_index);
 }
 
+std::vector<LinkEvent> protectionAt(const LogIndex &index, Duration at, std::uint8_t systemId)
+{
+    const std::string vehicle = std::to_string(systemId);
+    std::vector<LinkEvent> out;
+    for (const SuiteMark &mark : index.suites) {
+        const bool isPlain = mark.event.kind == LinkEvent::Kind::Plain;
+        if (mark.at > at || (isPlain && mark.event.peer != vehicle))
+            continue;
+        if (isPlain)
+            out.clear(); // no peer before that was its own
+        else
+            std::erase_if(
+                out, [&](const LinkEvent &one) { return one.kind == LinkEvent::Kind::Plain || one.peer == mark.event.peer; });
+        out.push_back(mark.event);
+    }
+    return out;
+}
+
 LogIndex indexOf(std::istream &input, LinkEvents events)
 {
     LogIndexer indexer(input, std::move(events));

@@ -107,6 +107,11 @@ private:
     std::array<HeardVehicle, 256> m_heard; ///< by system id
 };
 
+/// What is noted of the protection of a vehicle's link at a position: the newest event of each peer that may be its own, or
+/// that it was heard in plain MAVLink. Empty if nothing is noted. A sealed link is noted by the name of its peer, not by its
+/// vehicles, so that there may be several.
+std::vector<LinkEvent> protectionAt(const LogIndex &index, Duration at, std::uint8_t systemId);
+
 /// Reads `input` to its end.
 LogIndex indexOf(std::istream &input, LinkEvents events = {});
 

@@ -2,6 +2,7 @@
 
 #include "core/mavlink/force_arm.h"
 #include "core/vehicle/flight_modes.h"
+#include "core/vehicle/flight_rules.h"
 #include "core/vehicle/message_io.h"
 #include "core/vehicle/reasons.h"
 
@@ -48,7 +49,7 @@ class Planner
 {
 public:
     Planner(const VehicleState &state, const Addressing &addressing)
-        : m_state(state), m_addressing(addressing), m_kind{state.type, state.autopilot}
+        : m_state(state), m_addressing(addressing), m_rules(rulesOf(state)), m_kind{state.type, state.autopilot}
     {}
 
     Plan operator()(const Arm &arm) const
@@ -59,6 +60,8 @@ public:
 
     Plan operator()(const Disarm &disarm) const
     {
+        if (m_state.inAir && m_rules.flies && !disarm.force)
+            return refuse(reasons::kDisarmInAir);
         return plan(order(mavlink::MAV_CMD_COMPONENT_ARM_DISARM, 0, disarm.force ? mavlink::kForceArmDisarm : 0),
                     ArmedIs{false});
     }
@@ -80,21 +83,19 @@ public:
     {
         if (!(takeOff.altitude > 0))
             return refuse(reasons::kTakeOffTooLow);
+        if (m_rules.takeOff == FlightRules::TakeOff::None)
+            return refuse(m_rules.flies ? reasons::kNoVerticalTakeOff : reasons::kDoesNotFly);
         double altitude = takeOff.altitude;
-        if (m_kind.isArduPilot()) {
-            if (m_kind.isRover() || m_kind.isSubmarine())
-                return refuse(reasons::kDoesNotFly);
-            if (!isGuided())
-                return refuse(reasons::kTakeOffNeedsGuided(m_state.mode));
-            if (!m_state.armed)
-                return refuse(reasons::kTakeOffNeedsArmed);
-        } else if (m_kind.isPx4()) {
-            // PX4 expects altitudes above mean sea level.
+        if (m_rules.takeOff == FlightRules::TakeOff::AboveSea) {
             const double ground = m_state.home.known() ? m_state.home.altitude : m_state.position.altitude;
             if (std::isnan(ground))
                 return refuse(reasons::kTakeOffNeedsPosition);
             altitude += ground;
         }
+        if (!isIn(m_rules.takesOffIn))
+            return takeOff.prepare ? enter(m_rules.takesOffIn, takeOff) : refuse(reasons::kTakeOffNeedsGuided(m_state.mode));
+        if (m_rules.startsNeedArmed && !m_state.armed)
+            return takeOff.prepare ? arm(takeOff) : refuse(reasons::kTakeOffNeedsArmed);
         CommandOrder out = order(mavlink::MAV_CMD_NAV_TAKEOFF);
         out.parameters[6] = static_cast<float>(altitude);
         if (m_kind.isPx4())
@@ -104,8 +105,8 @@ public:
 
     Plan operator()(const Land &) const
     {
-        if (m_kind.isArduPilot())
-            return firstMode({"LAND", "QLAND", "SURFACE"}, reasons::kNoModeToLand);
+        if (m_rules.land.way != Act::Way::Command)
+            return byMode(m_rules.land, m_kind.isPlane() ? reasons::kNoVerticalLanding : reasons::kNoModeToLand);
         CommandOrder out = order(mavlink::MAV_CMD_NAV_LAND);
         if (m_kind.isPx4())
             out.parameters[3] = out.parameters[4] = out.parameters[5] = std::nanf("");
@@ -114,8 +115,8 @@ public:
 
     Plan operator()(const ReturnToLaunch &) const
     {
-        if (m_kind.isArduPilot())
-            return firstMode({"RTL"}, reasons::kNoModeToReturn);
+        if (m_rules.returnHome.way != Act::Way::Command)
+            return byMode(m_rules.returnHome, reasons::kNoModeToReturn);
         return plan(order(mavlink::MAV_CMD_NAV_RETURN_TO_LAUNCH));
     }
 
@@ -123,7 +124,7 @@ public:
     {
         if (!isPlace(place.latitude, place.longitude, place.altitudeRelative))
             return refuse(reasons::kNotOnGlobe);
-        const bool guided = isGuided();
+        const bool guided = m_kind.isArduPilot() && isIn("GUIDED");
         if (m_kind.isArduPilot() && !guided && !place.changeMode)
             return refuse(reasons::kGoToNeedsGuided(m_state.mode));
         auto reposition = orderAt(mavlink::MAV_CMD_DO_REPOSITION, place.latitude, place.longitude, place.altitudeRelative);
@@ -150,7 +151,7 @@ public:
     {
         if (!std::isfinite(change.altitudeRelative))
             return refuse(reasons::kAltitudeNoNumber);
-        if (m_kind.isRover() || m_kind.isSubmarine())
+        if (!m_rules.flies)
             return refuse(reasons::kDoesNotFly);
         if (!m_kind.isPx4()) {
             if (!m_state.position.known())
@@ -167,15 +168,10 @@ public:
         return plan(out);
     }
 
-    /// A copter brakes: in LOITER it would sink while the throttle stick of its transmitter is down, as it is without a pilot.
-    /// BRAKE holds place and altitude whatever the sticks do, and is what QGroundControl sends to pause ArduCopter. Without a
-    /// position it is refused, as LOITER would be.
     Plan operator()(const Loiter &) const
     {
-        if (m_kind.isArduPilot() && m_kind.isCopter())
-            return firstMode({"BRAKE"}, reasons::kNoModeToLoiter);
-        if (m_kind.isArduPilot() || m_kind.isPx4())
-            return firstMode({"LOITER", "POSHOLD"}, reasons::kNoModeToLoiter);
+        if (m_rules.hold.way != Act::Way::Command)
+            return byMode(m_rules.hold, reasons::kNoModeToLoiter);
         return plan(order(mavlink::MAV_CMD_NAV_LOITER_UNLIM));
     }
 
@@ -233,7 +229,19 @@ public:
         return CommandPlan{{RepeatedMessage{pack(message, true), true}}, MissionItemIs{item.index}};
     }
 
-    Plan operator()(const StartMission &) const { return plan(order(mavlink::MAV_CMD_MISSION_START)); }
+    Plan operator()(const StartMission &start) const
+    {
+        if (m_rules.mission.way == Act::Way::None)
+            return refuse(reasons::kNoMission);
+        if (m_rules.startsNeedArmed && !m_state.armed) {
+            if (!start.prepare)
+                return refuse(reasons::kStartNeedsArmed);
+            return isIn(m_rules.armsForMissionIn) ? arm(start) : enter(m_rules.armsForMissionIn, start);
+        }
+        if (m_rules.mission.way == Act::Way::Mode)
+            return byMode(m_rules.mission, reasons::kNoMission);
+        return plan(order(mavlink::MAV_CMD_MISSION_START));
+    }
     Plan operator()(const Reboot &) const { return plan(order(mavlink::MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, 1)); }
 
     Plan operator()(const RawCommand &raw) const
@@ -272,20 +280,30 @@ private:
         return std::isnan(out.parameters[6]) ? std::nullopt : std::optional(out);
     }
 
-    /// Of ArduPilot, whatever name the vehicle gives the mode.
-    bool isGuided() const
+    /// Whether the vehicle is in the mode of this autopilot, whatever name the vehicle gives it; true without a name.
+    bool isIn(std::string_view mode) const
     {
-        const auto guided = modeNumber(m_kind, "GUIDED");
-        return guided && modeNumber(m_kind, m_state.mode, m_state.ownModes) == guided;
+        const auto number = modeNumber(m_kind, mode);
+        return mode.empty() || (number && modeNumber(m_kind, m_state.mode, m_state.ownModes) == number);
     }
 
-    Plan firstMode(std::initializer_list<std::string_view> names, const Sentence &otherwise) const
+    Plan byMode(const Act &act, const Sentence &otherwise) const
     {
-        for (const std::string_view name : names) {
-            if (const auto number = modeNumber(m_kind, name))
-                return setMode(*number);
-        }
-        return refuse(otherwise);
+        const auto number = act.way == Act::Way::Mode ? modeNumber(m_kind, act.mode) : std::nullopt;
+        return number ? setMode(*number) : refuse(otherwise);
+    }
+
+    // Steps that prepare a command.
+    Plan enter(std::string_view mode, VehicleCommand then) const
+    {
+        return before(byMode({Act::Way::Mode, mode}, reasons::kModesUnknown), std::move(then));
+    }
+    Plan arm(VehicleCommand then) const { return before((*this)(Arm{}), std::move(then)); }
+    static Plan before(Plan step, VehicleCommand then)
+    {
+        if (step)
+            step->then = std::move(then);
+        return step;
     }
 
     /// MAV_CMD_DO_SET_MODE, or the older SET_MODE message for firmware without it.
@@ -325,6 +343,7 @@ private:
 
     const VehicleState &m_state;
     const Addressing &m_addressing;
+    const FlightRules &m_rules;
     VehicleKind m_kind;
 };
 
@@ -333,6 +352,14 @@ private:
 Result<CommandPlan, Reason> planCommand(const VehicleCommand &command, const VehicleState &state, const Addressing &addressing)
 {
     return std::visit(Planner(state, addressing), command);
+}
+
+bool armsFirst(const VehicleCommand &command, const VehicleState &state)
+{
+    const auto *takeOff = std::get_if<TakeOff>(&command);
+    const auto *start = std::get_if<StartMission>(&command);
+    const bool prepares = (takeOff && takeOff->prepare) || (start && start->prepare);
+    return prepares && !state.armed && rulesOf(state).startsNeedArmed && planCommand(command, state, {});
 }
 
 } // namespace skyseal::vehicle

@@ -61,9 +61,14 @@ struct CommandPlan
     std::vector<Alternative> alternatives; ///< the next one is tried if one is not supported or not answered
     Effect effect;
     bool replaces = true; ///< a newer command with the same kind of effect cancels this one
+    /// To be planned once this one took effect, which only prepares it.
+    std::optional<VehicleCommand> then = {};
 };
 
-/// The error is the reason why nothing is sent.
+/// The error is the reason why nothing is sent. For a command that prepares itself, it is the plan of the first step.
 Result<CommandPlan, Reason> planCommand(const VehicleCommand &command, const VehicleState &state, const Addressing &addressing);
+
+/// True if the command arms the motors on its way.
+bool armsFirst(const VehicleCommand &command, const VehicleState &state);
 
 } // namespace skyseal::vehicle

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 namespace skyseal::vehicle {
 
@@ -78,13 +79,13 @@ bool Commander::handleFrame(TimePoint now, const mavlink::Frame &frame)
     }
     case mavlink::MissionCurrent::kId: {
         const std::uint16_t index = unpack<mavlink::MissionCurrent>(frame).seq;
-        effectReported<MissionItemIs>([&](const MissionItemIs &effect) { return effect.index == index; });
+        effectReported<MissionItemIs>(now, [&](const MissionItemIs &effect) { return effect.index == index; });
         return false;
     }
     case mavlink::PositionTargetGlobalInt::kId: {
         const auto target = unpack<mavlink::PositionTargetGlobalInt>(frame);
         constexpr std::int64_t kNear = 100; // 1e-7 degrees: about 1 m, since vehicles convert to metres and back
-        effectReported<TargetIs>([&](const TargetIs &effect) {
+        effectReported<TargetIs>(now, [&](const TargetIs &effect) {
             return std::abs(std::int64_t{effect.latitude} - target.lat_int) <= kNear
                 && std::abs(std::int64_t{effect.longitude} - target.lon_int) <= kNear;
         });
@@ -105,7 +106,7 @@ void Commander::handleHeartbeat(TimePoint now)
         action.heartbeatSeen = acknowledged;
         const bool repeating = action.phase == Phase::Repeating; // such messages may get no acknowledgement
         if (isInEffect(action.plan.effect, state()) && (acknowledged || repeating || !action.wasInEffect))
-            finish(action, CommandOutcome::Accepted, {});
+            tookEffect(now, action);
     }
     removeDone();
 }
@@ -180,9 +181,9 @@ void Commander::begin(TimePoint now, RequestId id, const VehicleCommand &command
         finish(action, CommandOutcome::Refused, nothingSent(reasons::kTooManyCommands));
         return;
     }
-    action.plan = std::move(*plan);
-    action.wasInEffect = isInEffect(action.plan.effect, state());
+    adopt(action, std::move(*plan));
     action.changesMode = changesMode(command);
+    action.startsFlight = startsFlight(command);
     if (action.plan.replaces)
         replaceOthers(now, action);
     m_actions.push_back(std::move(action));
@@ -190,13 +191,25 @@ void Commander::begin(TimePoint now, RequestId id, const VehicleCommand &command
     takeAnswers(now);
 }
 
+/// Takes the plan of a command, or of its next step.
+void Commander::adopt(Action &action, CommandPlan plan) const
+{
+    action.plan = std::move(plan);
+    action.alternative = 0;
+    action.wasInEffect = isInEffect(action.plan.effect, state());
+    action.mayRetry = false;
+    action.effectCounts = false;
+}
+
 void Commander::replaceOthers(TimePoint now, Action &action)
 {
+    const auto *armed = std::get_if<ArmedIs>(&action.plan.effect);
+    const bool disarms = armed && !armed->armed;
     for (Action &other : m_actions) {
         const bool sameEffect = other.plan.effect.index() == action.plan.effect.index()
             && !std::holds_alternative<std::monostate>(other.plan.effect);
         if (!other.plan.replaces || other.phase == Phase::AwaitingReason
-            || !(sameEffect || (action.changesMode && other.changesMode)))
+            || !(sameEffect || (action.changesMode && other.changesMode) || (disarms && other.startsFlight)))
             continue;
         if (other.ticket)
             m_client.cancel(now, *other.ticket);
@@ -270,7 +283,7 @@ void Commander::repeat(TimePoint now, Action &action)
     } else if (message.effectExpected) {
         nextAlternative(now, action, CommandOutcome::TimedOut, reasons::kNoAnswer(kRepeats));
     } else {
-        finish(action, CommandOutcome::Accepted, reasons::kNotConfirmed(kRepeats));
+        tookEffect(now, action, reasons::kNotConfirmed(kRepeats));
     }
 }
 
@@ -308,7 +321,7 @@ void Commander::answered(TimePoint now, Action &action, std::uint8_t result, boo
     action.result = result;
     if (result == mavlink::MAV_RESULT_ACCEPTED) {
         if (!needsConfirmation(action.plan.effect, kind())) {
-            finish(action, CommandOutcome::Accepted, {});
+            tookEffect(now, action);
             return;
         }
         action.phase = Phase::Confirming;
@@ -322,7 +335,7 @@ void Commander::answered(TimePoint now, Action &action, std::uint8_t result, boo
         nextAlternative(now, action, CommandOutcome::Refused, {});
     } else if (repeated && !action.wasInEffect && !std::holds_alternative<std::monostate>(action.plan.effect)) {
         if (isInEffect(action.plan.effect, state()))
-            return finish(action, CommandOutcome::Accepted, {});
+            return tookEffect(now, action);
         action.phase = Phase::AwaitingReason;
         action.effectCounts = true;
         action.deadline = now + kConfirmTimeout;
@@ -337,7 +350,7 @@ void Commander::answered(TimePoint now, Action &action, std::uint8_t result, boo
 void Commander::confirmationTimedOut(TimePoint now, Action &action)
 {
     if (!action.heartbeatSeen) {
-        finish(action, CommandOutcome::Accepted, reasons::kNoHeartbeat);
+        tookEffect(now, action, reasons::kNoHeartbeat);
     } else if (action.mayRetry) {
         action.mayRetry = false;
         startAlternative(now, action);
@@ -346,15 +359,46 @@ void Commander::confirmationTimedOut(TimePoint now, Action &action)
     }
 }
 
-template<typename T, typename Predicate> void Commander::effectReported(Predicate matches)
+template<typename T, typename Predicate> void Commander::effectReported(TimePoint now, Predicate matches)
 {
     for (Action &action : m_actions) {
         const T *effect = std::get_if<T>(&action.plan.effect);
         const bool repeating = action.phase == Phase::Repeating && !action.awaitsMode;
         if (effect && (repeating || action.effectCounts) && matches(*effect))
-            finish(action, CommandOutcome::Accepted, {});
+            tookEffect(now, action);
     }
     removeDone();
+}
+
+/// The step under way was carried out; `reason`: what is left in doubt, which must not be when another step depends on it.
+void Commander::tookEffect(TimePoint now, Action &action, Reason reason)
+{
+    if (!action.plan.then)
+        return finish(action, CommandOutcome::Accepted, std::move(reason));
+    if (action.ticket) // a heartbeat was faster than the acknowledgement
+        m_client.cancel(now, *action.ticket);
+    if (!reason.empty())
+        return finish(action, CommandOutcome::TimedOut, std::move(reason));
+    const VehicleCommand command = *std::exchange(action.plan.then, std::nullopt);
+    auto plan = planCommand(command, state(), addressing());
+    if (!plan)
+        return finish(action, CommandOutcome::Refused, plan.error());
+    if (++action.prepared == kMostPrepared && plan->then)
+        return finish(action, CommandOutcome::Refused, reasons::kNotReady(state().mode));
+    action.texts.clear();
+    adopt(action, std::move(*plan));
+    startAlternative(now, action);
+}
+
+/// The reason why a command failed, with the step at which it did.
+Reason Commander::withStep(const Action &action, Reason reason) const
+{
+    if (action.plan.then) {
+        if (const auto *mode = std::get_if<ModeIs>(&action.plan.effect))
+            return reasons::kFailedInMode(mode->name, std::move(reason));
+        return reasons::kFailedToArm(std::move(reason));
+    }
+    return action.prepared > 0 && state().armed ? reasons::kFailedArmed(std::move(reason)) : reason;
 }
 
 void Commander::finish(Action &action, CommandOutcome outcome, Reason reason)
@@ -365,6 +409,8 @@ void Commander::finish(Action &action, CommandOutcome outcome, Reason reason)
         reason = reasons::kWithTexts(std::move(reason), action.texts);
     if (outcome == CommandOutcome::Accepted)
         action.result = mavlink::MAV_RESULT_ACCEPTED; // whatever the repetition was answered
+    else
+        reason = withStep(action, std::move(reason));
     const bool unanswered = outcome == CommandOutcome::TimedOut && action.result == 0 && action.phase != Phase::Confirming;
     report(CommandResult{action.id, addressing().system, outcome, action.result, std::move(reason), unanswered});
     action.done = true;

@@ -7,6 +7,7 @@
 //       └── refused ──→ AwaitingReason, until a STATUSTEXT arrives ──→ refused
 //                          └── of a repetition: effect reported ──→ accepted
 //     Repeating a message ── effect reported, or acknowledged ──→ accepted
+//     accepted, of a step that prepares the command ──→ next step (Requesting or Repeating)
 //
 // A vehicle whose acknowledgement was lost may refuse the repetition because it has carried out the command: a copter that
 // climbs refuses to take off. So the refusal of a repetition counts only if the effect is not reported.
@@ -38,6 +39,8 @@ public:
     /// Earlier commands are not sent again then: the operator does not expect them any more.
     static constexpr Duration kMostDelay = std::chrono::seconds(3);
     static constexpr std::size_t kMaxActions = 32;
+    /// Steps that prepare a command: entering a mode, arming.
+    static constexpr int kMostPrepared = 2;
 
     explicit Commander(VehicleContext &context) : MicroProtocol(context), m_client(context) {}
 
@@ -55,14 +58,16 @@ private:
     struct Action
     {
         RequestId id{};
-        CommandPlan plan;
+        CommandPlan plan; ///< of the step under way
         std::size_t alternative = 0;
         Phase phase{};
         std::optional<CommandTicket> ticket;
         TimePoint deadline = kNever;
         int repeats = 0;
-        bool changesMode = false; ///< so that the next command that does replaces it
-        bool awaitsMode = false;  ///< of a message that needs one: it is requested
+        int prepared = 0;          ///< steps that took effect
+        bool startsFlight = false; ///< so that disarming ends it
+        bool changesMode = false;  ///< so that the next command that does replaces it
+        bool awaitsMode = false;   ///< of a message that needs one: it is requested
         std::uint32_t modeBefore = 0;
         bool wasInEffect = false;   ///< before anything was sent, so the effect alone proves nothing
         bool mayRetry = false;      ///< the acknowledgement may belong to the command that this one replaced
@@ -74,6 +79,7 @@ private:
     };
 
     void begin(TimePoint now, RequestId id, const VehicleCommand &command);
+    void adopt(Action &action, CommandPlan plan) const;
     void replaceOthers(TimePoint now, Action &action);
     void handleAck(TimePoint now, std::uint16_t command, std::uint8_t result);
     void startAlternative(TimePoint now, Action &action);
@@ -81,9 +87,11 @@ private:
     void repeat(TimePoint now, Action &action);
     void followMode(TimePoint now, Action &action);
     void takeAnswers(TimePoint now);
+    void tookEffect(TimePoint now, Action &action, Reason reason = {});
     void answered(TimePoint now, Action &action, std::uint8_t result, bool repeated);
     void confirmationTimedOut(TimePoint now, Action &action);
-    template<typename T, typename Predicate> void effectReported(Predicate matches);
+    template<typename T, typename Predicate> void effectReported(TimePoint now, Predicate matches);
+    Reason withStep(const Action &action, Reason reason) const;
     void finish(Action &action, CommandOutcome outcome, Reason reason);
     void giveUpAfterSleep(TimePoint now);
     void removeDone();

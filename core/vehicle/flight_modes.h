@@ -1,6 +1,7 @@
 // Names of flight modes: from the base and custom mode of a heartbeat to the name that the autopilot uses, and back. The
 // numbers are those of the dialect (COPTER_MODE, PLANE_MODE, …) and the main and sub modes of PX4, or those that the vehicle
-// names itself (ModeList). Two modes never have the same name.
+// names itself (ModeList). Two modes never have the same name. The table also says which modes a station may ask for: some an
+// autopilot enters by itself only, others exist on some frames only.
 #pragma once
 
 #include "core/mavlink/enums.h"
@@ -29,6 +30,21 @@ struct VehicleKind
     bool isSubmarine() const;
 };
 
+/// What a vehicle is built as. With the autopilot it determines the modes and what the vehicle can do, see flight_rules.h.
+enum class Frame : std::uint8_t {
+    Multirotor,
+    Helicopter,
+    Plane,
+    VtolPlane, ///< a plane that takes off and lands vertically
+    Rover,     ///< boats included
+    Submarine,
+    Tracker, ///< of antennas
+    Other
+};
+
+/// `verticalTakeOff`: see VehicleState. A type of the family MAV_TYPE_VTOL needs no such sign.
+Frame frameOf(VehicleKind kind, bool verticalTakeOff);
+
 /// A mode that the vehicle itself names (AVAILABLE_MODES, standard modes protocol).
 struct OwnMode
 {
@@ -45,7 +61,11 @@ std::string modeName(VehicleKind kind, std::uint8_t baseMode, std::uint32_t cust
 /// without regard to case, and with '_' for a blank, since a script has no blanks in words.
 std::optional<std::uint32_t> modeNumber(VehicleKind kind, std::string_view name, std::span<const OwnMode> own = {});
 
-/// The modes that can be asked for: those that the vehicle names, else all of this kind, in the order of their numbers.
-std::vector<std::string> modeNames(VehicleKind kind, std::span<const OwnMode> own = {});
+/// The modes that can be asked for: those that the vehicle names, else all of its autopilot and frame, in the order of their
+/// numbers. Modes that an autopilot enters by itself only are left out of both.
+std::vector<std::string> modeNames(VehicleKind kind, bool verticalTakeOff = false, std::span<const OwnMode> own = {});
+
+/// True for a mode of ArduPlane that only a plane with vertical take-off has.
+bool isVerticalMode(VehicleKind kind, std::uint32_t customMode);
 
 } // namespace skyseal::vehicle

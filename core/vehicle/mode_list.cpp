@@ -124,7 +124,9 @@ void ModeList::publish()
     std::ranges::sort(modes, {}, &OwnMode::number);
     VehicleState &s = state();
     s.ownModes = std::move(modes);
-    s.modes = modeNames(kind(), s.ownModes);
+    const auto isVertical = [this](const OwnMode &mode) { return isVerticalMode(kind(), mode.number); };
+    s.verticalTakeOff = s.verticalTakeOff || std::ranges::any_of(s.ownModes, isVertical);
+    s.modes = modeNames(kind(), s.verticalTakeOff, s.ownModes);
     s.mode = modeName(kind(), s.baseMode, s.customMode, s.ownModes);
 }
 

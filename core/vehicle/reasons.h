@@ -35,6 +35,11 @@ inline constexpr Sentence kStillDisarmed = sentence("Reason", "acknowledged, but
 inline constexpr Sentence kLeftForMode = sentence("Reason", "it needs the mode %1, the vehicle went to %2");
 inline constexpr Sentence kStaysInMode = sentence("Reason", "it needs the mode %1, the vehicle stays in %2");
 inline constexpr Sentence kOtherMode = sentence("Reason", "acknowledged, but the vehicle reports the mode %1");
+inline constexpr Sentence kNotReady = sentence("Reason", "the vehicle was not ready for it, and is in %1 now");
+/// A command of several steps failed at its first ones, or at its last one.
+inline constexpr Sentence kFailedInMode = sentence("Reason", "the mode %1 was not entered: %2");
+inline constexpr Sentence kFailedToArm = sentence("Reason", "the vehicle was not armed: %1");
+inline constexpr Sentence kFailedArmed = sentence("Reason", "%1; the vehicle is armed");
 inline constexpr Sentence kOtherItem = sentence("Reason", "acknowledged, but the vehicle reports mission item %1");
 
 // Why a command cannot be made for this vehicle in this state.
@@ -44,8 +49,16 @@ inline constexpr Sentence kTakeOffTooLow = sentence("Reason", "the altitude of a
 inline constexpr Sentence kDoesNotFly = sentence("Reason", "this kind of vehicle does not fly");
 inline constexpr Sentence kTakeOffNeedsGuided = sentence("Reason", "take-off needs the mode GUIDED, the vehicle is in %1");
 inline constexpr Sentence kTakeOffNeedsArmed = sentence("Reason", "take-off needs an armed vehicle, it is disarmed");
+inline constexpr Sentence kStartNeedsArmed = sentence("Reason", "a mission needs an armed vehicle to start, it is disarmed");
+inline constexpr Sentence kNoVerticalTakeOff = sentence(
+    "Reason", "a plane without vertical take-off takes off in the mode TAKEOFF, or in a mission");
+inline constexpr Sentence kDisarmInAir = sentence("Reason",
+                                                  "the vehicle is in the air; only an emergency stop ends its motors");
 inline constexpr Sentence kTakeOffNeedsPosition = sentence("Reason", "take-off needs a known position");
 inline constexpr Sentence kNoModeToLand = sentence("Reason", "this kind of vehicle has no mode to land in");
+inline constexpr Sentence kNoVerticalLanding = sentence("Reason",
+                                                        "a plane without vertical take-off lands in a mission, or by hand");
+inline constexpr Sentence kNoMission = sentence("Reason", "this kind of vehicle flies no missions");
 inline constexpr Sentence kNoModeToReturn = sentence("Reason", "this kind of vehicle has no mode to return in");
 inline constexpr Sentence kNoModeToLoiter = sentence("Reason", "this kind of vehicle has no mode to loiter in");
 inline constexpr Sentence kNotOnGlobe = sentence("Reason", "the location is not on the globe");

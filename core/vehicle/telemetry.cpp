@@ -169,6 +169,8 @@ struct TelemetryReaders
 
     static void read(const mavlink::ExtendedSysState &m, Context &c)
     {
+        if (m.vtol_state != mavlink::MAV_VTOL_STATE_UNDEFINED) // ArduPlane's quadplanes are of the type of planes
+            c.update.verticalTakeOff = true;
         c.update.landed = m.landed_state <= mavlink::MAV_LANDED_STATE_LANDING ? static_cast<LandedState>(m.landed_state)
                                                                               : LandedState::Undefined;
     }

@@ -17,6 +17,7 @@ namespace skyseal::vehicle {
 struct TelemetryUpdate
 {
     bool positionChanged = false;
+    bool verticalTakeOff = false;      ///< EXTENDED_SYS_STATE: it hovers
     bool restarted = false;            ///< the autopilot counts its time from a new start
     std::optional<Position> home;      ///< HOME_POSITION
     std::optional<LandedState> landed; ///< EXTENDED_SYS_STATE

@@ -22,6 +22,7 @@ struct Disarm
 struct TakeOff
 {
     double altitude = 10; ///< metres above home
+    bool prepare = false; ///< first enters the mode that it needs, and arms, as far as the vehicle is not ready for it
 };
 struct Land
 {};
@@ -69,7 +70,9 @@ struct SetCurrentMissionItem
     std::uint16_t index = 0;
 };
 struct StartMission
-{};
+{
+    bool prepare = false; ///< as in TakeOff
+};
 struct Reboot
 {};
 /// Any other command, by number, for the inspector and for scripts.
@@ -91,6 +94,12 @@ inline bool changesMode(const VehicleCommand &command)
         || std::holds_alternative<Land>(command) || std::holds_alternative<ReturnToLaunch>(command)
         || std::holds_alternative<GoTo>(command) || std::holds_alternative<Loiter>(command)
         || std::holds_alternative<StartMission>(command) || std::holds_alternative<ChangeAltitude>(command);
+}
+
+/// Whether it begins a flight.
+inline bool startsFlight(const VehicleCommand &command)
+{
+    return std::holds_alternative<TakeOff>(command) || std::holds_alternative<StartMission>(command);
 }
 
 enum class CommandOutcome : std::uint8_t { Accepted, Refused, TimedOut };

@@ -63,6 +63,11 @@ void Vehicle::Parts::handleFrame(TimePoint now, WallTime wall, const mavlink::Fr
         claim = std::max(claim, mavlink::autopilotClaim(frame.componentId(), *heartbeat));
         handleHeartbeat(now, *heartbeat);
     }
+    if (frame.messageId() == mavlink::ParamValue::kId) {
+        const auto parameter = unpack<mavlink::ParamValue>(frame);
+        if (mavlink::textOf(parameter.param_id) == "Q_ENABLE" && parameter.param_value > 0)
+            noteVerticalTakeOff();
+    }
     if (frame.messageId() == mavlink::Event::kId)
         events.handle(now, unpack<mavlink::Event>(frame));
     else if (!taken)
@@ -126,6 +131,7 @@ void Vehicle::Parts::handleHeartbeat(TimePoint now, const mavlink::Heartbeat &m)
         state.type = m.type;
         state.autopilot = m.autopilot;
         state.ownModes.clear();
+        state.verticalTakeOff = false;
         state.modes = modeNames(kind);
         state.mode.clear();
     }
@@ -137,9 +143,10 @@ void Vehicle::Parts::handleHeartbeat(TimePoint now, const mavlink::Heartbeat &m)
     state.armed = (m.base_mode & mavlink::MAV_MODE_FLAG_SAFETY_ARMED) != 0;
     if (state.armed)
         preArm.clear();
+    if (isVerticalMode(kind, m.custom_mode))
+        noteVerticalTakeOff();
     home.update(state);
-    flightTimer.update(now, state.armed, state.altitudeRelative);
-    state.inAir = flightTimer.isFlying();
+    noteFlight(now);
     for (MicroProtocol *client : context.clients)
         client->handleHeartbeat(now);
 }
@@ -158,6 +165,8 @@ void Vehicle::Parts::handleTelemetry(TimePoint now, const mavlink::Frame &frame)
     if (frame.messageId() == mavlink::MissionCurrent::kId)
         mission.handleCurrent(now, unpack<mavlink::MissionCurrent>(frame));
     const TelemetryUpdate update = telemetry.handle(now, frame, state);
+    if (update.verticalTakeOff)
+        noteVerticalTakeOff();
     if (!checksPassed && state.preArmOk.value_or(false))
         preArm.clear(); // reasons that it says later, at an attempt, count
     if (update.home)
@@ -168,9 +177,24 @@ void Vehicle::Parts::handleTelemetry(TimePoint now, const mavlink::Frame &frame)
         flightTimer.handleLandedState(*update.landed);
     if (update.positionChanged) {
         home.update(state);
-        flightTimer.update(now, state.armed, state.altitudeRelative);
+        noteFlight(now);
     }
     state.inAir = flightTimer.isFlying();
+}
+
+void Vehicle::Parts::noteFlight(TimePoint now)
+{
+    flightTimer.update(now, context.state.armed, context.state.altitudeRelative);
+    context.state.inAir = flightTimer.isFlying();
+}
+
+void Vehicle::Parts::noteVerticalTakeOff()
+{
+    VehicleState &state = context.state;
+    if (state.verticalTakeOff || !context.kind().isPlane())
+        return;
+    state.verticalTakeOff = true;
+    state.modes = modeNames(context.kind(), true, state.ownModes);
 }
 
 void Vehicle::Parts::takeTexts(TimePoint now)

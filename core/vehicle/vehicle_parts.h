@@ -68,6 +68,8 @@ private:
     void noteComponent(TimePoint now, const mavlink::Frame &heartbeat);
     void handleHeartbeat(TimePoint now, const mavlink::Heartbeat &m);
     void handleStatusText(TimePoint now, const mavlink::Frame &frame);
+    void noteFlight(TimePoint now);
+    void noteVerticalTakeOff();
     void handleTelemetry(TimePoint now, const mavlink::Frame &frame);
     void takeTexts(TimePoint now);
     void addText(TimePoint now, std::uint8_t component, std::uint8_t severity, std::string text);

@@ -105,6 +105,7 @@ struct VehicleState
     std::uint32_t customMode = 0;
     std::vector<OwnMode> ownModes;  ///< as the vehicle names them; empty if it does not
     std::vector<std::string> modes; ///< that can be asked for
+    bool verticalTakeOff = false;   ///< of a plane: its modes, EXTENDED_SYS_STATE or Q_ENABLE say that it hovers as well
     std::uint8_t systemStatus = 0;  ///< MAV_STATE
     bool armed = false;
     std::optional<bool> preArmOk;           ///< whether its checks pass (SYS_STATUS); nullopt: the vehicle does not say

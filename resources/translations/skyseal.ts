@@ -1984,6 +1984,42 @@
         <source>%1 % of the frames came from another vehicle, which the costs contain</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the vehicle was not ready for it, and is in %1 now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mode %1 was not entered: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle was not armed: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; the vehicle is armed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a mission needs an armed vehicle to start, it is disarmed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a plane without vertical take-off takes off in the mode TAKEOFF, or in a mission</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle is in the air; only an emergency stop ends its motors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a plane without vertical take-off lands in a mission, or by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this kind of vehicle flies no missions</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Sweep</name>
@@ -2675,6 +2711,10 @@
         <source>A vehicle at %1 is not shown: it has the system ID %2, which is this station&apos;s own. Change one of the two</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Found: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::engine::Number</name>
@@ -3144,6 +3184,41 @@
     </message>
     <message>
         <source>Checklist and pre-arm checks…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm and
+take off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm and take off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arms the motors, and takes off at once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm and start
+mission</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm and
+start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm and start mission</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arms the motors, and starts the mission at once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In its present mode the vehicle takes off as soon as it is armed.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5185,10 +5260,6 @@ Fingerprint %5</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Recording</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>changing keys…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7125,6 +7196,45 @@ with a pre-shared key</source>
     </message>
 </context>
 <context>
+    <name>skyseal::ui::RecordedLink</name>
+    <message>
+        <source>Replay · protection not recorded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replay · was not sealed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Was not sealed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Was sealed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the link was protected is not noted beside the recording.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link was plain MAVLink, not sealed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link was sealed, with one of %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link was sealed by %1, with %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>skyseal::ui::RecordingModel</name>
     <message>
         <source>reading…</source>
@@ -8510,6 +8620,10 @@ A click opens the links.</source>
         <source>Sealed with %1: %2, chosen last, is not permitted now</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>a replay is shown</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::SuiteLegend</name>
@@ -8901,6 +9015,14 @@ A click opens the links.</source>
     </message>
     <message>
         <source>Hold the button for half a second. The propellers speed up and the vehicle climbs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold the button for half a second. The vehicle is armed, and takes off at once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm and take off</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9856,6 +9978,10 @@ A click opens the links.</source>
         <source>Vehicle %1 · sealed</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Vehicle %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::VehicleName</name>
@@ -10292,6 +10418,14 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
     </message>
     <message>
         <source>Stop and hold the present position?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm the motors? In its present mode the vehicle takes off at once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm the motors and fly the mission? The propellers will turn.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

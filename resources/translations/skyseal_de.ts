@@ -1984,6 +1984,42 @@
         <source>the vehicle refuses it with error %1</source>
         <translation>das Fahrzeug lehnt es mit Fehler %1 ab</translation>
     </message>
+    <message>
+        <source>the vehicle was not ready for it, and is in %1 now</source>
+        <translation>das Fahrzeug war nicht dafür bereit und ist jetzt in %1</translation>
+    </message>
+    <message>
+        <source>the mode %1 was not entered: %2</source>
+        <translation>der Modus %1 wurde nicht eingenommen: %2</translation>
+    </message>
+    <message>
+        <source>the vehicle was not armed: %1</source>
+        <translation>das Fahrzeug wurde nicht scharfgeschaltet: %1</translation>
+    </message>
+    <message>
+        <source>%1; the vehicle is armed</source>
+        <translation>%1; das Fahrzeug ist scharf</translation>
+    </message>
+    <message>
+        <source>a mission needs an armed vehicle to start, it is disarmed</source>
+        <translation>eine Mission braucht zum Start ein scharfes Fahrzeug, es ist unscharf</translation>
+    </message>
+    <message>
+        <source>a plane without vertical take-off takes off in the mode TAKEOFF, or in a mission</source>
+        <translation>ein Flugzeug, das nicht senkrecht startet, hebt im Modus TAKEOFF oder in einer Mission ab</translation>
+    </message>
+    <message>
+        <source>the vehicle is in the air; only an emergency stop ends its motors</source>
+        <translation>das Fahrzeug ist in der Luft; nur Not-Aus hält seine Motoren an</translation>
+    </message>
+    <message>
+        <source>a plane without vertical take-off lands in a mission, or by hand</source>
+        <translation>ein Flugzeug, das nicht senkrecht startet, landet in einer Mission oder von Hand</translation>
+    </message>
+    <message>
+        <source>this kind of vehicle flies no missions</source>
+        <translation>diese Art von Fahrzeug fliegt keine Missionen</translation>
+    </message>
 </context>
 <context>
     <name>Sweep</name>
@@ -2675,6 +2711,10 @@
         <source>A vehicle at %1 is not shown: it has the system ID %2, which is this station&apos;s own. Change one of the two</source>
         <translation>Ein Fahrzeug unter %1 wird nicht gezeigt: Es hat die System-ID %2, die auch diese Station hat. Eine von beiden ändern</translation>
     </message>
+    <message>
+        <source>Found: %1</source>
+        <translation>Gefunden: %1</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::engine::Number</name>
@@ -3145,6 +3185,44 @@
     <message>
         <source>Checklist and pre-arm checks…</source>
         <translation>Checkliste und Vorprüfungen…</translation>
+    </message>
+    <message>
+        <source>Arm and
+take off</source>
+        <translation>Scharf und
+abheben</translation>
+    </message>
+    <message>
+        <source>Arm and take off</source>
+        <translation>Scharfschalten und abheben</translation>
+    </message>
+    <message>
+        <source>Arms the motors, and takes off at once.</source>
+        <translation>Schaltet die Motoren scharf und hebt sofort ab.</translation>
+    </message>
+    <message>
+        <source>Arm and start
+mission</source>
+        <translation>Scharf, Mission
+starten</translation>
+    </message>
+    <message>
+        <source>Arm and
+start</source>
+        <translation>Scharf,
+starten</translation>
+    </message>
+    <message>
+        <source>Arm and start mission</source>
+        <translation>Scharfschalten und Mission starten</translation>
+    </message>
+    <message>
+        <source>Arms the motors, and starts the mission at once.</source>
+        <translation>Schaltet die Motoren scharf und startet sofort die Mission.</translation>
+    </message>
+    <message>
+        <source>In its present mode the vehicle takes off as soon as it is armed.</source>
+        <translation>Im jetzigen Modus hebt das Fahrzeug ab, sobald es scharf ist.</translation>
     </message>
 </context>
 <context>
@@ -5207,10 +5285,6 @@ Fingerabdruck %5</translation>
         <translation>Keine Sitzung</translation>
     </message>
     <message>
-        <source>Recording</source>
-        <translation>Aufzeichnung</translation>
-    </message>
-    <message>
         <source>changing keys…</source>
         <translation>wechselt Schlüssel…</translation>
     </message>
@@ -7159,6 +7233,45 @@ mit PSK</translation>
     </message>
 </context>
 <context>
+    <name>skyseal::ui::RecordedLink</name>
+    <message>
+        <source>Replay · protection not recorded</source>
+        <translation>Wiedergabe · Schutz nicht aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>Wiedergabe</translation>
+    </message>
+    <message>
+        <source>Replay · was not sealed</source>
+        <translation>Wiedergabe · war nicht versiegelt</translation>
+    </message>
+    <message>
+        <source>Was not sealed</source>
+        <translation>War nicht versiegelt</translation>
+    </message>
+    <message>
+        <source>Was sealed</source>
+        <translation>War versiegelt</translation>
+    </message>
+    <message>
+        <source>How the link was protected is not noted beside the recording.</source>
+        <translation>Wie die Verbindung geschützt war, ist nicht neben der Aufzeichnung vermerkt.</translation>
+    </message>
+    <message>
+        <source>The link was plain MAVLink, not sealed.</source>
+        <translation>Die Verbindung war ungeschütztes MAVLink, nicht versiegelt.</translation>
+    </message>
+    <message>
+        <source>The link was sealed, with one of %1.</source>
+        <translation>Die Verbindung war versiegelt, mit %1.</translation>
+    </message>
+    <message>
+        <source>The link was sealed by %1, with %2.</source>
+        <translation>Die Verbindung war durch %1 versiegelt, mit %2.</translation>
+    </message>
+</context>
+<context>
     <name>skyseal::ui::RecordingModel</name>
     <message>
         <source>reading…</source>
@@ -8549,6 +8662,10 @@ Ein Klick öffnet die Verbindungen.</translation>
         <source>Sealed with %1: %2, chosen last, is not permitted now</source>
         <translation>Versiegelt mit %1: die zuletzt gewählte Chiffre %2 ist jetzt nicht zugelassen</translation>
     </message>
+    <message>
+        <source>a replay is shown</source>
+        <translation>eine Wiedergabe wird gezeigt</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::SuiteLegend</name>
@@ -8942,6 +9059,14 @@ Ein Klick öffnet die Verbindungen.</translation>
     <message>
         <source>Hold the button for half a second. The propellers speed up and the vehicle climbs.</source>
         <translation>Den Knopf eine halbe Sekunde halten. Die Propeller laufen hoch, und das Fahrzeug steigt.</translation>
+    </message>
+    <message>
+        <source>Hold the button for half a second. The vehicle is armed, and takes off at once.</source>
+        <translation>Die Taste eine halbe Sekunde halten. Das Fahrzeug wird scharfgeschaltet und hebt sofort ab.</translation>
+    </message>
+    <message>
+        <source>Arm and take off</source>
+        <translation>Scharfschalten und abheben</translation>
     </message>
 </context>
 <context>
@@ -9896,6 +10021,10 @@ Ein Klick öffnet die Verbindungen.</translation>
         <source>Vehicle %1 · sealed</source>
         <translation>Fahrzeug %1 · versiegelt</translation>
     </message>
+    <message>
+        <source>Vehicle %1</source>
+        <translation>Fahrzeug %1</translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::VehicleName</name>
@@ -10336,6 +10465,14 @@ GPL-3.0-or-later; erstellt mit Qt %2, Qt Charts, libsodium und OpenSSL.</transla
     <message>
         <source>Stop and hold the present position?</source>
         <translation>Anhalten und an der aktuellen Position bleiben?</translation>
+    </message>
+    <message>
+        <source>Arm the motors? In its present mode the vehicle takes off at once.</source>
+        <translation>Motoren scharfschalten? Im jetzigen Modus hebt das Fahrzeug sofort ab.</translation>
+    </message>
+    <message>
+        <source>Arm the motors and fly the mission? The propellers will turn.</source>
+        <translation>Motoren scharfschalten und die Mission fliegen? Die Propeller drehen sich.</translation>
     </message>
 </context>
 <context>

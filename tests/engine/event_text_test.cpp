@@ -252,6 +252,8 @@ void EventTextTest::vehicleIsNamedInALine()
     QCOMPARE(eventText(OwnIdClaimed{255, 1, "10.0.0.9:14550"}, {}).sentence,
              QStringLiteral("A vehicle at 10.0.0.9:14550 is not shown: it has the system ID 255, which is this station's own. "
                             "Change one of the two"));
+    QCOMPARE(eventText(VehicleFound{.systemId = 3, .type = 2, .autopilot = 3, .recorded = true}, {}).line(),
+             QStringLiteral("Vehicle 3: Found: quadrotor"));
     QCOMPARE(eventText(VehicleFound{3, 2, 3, false}, {}).line(), QStringLiteral("Vehicle 3: Found: quadrotor, not sealed"));
     LinkSnapshot link;
     link.url = "udpin:0.0.0.0:0";

@@ -236,6 +236,32 @@ private Q_SLOTS:
         QCOMPARE(index.suites[1].at, Duration(39s)); // the second in which the clock was set is not known
     }
 
+    void protectionIsThatOfThePosition()
+    {
+        LogIndex index;
+        const auto note = [&](Duration at, LinkEvent::Kind kind, const char *suite, const char *peer) {
+            index.suites.push_back({at, {kind, kNoon, suite, peer}});
+        };
+        const auto at = [&](Duration position, std::uint8_t systemId) {
+            std::string out;
+            for (const LinkEvent &event : protectionAt(index, position, systemId))
+                out += (out.empty() ? "" : ", ") + event.suite + " " + event.peer;
+            return out;
+        };
+        QCOMPARE(at(10s, 1), std::string());
+        note(5s, LinkEvent::Kind::Sealed, "chacha20-poly1305", "air-1");
+        note(20s, LinkEvent::Kind::Switched, "aes-256-gcm", "air-1");
+        note(30s, LinkEvent::Kind::Plain, "none", "2");
+        QCOMPARE(at(4s, 1), std::string());
+        QCOMPARE(at(5s, 1), std::string("chacha20-poly1305 air-1"));
+        QCOMPARE(at(25s, 1), std::string("aes-256-gcm air-1"));
+        QCOMPARE(at(40s, 1), std::string("aes-256-gcm air-1"));
+        QCOMPARE(at(40s, 2), std::string("none 2"));
+        note(50s, LinkEvent::Kind::Sealed, "rc4", "air-2"); // whose vehicles are not noted
+        QCOMPARE(at(60s, 1), std::string("aes-256-gcm air-1, rc4 air-2"));
+        QCOMPARE(at(60s, 2), std::string("rc4 air-2"));
+    }
+
     void suitesOfAFileWithoutTimesStandAtItsEnd()
     {
         LinkEvents events;

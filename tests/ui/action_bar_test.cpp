@@ -18,6 +18,7 @@
 #include <QtWidgets/QDialog>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QListWidget>
+#include <QtWidgets/QMessageBox>
 
 using namespace skyseal;
 using namespace skyseal::ui;
@@ -60,14 +61,20 @@ private Q_SLOTS:
                 << QString::fromLatin1(state) << QString::fromLatin1(button) << QString::fromLatin1(reason);
         };
         const char *const disarmed = "Not now: the vehicle is disarmed";
-        for (const char *button : {"startMissionButton", "pauseButton"})
-            row("disarmed", button, disarmed);
+        row("disarmed", "pauseButton", disarmed);
+        row("disarmed", "startMissionButton", "");                              // it arms first
         for (const char *button : {"landButton", "returnButton", "unlockStop"}) // anybody can claim that on a plain link
             row("disarmed", button, "");
-        row("disarmed", "takeOffButton", "Not now: take-off needs an armed vehicle, it is disarmed");
+        row("disarmed", "takeOffButton", "");
         row("disarmed", "armButton", "");
+        row("disarmed a while ago", "takeOffButton", "Not now: the vehicle is not heard");
+        const char *const inAir = "Not now: the vehicle is in the air; only an emergency stop ends its motors";
+        row("flying", "armButton", inAir);
+        row("armed", "armButton", "");
+        row("flying", "unlockStop", "");
+        row("flying a while ago", "armButton", "Not now: the vehicle was flying when it was last heard");
         row("disarmed", "setModeButton", "");
-        row("in LOITER", "takeOffButton", "Not now: take-off needs the mode GUIDED, the vehicle is in LOITER");
+        row("in LOITER", "takeOffButton", ""); // it enters GUIDED first
         row("flying", "takeOffButton", "Not now: the vehicle is already flying");
         row("flying", "landButton", "");
         row("flying a while ago", "takeOffButton", "Not now: the vehicle was flying when it was last heard");
@@ -101,8 +108,57 @@ private Q_SLOTS:
         m_station->show(snapshot);
         const auto *control = find<QAbstractButton>(button.toLatin1().constData());
         QCOMPARE(control->isEnabled(), reason.isEmpty());
-        if (!reason.isEmpty())
+        if (!reason.isEmpty()) {
             QCOMPARE(control->toolTip(), reason);
+            if (qobject_cast<const HoldButton *>(control)) {
+                QCOMPARE(control->accessibleDescription(), reason);
+            }
+        }
+    }
+
+    /// What arms says so, and waits for the checklist as arming does.
+    void oneActArmsAndStarts()
+    {
+        engine::Snapshot disarmed = sealedSnapshot(1);
+        disarmed.vehicles.front().state.armed = false;
+        m_station->show(disarmed);
+        auto *takeOff = find<HoldButton>("takeOffButton");
+        const auto *start = find<HoldButton>("startMissionButton");
+        QCOMPARE(takeOff->text(), QStringLiteral("Arm and\ntake off"));
+        QCOMPARE(takeOff->accessibleName(), QStringLiteral("Arm and take off"));
+        QVERIFY2(takeOff->toolTip().startsWith(QStringLiteral("Arms the motors, and takes off")),
+                 qPrintable(takeOff->toolTip()));
+        QCOMPARE(start->accessibleName(), QStringLiteral("Arm and start mission"));
+        hold("takeOffButton");
+        QCOMPARE(m_station->commands.size(), std::size_t(1));
+        QVERIFY(std::get<vehicle::TakeOff>(m_station->commands[0].second).prepare);
+
+        const auto heldAgain = [takeOff] {
+            QTest::mousePress(takeOff, Qt::LeftButton);
+            return takeOff->isHeld();
+        };
+        EVENTUALLY(heldAgain());
+        m_station->show(sealedSnapshot(2)); // armed by someone else: the button means less
+        QVERIFY(!takeOff->isHeld());
+        QTest::mouseRelease(takeOff, Qt::LeftButton);
+        QCOMPARE(takeOff->accessibleName(), QStringLiteral("Take off"));
+        QCOMPARE(start->accessibleName(), QStringLiteral("Start mission"));
+        QCOMPARE(m_station->commands.size(), std::size_t(1));
+    }
+
+    void modeThatTakesOffByArmingIsNamed()
+    {
+        engine::Snapshot snapshot = sealedSnapshot(1);
+        vehicle::VehicleState &state = snapshot.vehicles.front().state;
+        state.armed = false;
+        state.autopilot = mavlink::MAV_AUTOPILOT_PX4;
+        enterMode(state, "TAKEOFF");
+        m_station->show(snapshot);
+        QVERIFY2(
+            find<HoldButton>("armButton")->toolTip().startsWith(QStringLiteral("In its present mode the vehicle takes off")),
+            qPrintable(find<HoldButton>("armButton")->toolTip()));
+        find<QAction>("actionArm")->trigger();
+        QVERIFY(find<QMessageBox>("confirmCommand")->text().contains(QStringLiteral("takes off at once")));
     }
 
     /// However narrow the bar is.
@@ -205,7 +261,7 @@ private Q_SLOTS:
         takeOff->setFocus();
         QCOMPARE(m_window->focusWidget(), static_cast<QWidget *>(takeOff));
         engine::Snapshot flies = sealedSnapshot(2);
-        enterMode(flies.vehicles.front().state, "RTL");
+        flies.vehicles.front().state.inAir = true;
         m_station->show(flies);
         QVERIFY(!takeOff->isEnabled() && find<HoldButton>("startMissionButton")->isEnabled());
         QVERIFY(!qobject_cast<QAbstractButton *>(m_window->focusWidget()));
@@ -252,13 +308,20 @@ private Q_SLOTS:
         engine::Snapshot disarmed = sealedSnapshot(2);
         disarmed.vehicles.front().state.armed = false; // by itself
         m_station->show(disarmed);
-        QVERIFY(!go->isEnabled() && !go->isHeld());
-        QCOMPARE(find<QLabel>("takeOffDialogHint")->text(),
-                 QStringLiteral("Not now: take-off needs an armed vehicle, it is disarmed"));
-        QCOMPARE(go->toolTip(), find<QLabel>("takeOffDialogHint")->text());
+        QVERIFY(go->isEnabled() && !go->isHeld()); // it would arm
+        QCOMPARE(go->text(), QStringLiteral("Arm and take off"));
+        QVERIFY(
+            find<QLabel>("takeOffDialogHint")->text().endsWith(QStringLiteral("The vehicle is armed, and takes off at once.")));
         QTest::mouseRelease(go, Qt::LeftButton);
+        engine::Snapshot flying = sealedSnapshot(2);
+        flying.vehicles.front().state.inAir = true;
+        m_station->show(flying);
+        QVERIFY(!go->isEnabled());
+        QCOMPARE(find<QLabel>("takeOffDialogHint")->text(), QStringLiteral("Not now: the vehicle is already flying"));
+        QCOMPARE(go->toolTip(), find<QLabel>("takeOffDialogHint")->text());
         QVERIFY(m_station->commands.empty());
         m_station->show(sealedSnapshot(3));
+        QCOMPARE(go->text(), QStringLiteral("Take off"));
         QVERIFY(go->isEnabled());
         QVERIFY(find<QLabel>("takeOffDialogHint")->text().startsWith(QStringLiteral("Hold the button")));
     }

@@ -82,9 +82,8 @@ private Q_SLOTS:
         openPalette();
         const auto *model = qobject_cast<QStandardItemModel *>(list()->model());
         const auto reason = [&](const char *name) { return model->item(rowOf(QString::fromUtf8(name)), 1)->text(); };
-        QCOMPARE(reason("Vehicle › Start mission…"), QStringLiteral("Not now: the vehicle is disarmed"));
-        QVERIFY2(reason("Vehicle › Take off…").startsWith(QStringLiteral("Not now: ")),
-                 qPrintable(reason("Vehicle › Take off…")));
+        QCOMPARE(reason("Vehicle › Disarm…"), QStringLiteral("Not now: the vehicle is disarmed"));
+        QVERIFY2(reason("Vehicle › Pause…").startsWith(QStringLiteral("Not now: ")), qPrintable(reason("Vehicle › Pause…")));
         QVERIFY(model->item(rowOf(QStringLiteral("Vehicle › Land…")))->isEnabled());
     }
 

@@ -5,6 +5,10 @@
 #include "tests/support/test_runner.h"
 #include "ui/flight/hold_button.h"
 #include "ui/flight/take_off_dialog.h"
+#include "core/engine/station/snapshot.h"
+#include "core/log/log_index.h"
+#include "ui/map/vehicle_markers.h"
+#include "ui/text/lock_face.h"
 #include "ui/status/strip_item.h"
 #include "window_rig.h"
 
@@ -143,9 +147,12 @@ private Q_SLOTS:
         QTest::addColumn<bool>("recorded");
         QTest::addColumn<QString>("reason");
         QTest::addColumn<QString>("title");
-        QTest::newRow("recording") << true << QStringLiteral("it is a replay") << QStringLiteral("Replay");
+        QTest::addColumn<QString>("lock");
+        QTest::newRow("recording") << true << QStringLiteral("it is a replay") << QStringLiteral("Replay")
+                                   << QStringLiteral("Replay · protection not recorded");
         QTest::newRow("stream that is never sent to")
-            << false << QStringLiteral("its link is receive-only") << QStringLiteral("Not sealed, receive only");
+            << false << QStringLiteral("its link is receive-only") << QStringLiteral("Not sealed, receive only")
+            << QStringLiteral("Not sealed, receive only");
     }
 
     void nothingIsSentOneWay()
@@ -164,12 +171,60 @@ private Q_SLOTS:
             QVERIFY2(!button->isEnabled() && button->toolTip().contains(reason), name);
         }
         QCOMPARE(find<QLabel>("secureTitle")->text(), title);
-        QCOMPARE(find<StripItem>("stripLock")->text(), title);
+        QTEST(find<StripItem>("stripLock")->text(), "lock");
         for (const QString &words : {find<QLabel>("secureAdvice")->text(), find<StripItem>("stripLock")->toolTip()})
             QVERIFY2(!words.contains(QStringLiteral("Start skyseal-air")), qPrintable(words));
         QVERIFY(!find<QPushButton>("secureHelp")->isVisible());
         m_station->show(plainSnapshot(2));
         QVERIFY(find<QPushButton>("armButton")->isEnabled());
+    }
+
+    void replayShowsHowTheLinkWasProtected_data()
+    {
+        QTest::addColumn<double>("seconds");
+        QTest::addColumn<QString>("lock");
+        QTest::addColumn<QString>("sentence");
+        QTest::addColumn<QString>("onTheMap");
+        QTest::newRow("before the first note") << 1.0 << QStringLiteral("Replay · protection not recorded")
+                                               << QStringLiteral("is not noted") << QStringLiteral("Vehicle 1");
+        QTest::newRow("sealed") << 10.0 << QStringLiteral("Was sealed · ChaCha20-Poly1305 · air-1")
+                                << QStringLiteral("was sealed by ChaCha20-Poly1305, with air-1")
+                                << QStringLiteral("Vehicle 1 · sealed");
+        QTest::newRow("switched") << 25.0 << QStringLiteral("Was sealed · AES-256-GCM · air-1")
+                                  << QStringLiteral("was sealed by AES-256-GCM, with air-1")
+                                  << QStringLiteral("Vehicle 1 · sealed");
+        QTest::newRow("plain") << 40.0 << QStringLiteral("Replay · was not sealed")
+                               << QStringLiteral("was plain MAVLink, not sealed") << QStringLiteral("Vehicle 1 · not sealed");
+    }
+    /// The frames of a recording are in clear, whatever protected them.
+    void replayShowsHowTheLinkWasProtected()
+    {
+        QFETCH(double, seconds);
+        QFETCH(QString, sentence);
+        engine::Snapshot snapshot = plainSnapshot(1);
+        snapshot.links.front().recording = true;
+        snapshot.security = engine::securityOf(snapshot);
+        QCOMPARE(snapshot.security, engine::Security::Nothing);
+        const auto index = std::make_shared<tlog::LogIndex>();
+        const auto note = [&](int at, tlog::LinkEvent::Kind kind, const char *suite, const char *peer) {
+            index->suites.push_back({std::chrono::seconds(at), {kind, {}, suite, peer}});
+        };
+        note(5, tlog::LinkEvent::Kind::Sealed, "chacha20-poly1305", "air-1");
+        note(20, tlog::LinkEvent::Kind::Switched, "aes-256-gcm", "air-1");
+        note(30, tlog::LinkEvent::Kind::Plain, "none", "1");
+        engine::ReplayStatus status;
+        status.position = std::chrono::duration_cast<Duration>(std::chrono::duration<double>(seconds));
+        status.index = index;
+        snapshot.replay = status;
+        const ViewState view = viewOf(std::make_shared<const engine::Snapshot>(snapshot), 1);
+        const LockFace face = lockFaceOf(view);
+        QTEST(face.variants.front(), "lock");
+        QVERIFY2(face.toolTip.contains(sentence), qPrintable(face.toolTip));
+        QCOMPARE(face.security, engine::Security::Nothing); // no alarm, whatever it was
+        QTEST(markerText(1, linkSuiteOf(view, *view.vehicle), 0), "onTheMap");
+        m_station->show(snapshot);
+        QVERIFY(find<QLabel>("secureAdvice")->text().contains(sentence));
+        QCOMPARE(find<QAction>("actionChangeKeys")->isEnabled(), false);
     }
 
     void missionGoesToTheVehicleThatItWasChosenFor_data()

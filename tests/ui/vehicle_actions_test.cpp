@@ -80,13 +80,14 @@ private Q_SLOTS:
                 << QString::fromLatin1(mode) << armed << QString::fromLatin1(action) << QString::fromLatin1(reason);
         };
         const char *const disarmed = "Not now: the vehicle is disarmed";
-        for (const char *action : {"actionPause", "actionChangeAltitude", "actionStartMission"}) {
+        for (const char *action : {"actionPause", "actionChangeAltitude"}) {
             row("GUIDED", false, action, disarmed);
             row("GUIDED", true, action, "");
         }
-        row("GUIDED", false, "actionTakeOff", "Not now: take-off needs an armed vehicle, it is disarmed");
-        row("LOITER", true, "actionTakeOff", "Not now: take-off needs the mode GUIDED, the vehicle is in LOITER");
-        row("GUIDED", true, "actionTakeOff", "");
+        for (const char *action : {"actionTakeOff", "actionStartMission"}) { // they arm, and enter the mode, by themselves
+            row("GUIDED", false, action, "");
+            row("LOITER", true, action, "");
+        }
         row("GUIDED", false, "actionDisarm", disarmed);           // the emergency stop does not depend on it
         for (const char *action : {"actionLand", "actionReturn"}) // anybody can claim that on a plain link
             row("GUIDED", false, action, "");

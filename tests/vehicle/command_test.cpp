@@ -4,6 +4,8 @@
 #include "tests/support/test_runner.h"
 #include "vehicle_harness.h"
 
+#include "core/mavlink/px4_mode.h"
+
 using namespace skyseal;
 using namespace skyseal::vehicle;
 
@@ -31,6 +33,13 @@ private Q_SLOTS:
     void oldMessageMayBeAcknowledgedByItsId();
     void unknownModeNamesThoseThatExist();
     void takeOffStatesItsPreconditions();
+    void takeOffPreparesPx4();
+    void takeOffPreparesArduCopter();
+    void missionIsStartedInSteps();
+    void stepsThatFailAreNamed_data();
+    void stepsThatFailAreNamed();
+    void disarmingEndsAStart();
+    void disarmingInTheAirTakesForce();
     void newerModeReplacesTheOneUnderWay();
     void disarmReplacesArm();
     void sameRawCommandsTakeTurns();
@@ -387,6 +396,181 @@ void CommandTest::takeOffStatesItsPreconditions()
     QCOMPARE(sent[0].param7, 12.5f);
     h.ack(mavlink::MAV_CMD_NAV_TAKEOFF, kAccepted);
     QCOMPARE(h.poll<CommandResult>()->outcome, CommandOutcome::Accepted);
+}
+
+/// PX4 would accept the take-off at once, and fly it when it is armed at some later time.
+void CommandTest::takeOffPreparesPx4()
+{
+    Harness h = Harness::px4();
+    const auto beat = [&](bool armed) {
+        h.feed(heartbeat(mavlink::kPx4AutoLoiter, armed, mavlink::MAV_TYPE_QUADROTOR, mavlink::MAV_AUTOPILOT_PX4));
+    };
+    beat(false);
+    h.feed(mavlink::HomePosition{.latitude = 474000000, .longitude = 85000000, .altitude = 488000});
+    h.vehicle.perform(h.now, RequestId{1}, TakeOff{9});
+    QCOMPARE(h.poll<CommandResult>()->reason.text(),
+             std::string("nothing was sent: take-off needs an armed vehicle, it is disarmed"));
+    QVERIFY(h.sent().empty());
+
+    h.vehicle.perform(h.now, RequestId{2}, TakeOff{.altitude = 9, .prepare = true});
+    auto sent = h.sentOf<mavlink::CommandLong>();
+    QCOMPARE(sent.size(), std::size_t(1));
+    QCOMPARE(sent[0].command, std::uint16_t(mavlink::MAV_CMD_COMPONENT_ARM_DISARM));
+    QCOMPARE(sent[0].param1, 1.f);
+    h.ack(mavlink::MAV_CMD_COMPONENT_ARM_DISARM, kAccepted);
+    QVERIFY(h.sent().empty()); // not before a heartbeat says so
+    beat(true);
+    sent = h.sentOf<mavlink::CommandLong>();
+    QCOMPARE(sent.size(), std::size_t(1));
+    QCOMPARE(sent[0].command, std::uint16_t(mavlink::MAV_CMD_NAV_TAKEOFF));
+    QCOMPARE(sent[0].param7, 497.f);
+    QVERIFY(!h.poll<CommandResult>());
+    h.ack(mavlink::MAV_CMD_NAV_TAKEOFF, kAccepted);
+    const auto result = h.poll<CommandResult>();
+    QVERIFY(result && result->outcome == CommandOutcome::Accepted);
+    QCOMPARE(result->id, RequestId{2});
+    h.runUntil(at(200));
+    QVERIFY(!h.poll<CommandResult>());
+    QVERIFY(h.sentOf<mavlink::CommandLong>().empty());
+}
+
+void CommandTest::takeOffPreparesArduCopter()
+{
+    Harness h = Harness::copter(mavlink::COPTER_MODE_LOITER, false);
+    h.vehicle.perform(h.now, RequestId{1}, TakeOff{.altitude = 10, .prepare = true});
+    auto sent = h.sentOf<mavlink::CommandLong>();
+    QCOMPARE(sent.at(0).command, kSetMode);
+    QCOMPARE(sent.at(0).param2, float(mavlink::COPTER_MODE_GUIDED));
+    h.ack(kSetMode, kAccepted);
+    h.feed(heartbeat(mavlink::COPTER_MODE_GUIDED, false));
+    QCOMPARE(h.sentOf<mavlink::CommandLong>().at(0).command, std::uint16_t(mavlink::MAV_CMD_COMPONENT_ARM_DISARM));
+    h.feed(heartbeat(mavlink::COPTER_MODE_GUIDED, true)); // its acknowledgement was lost
+    sent = h.sentOf<mavlink::CommandLong>();
+    QCOMPARE(sent.size(), std::size_t(1));
+    QCOMPARE(sent[0].command, std::uint16_t(mavlink::MAV_CMD_NAV_TAKEOFF));
+    QCOMPARE(sent[0].param7, 10.f);
+    h.ack(mavlink::MAV_CMD_NAV_TAKEOFF, kAccepted);
+    QCOMPARE(h.poll<CommandResult>()->outcome, CommandOutcome::Accepted);
+    QVERIFY(!h.poll<CommandResult>());
+}
+
+void CommandTest::missionIsStartedInSteps()
+{
+    Harness px4 = Harness::px4();
+    const auto beat = [&](std::uint32_t mode, bool armed) {
+        px4.feed(heartbeat(mode, armed, mavlink::MAV_TYPE_QUADROTOR, mavlink::MAV_AUTOPILOT_PX4));
+    };
+    beat(mavlink::kPx4AutoLoiter, false);
+    px4.vehicle.perform(px4.now, RequestId{1}, StartMission{.prepare = true});
+    QCOMPARE(px4.sentOf<mavlink::CommandLong>().at(0).command, std::uint16_t(mavlink::MAV_CMD_COMPONENT_ARM_DISARM));
+    beat(mavlink::kPx4AutoLoiter, true);
+    const auto mode = px4.sentOf<mavlink::CommandLong>();
+    QCOMPARE(mode.at(0).command, kSetMode);
+    QCOMPARE(mode.at(0).param3, 4.f); // the sub mode of missions
+    px4.ack(kSetMode, kAccepted);
+    QCOMPARE(px4.poll<CommandResult>()->outcome, CommandOutcome::Accepted);
+
+    Harness copter = Harness::copter(mavlink::COPTER_MODE_GUIDED, false);
+    copter.vehicle.perform(copter.now, RequestId{1}, StartMission{.prepare = true});
+    QCOMPARE(copter.sentOf<mavlink::CommandLong>().at(0).command, std::uint16_t(mavlink::MAV_CMD_COMPONENT_ARM_DISARM));
+    copter.feed(heartbeat(mavlink::COPTER_MODE_GUIDED, true));
+    QCOMPARE(copter.sentOf<mavlink::CommandLong>().at(0).command, std::uint16_t(mavlink::MAV_CMD_MISSION_START));
+    copter.ack(mavlink::MAV_CMD_MISSION_START, kAccepted);
+    QCOMPARE(copter.poll<CommandResult>()->outcome, CommandOutcome::Accepted);
+}
+
+void CommandTest::stepsThatFailAreNamed_data()
+{
+    QTest::addColumn<QString>("where");
+    QTest::addColumn<QString>("reason");
+    QTest::newRow("mode") << "mode"
+                          << "the mode GUIDED was not entered: failed: requires position";
+    QTest::newRow("arming") << "arming"
+                            << "the vehicle was not armed: failed: requires position";
+    QTest::newRow("take-off") << "take-off"
+                              << "failed: requires position; the vehicle is armed";
+    QTest::newRow("arming without a heartbeat") << "silent"
+                                                << "the vehicle was not armed: acknowledged; no heartbeat since";
+    QTest::newRow("a mode that does not last")
+        << "restless"
+        << "the vehicle was not ready for it, and is in STABILIZE now; the vehicle is armed";
+}
+
+void CommandTest::stepsThatFailAreNamed()
+{
+    QFETCH(QString, where);
+    Harness h = Harness::copter(0, false);
+    h.vehicle.perform(h.now, RequestId{1}, TakeOff{.altitude = 10, .prepare = true});
+    const auto refuse = [&](std::uint16_t command) {
+        h.ack(command, kFailed);
+        h.feed(statusText("requires position", 4));
+    };
+    if (where == QLatin1String("mode")) {
+        refuse(kSetMode);
+    } else {
+        h.ack(kSetMode, kAccepted);
+        h.feed(heartbeat(mavlink::COPTER_MODE_GUIDED, false));
+        if (where == QLatin1String("arming")) {
+            refuse(kArm);
+        } else if (where == QLatin1String("silent")) {
+            h.ack(kArm, kAccepted);
+            h.runUntil(at(110));
+        } else if (where == QLatin1String("restless")) {
+            h.feed(heartbeat(0, true)); // someone else changed it
+        } else {
+            h.feed(heartbeat(mavlink::COPTER_MODE_GUIDED, true));
+            refuse(mavlink::MAV_CMD_NAV_TAKEOFF);
+        }
+    }
+    const auto result = h.poll<CommandResult>();
+    QVERIFY(result && result->outcome != CommandOutcome::Accepted);
+    QTEST(QString::fromStdString(result->reason.text()), "reason");
+    h.sent();
+    h.runUntil(at(200));
+    QVERIFY(h.sentOf<mavlink::CommandLong>().empty());
+    QVERIFY(!h.poll<CommandResult>());
+}
+
+void CommandTest::disarmingEndsAStart()
+{
+    for (const bool armed : {false, true}) {
+        Harness h = Harness::copter(mavlink::COPTER_MODE_GUIDED, armed);
+        h.vehicle.perform(h.now, RequestId{1}, TakeOff{.altitude = 10, .prepare = true});
+        h.vehicle.perform(h.now, RequestId{2}, Disarm{});
+        const auto ended = h.poll<CommandResult>();
+        QVERIFY(ended && ended->id == RequestId{1} && ended->outcome == CommandOutcome::Refused);
+        h.sent();
+        h.feed(heartbeat(mavlink::COPTER_MODE_GUIDED, true));
+        h.runUntil(at(101.5));
+        for (const auto &command : h.sentOf<mavlink::CommandLong>())
+            QVERIFY(command.command == mavlink::MAV_CMD_COMPONENT_ARM_DISARM && command.param1 == 0);
+    }
+}
+
+void CommandTest::disarmingInTheAirTakesForce()
+{
+    Harness h = Harness::copter(mavlink::COPTER_MODE_GUIDED, true);
+    h.feed(mavlink::ExtendedSysState{.vtol_state = 0, .landed_state = mavlink::MAV_LANDED_STATE_IN_AIR});
+    h.feed(heartbeat(mavlink::COPTER_MODE_GUIDED, true));
+    h.vehicle.perform(h.now, RequestId{1}, Disarm{});
+    QCOMPARE(h.poll<CommandResult>()->reason.text(),
+             std::string("nothing was sent: the vehicle is in the air; only an emergency stop ends its motors"));
+    QVERIFY(h.sent().empty());
+    h.vehicle.perform(h.now, RequestId{2}, Disarm{.force = true});
+    QCOMPARE(h.sentOf<mavlink::CommandLong>().at(0).command, std::uint16_t(mavlink::MAV_CMD_COMPONENT_ARM_DISARM));
+    h.feed(mavlink::ExtendedSysState{.vtol_state = 0, .landed_state = mavlink::MAV_LANDED_STATE_ON_GROUND});
+    h.feed(heartbeat(mavlink::COPTER_MODE_GUIDED, true));
+    h.sent();
+    h.vehicle.perform(h.now, RequestId{3}, Disarm{});
+    QCOMPARE(h.sentOf<mavlink::CommandLong>().size(), std::size_t(1));
+
+    Harness rover = Harness::copter();
+    rover.feed(heartbeat(mavlink::ROVER_MODE_HOLD, true, mavlink::MAV_TYPE_GROUND_ROVER));
+    rover.feed(mavlink::ExtendedSysState{.vtol_state = 0, .landed_state = mavlink::MAV_LANDED_STATE_IN_AIR}); // it drives
+    rover.feed(heartbeat(mavlink::ROVER_MODE_HOLD, true, mavlink::MAV_TYPE_GROUND_ROVER));
+    rover.sent();
+    rover.vehicle.perform(rover.now, RequestId{1}, Disarm{});
+    QCOMPARE(rover.sentOf<mavlink::CommandLong>().size(), std::size_t(1));
 }
 
 void CommandTest::newerModeReplacesTheOneUnderWay()

@@ -1,59 +1,13 @@
 // Real autopilots as they were recorded: what is known of them at a time of their flight, field by field.
 #include "tests/support/test_runner.h"
-#include "vehicle_harness.h"
+#include "recorded_flight.h"
 
-#include "core/log/log_reader.h"
 #include "core/vehicle/state_fields.h"
-
-#include <fstream>
 
 using namespace skyseal;
 using namespace skyseal::vehicle;
 
 namespace {
-
-/// A vehicle that hears a recording up to this many seconds after its first frame.
-class Flight
-{
-public:
-    Flight(const QString &name, double seconds)
-    {
-        std::ifstream file((QStringLiteral(SKYSEAL_SOURCE_DIR "/tests/data/recordings/") + name).toStdString(),
-                           std::ios::binary);
-        tlog::LogReader reader(file, mavlink::Dialect::builtin());
-        std::optional<WallTime> first;
-        while (const auto item = reader.next()) {
-            if (!item->frame || !item->time)
-                continue;
-            first = first.value_or(*item->time);
-            const double time = std::chrono::duration<double>(*item->time - *first).count();
-            if (time > seconds)
-                break;
-            if (!m_vehicle)
-                m_vehicle.emplace(VehicleConfig{}, item->frame->systemId(), item->frame->componentId());
-            runUntil(at(time));
-            m_vehicle->handleFrame(m_now, *item->time, *item->frame);
-            while (m_vehicle->pollOutgoing() || m_vehicle->pollEvent()) {}
-        }
-        if (m_vehicle)
-            runUntil(at(seconds));
-    }
-
-    std::optional<VehicleState> state() const { return m_vehicle ? std::optional(m_vehicle->state(m_now)) : std::nullopt; }
-
-private:
-    void runUntil(TimePoint end)
-    {
-        while (m_vehicle->nextDeadline() <= end) {
-            m_now = std::max(m_now, m_vehicle->nextDeadline());
-            m_vehicle->handleDeadline(m_now);
-        }
-        m_now = std::max(m_now, end);
-    }
-
-    TimePoint m_now{};
-    std::optional<Vehicle> m_vehicle;
-};
 
 /// As the JSON has it, numbers rounded to one decimal.
 QString textOf(const VehicleState &state, const QString &name)
@@ -121,7 +75,7 @@ void RecordedVehiclesTest::knows()
     QFETCH(QString, file);
     QFETCH(double, seconds);
     QFETCH(QString, values);
-    const auto state = Flight(file, seconds).state();
+    const auto state = RecordedFlight(file, seconds).state();
     QVERIFY(state);
     QStringList actual;
     for (const QString &value : values.split(QLatin1Char('|'))) {

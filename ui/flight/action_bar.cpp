@@ -1,6 +1,8 @@
 #include "ui/flight/action_bar.h"
 
 #include "core/engine/station/vehicle_snapshot.h"
+#include "core/vehicle/command_plan.h"
+#include "core/vehicle/flight_rules.h"
 #include "ui/control_action.h"
 #include "ui/flight/altitude_box.h"
 #include "ui/flight/confirm_command.h"
@@ -45,15 +47,20 @@ ActionBar::ActionBar(VehicleCommands &commands, QWidget *parent)
     m_altitude->setMetres(commands.takeOffAltitude());
     connect(m_altitude, &AltitudeBox::metresChanged, &commands, &VehicleCommands::setTakeOffAltitude);
     connect(&commands, &VehicleCommands::takeOffAltitudeChanged, m_altitude, &AltitudeBox::setMetres);
-    addTarget("takeOffButton", tr("Take off"), [this] { return vehicle::TakeOff{m_altitude->metres()}; });
+    addTarget("takeOffButton", tr("Take off"),
+              [this] { return vehicle::TakeOff{.altitude = m_altitude->metres(), .prepare = true}; });
+    m_targets.back().arming = {tr("Arm and\ntake off"), tr("Arm and\ntake off"), tr("Arm and take off"),
+                               tr("Arms the motors, and takes off at once.")};
     addTarget(
-        "startMissionButton", tr("Start mission"), [] { return vehicle::StartMission{}; }, true);
-    m_targets.back().button->setPurpose(tr("Starts or continues the mission."));
+        "startMissionButton", tr("Start mission"), [] { return vehicle::StartMission{.prepare = true}; }, true);
+    m_targets.back().purpose = tr("Starts or continues the mission.");
+    m_targets.back().arming = {tr("Arm and start\nmission"), tr("Arm and\nstart"), tr("Arm and start mission"),
+                               tr("Arms the motors, and starts the mission at once.")};
     addTarget("pauseButton", tr("Pause"), [] { return vehicle::Loiter{}; });
-    m_targets.back().button->setPurpose(tr("Stops and holds the present position; a plane circles it."));
+    m_targets.back().purpose = tr("Stops and holds the present position; a plane circles it.");
     addTarget("landButton", tr("Land"), [] { return vehicle::Land{}; });
     addTarget("returnButton", tr("RTL"), [] { return vehicle::ReturnToLaunch{}; });
-    m_targets.back().button->setPurpose(tr("Returns to launch and lands there."));
+    m_targets.back().purpose = tr("Returns to launch and lands there.");
     m_mode = new ModeChooser(this); // in the order of the tab key
     m_stop = new EmergencyStop(this);
     m_result = new ResultLabel(this);
@@ -74,7 +81,7 @@ ActionBar::ActionBar(VehicleCommands &commands, QWidget *parent)
         if (m_armed)
             send(vehicle::Disarm{});
         else
-            armOrAsk(m_commands, window());
+            sendOrAsk(m_commands, m_systemId, vehicle::Arm{}, window());
     });
     connect(m_mode, &ModeChooser::confirmed, this, [send](const QString &mode) { send(vehicle::SetMode{mode.toStdString()}); });
     connect(m_mode, &ModeChooser::modesChanging, this,
@@ -106,7 +113,7 @@ void ActionBar::addTarget(const char *objectName, const QString &word, std::func
     auto *button = new HoldButton(word, this);
     button->setObjectName(QLatin1String(objectName));
     button->setMinimumHeight(kTargetHeight);
-    connect(button, &HoldButton::confirmed, this, [this, command] { m_commands.send(m_systemId, command()); });
+    connect(button, &HoldButton::confirmed, this, [this, command] { sendOrAsk(m_commands, m_systemId, command(), window()); });
     m_targets.push_back({button, word, breaks, std::move(command)});
 }
 
@@ -128,7 +135,8 @@ std::vector<std::vector<ActionBar::Piece>> ActionBar::rowsOf(Shape shape) const
         {m_preArm, m_preArm->leastWidth(narrow)}};
     std::vector<Piece> flight{{m_altitude, m_altitude->sizeHint().width()}};
     for (const Target &target : m_targets) {
-        const int word = target.button->roomFor(target.textIn(shape));
+        const int word = std::max(target.button->roomFor(target.textIn(shape)),
+                                  target.button->roomFor(target.armingTextIn(shape)));
         flight.push_back({target.button, std::max(word, target.button->roomFor(vehicle)), 1});
     }
     const Piece mode{m_mode, m_mode->leastWidth(stacked)}, stop{m_stop, m_stop->leastWidth(stacked, narrow)};
@@ -182,9 +190,12 @@ void ActionBar::arrange()
     m_preArm->setOnTwoLines(narrow);
     m_mode->setStacked(stacked);
     m_stop->setStacked(stacked, narrow);
-    for (const Target &target : m_targets) // as high with one vehicle as among several
-        target.button->setMinimumHeight(std::max(
-            kTargetHeight, target.button->heightFor(belowEachOther(target.textIn(shape), nameOf(kAnyVehicle, narrow)))));
+    for (const Target &target : m_targets) { // as high with one vehicle as among several, and whatever it does
+        int height = kTargetHeight;
+        for (const QString &text : {target.textIn(shape), target.armingTextIn(shape)})
+            height = std::max(height, target.button->heightFor(belowEachOther(text, nameOf(kAnyVehicle, narrow))));
+        target.button->setMinimumHeight(height);
+    }
     const auto rows = rowsOf(shape);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         for (const Piece &piece : rows[i]) {
@@ -249,13 +260,23 @@ void ActionBar::showViewState(const ViewState &view)
     m_systemId = systemId;
     m_several = present && view.vehicles().size() > 1;
     const bool armed = present && view.vehicle->state.armed;
-    if (armed != m_armed)
-        endHolds({m_arm}, armed ? tr("the vehicle has been armed") : tr("the vehicle has been disarmed"));
+    if (armed != m_armed) {
+        std::vector<HoldButton *> changed{m_arm};
+        for (const Target &target : m_targets)
+            if (!target.arming.text.isEmpty())
+                changed.push_back(target.button);
+        endHolds(changed, armed ? tr("the vehicle has been armed") : tr("the vehicle has been disarmed"));
+    }
     m_armed = armed;
     static const vehicle::VehicleState kNothing;
     const vehicle::VehicleState &state = present ? view.vehicle->state : kNothing;
     m_mode->showModes(state.modes, state.mode, another);
     m_preArm->showViewState(view);
+    for (Target &target : m_targets)
+        target.arms = present && vehicle::armsFirst(target.command(), state);
+    m_arm->setPurpose(present && !armed && vehicle::armingTakesOff(state)
+                          ? tr("In its present mode the vehicle takes off as soon as it is armed.")
+                          : QString());
     showNames();
     showPermits(view);
 }
@@ -280,8 +301,12 @@ void ActionBar::showNames()
     };
     const QString arm = m_armed ? tr("Disarm") : tr("Arm");
     name(*m_arm, arm, arm);
-    for (const Target &target : m_targets)
-        name(*target.button, m_shape ? target.textIn(*m_shape) : target.word, target.word);
+    for (const Target &target : m_targets) {
+        const Shape shape = m_shape.value_or(Shape::OneRow);
+        name(*target.button, target.arms ? target.armingTextIn(shape) : target.textIn(shape),
+             target.arms ? target.arming.spoken : target.word);
+        target.button->setPurpose(target.arms ? target.arming.purpose : target.purpose);
+    }
     m_mode->nameVehicle(named);
     m_stop->nameVehicle(named);
 }
@@ -289,7 +314,7 @@ void ActionBar::showNames()
 void ActionBar::showPermits(const ViewState &view)
 {
     const QString reason = commandsDisabledReason(view);
-    m_arm->setDisabledReason(nothingCanBeSent(reason));
+    m_arm->setDisabledReason(m_armed ? actionDisabledReason(vehicle::Disarm{}, view) : nothingCanBeSent(reason));
     for (const Target &target : m_targets)
         target.button->setDisabledReason(actionDisabledReason(target.command(), view));
     m_altitude->setEnabled(reason.isEmpty());

@@ -53,12 +53,23 @@ private:
     /// A flight action.
     struct Target
     {
+        /// What stands on it while it arms the vehicle first; empty: it never does.
+        struct Arming
+        {
+            QString text, briefText; ///< on two lines
+            QString spoken, purpose;
+        };
+
         HoldButton *button;
         QString word;
         bool breaks; ///< its words stand below each other in a BriefRow
         std::function<vehicle::VehicleCommand()> command;
+        QString purpose = {};
+        Arming arming = {};
+        bool arms = false; ///< at present
 
         QString textIn(Shape shape) const;
+        QString armingTextIn(Shape shape) const { return isBrief(shape) ? arming.briefText : arming.text; }
     };
     /// A widget in a row, or a gap if there is none.
     struct Piece

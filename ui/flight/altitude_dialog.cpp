@@ -62,7 +62,12 @@ AltitudeDialog::AltitudeDialog(VehicleCommands &commands, UnitSystem units, doub
         else if (reason.isEmpty() && wording.permit)
             reason = commands.disabledReason(*wording.permit);
         go->setDisabledReason(reason);
-        const QString text = reason.isEmpty() ? wording.hint : reason;
+        const bool arms = wording.permit && commands.systemId() == systemId && commands.armsFirst(*wording.permit);
+        if (const QString verb = arms ? wording.armingVerb : wording.verb; go->text() != verb) {
+            go->abort(); // it was held for something else
+            go->setCommand(verb, verb);
+        }
+        const QString text = !reason.isEmpty() ? reason : arms ? wording.armingHint : wording.hint;
         if (hint->text() != text)
             hint->setText(text);
     };

@@ -33,6 +33,8 @@ protected:
         double highest = kHighestTakeOff; ///< metres above home
         /// Reasons against it disable the button, which else is disabled only if nothing can be sent.
         std::optional<vehicle::VehicleCommand> permit = {};
+        /// In their place while `permit` arms the vehicle on its way.
+        QString armingHint = {}, armingVerb = {};
     };
 
     /// `metres`: the altitude that is offered.

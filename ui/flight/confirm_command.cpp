@@ -55,12 +55,13 @@ QString openItemsText(VehicleCommands &commands)
     return ConfirmCommandText::tr("Not done on the checklist:") + QStringLiteral("\n• ") + lines.join(QStringLiteral("\n• "));
 }
 
-void armOrAsk(VehicleCommands &commands, QWidget *window)
+void sendOrAsk(VehicleCommands &commands, std::uint8_t systemId, const vehicle::VehicleCommand &command, QWidget *window)
 {
-    const QString open = openItemsText(commands);
+    const bool arms = std::holds_alternative<vehicle::Arm>(command) || commands.armsFirst(command);
+    const QString open = arms && systemId == commands.systemId() ? openItemsText(commands) : QString();
     if (open.isEmpty())
-        return commands.send(commands.systemId(), vehicle::Arm{});
-    confirmCommand(commands, vehicle::Arm{}, ConfirmCommandText::tr("Arm with an incomplete checklist?"), open, window);
+        return commands.send(systemId, command);
+    confirmCommand(commands, command, ConfirmCommandText::tr("Arm with an incomplete checklist?"), open, window);
 }
 
 } // namespace skyseal::ui

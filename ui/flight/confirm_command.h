@@ -20,7 +20,8 @@ QMessageBox *confirmCommand(VehicleCommands &commands, const vehicle::VehicleCom
 
 /// Open items of the shown vehicle's checklist, as the details of a question; empty if nothing is.
 QString openItemsText(VehicleCommands &commands);
-/// Arms the shown vehicle: at once if nothing is open on its checklist, else once the operator has confirmed.
-void armOrAsk(VehicleCommands &commands, QWidget *window);
+/// Sends a command that the operator has held. One that arms the vehicle waits for a confirmation if something is open on its
+/// checklist.
+void sendOrAsk(VehicleCommands &commands, std::uint8_t systemId, const vehicle::VehicleCommand &command, QWidget *window);
 
 } // namespace skyseal::ui

@@ -13,8 +13,8 @@ namespace skyseal::ui {
 
 HoldButton::HoldButton(const QString &text, QWidget *parent, int holdMs) : QPushButton(text, parent), m_holdMs(holdMs)
 {
-    setAccessibleDescription(holdMs == kHoldMs ? tr("Hold for half a second to confirm; Escape aborts")
-                                               : tr("Hold for %1 s to confirm; Escape aborts").arg(holdMs / 1000.0));
+    m_how = holdMs == kHoldMs ? tr("Hold for half a second to confirm; Escape aborts")
+                              : tr("Hold for %1 s to confirm; Escape aborts").arg(holdMs / 1000.0);
     setDisabledReason({});
     setAutoDefault(false);
     m_ticker.setInterval(16);
@@ -34,6 +34,9 @@ void HoldButton::setDisabledReason(const QString &sentence)
     const QString tip = !sentence.isEmpty() ? sentence : m_purpose.isEmpty() ? hold : m_purpose + QLatin1Char('\n') + hold;
     if (toolTip() != tip)
         setToolTip(tip);
+    const QString description = sentence.isEmpty() ? m_how : sentence;
+    if (accessibleDescription() != description)
+        setAccessibleDescription(description);
 }
 
 void HoldButton::setCommand(const QString &text, const QString &spoken)
@@ -46,6 +49,8 @@ void HoldButton::setCommand(const QString &text, const QString &spoken)
 
 void HoldButton::setPurpose(const QString &sentence)
 {
+    if (sentence == m_purpose)
+        return;
     m_purpose = sentence;
     if (isEnabled())
         setDisabledReason({}); // the tool tip

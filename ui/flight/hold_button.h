@@ -26,7 +26,7 @@ public:
     void setCommand(const QString &text, const QString &spoken);
     /// Says what the button does, at the beginning of its tool tip while it is enabled. A whole sentence.
     void setPurpose(const QString &sentence);
-    /// Disables the button with this sentence as its tool tip; enables it if the sentence is empty.
+    /// Disables the button with this sentence as its tool tip and description; enables it if the sentence is empty.
     void setDisabledReason(const QString &sentence);
     /// Returns the progress of the hold, 0 … 1; 0 if the button is not held.
     double progress() const { return m_progress; }
@@ -64,6 +64,7 @@ private:
 
     const int m_holdMs;
     QString m_purpose;
+    QString m_how; ///< for screen readers: how it is confirmed
     QTimer m_ticker;
     QElapsedTimer m_since;
     double m_progress = 0;

@@ -2,6 +2,8 @@
 
 #include "core/engine/station/vehicle_snapshot.h"
 #include "core/engine/text/event_text.h"
+#include "core/vehicle/command_plan.h"
+#include "core/vehicle/flight_rules.h"
 #include "core/vehicle/mission_edit.h"
 #include "ui/text/action_permits.h"
 #include "ui/text/command_permits.h"
@@ -36,6 +38,16 @@ void VehicleCommands::showViewState(const ViewState &view)
 QString VehicleCommands::disabledReason(const vehicle::VehicleCommand &command) const
 {
     return actionDisabledReason(command, m_view);
+}
+
+bool VehicleCommands::armsFirst(const vehicle::VehicleCommand &command) const
+{
+    return m_view.vehicle && vehicle::armsFirst(command, m_view.vehicle->state);
+}
+
+bool VehicleCommands::armingTakesOff() const
+{
+    return m_view.vehicle && vehicle::armingTakesOff(m_view.vehicle->state);
 }
 
 void VehicleCommands::send(std::uint8_t systemId, const vehicle::VehicleCommand &command)

@@ -24,6 +24,10 @@ public:
     const QString &disabledReason() const { return m_disabledReason; }
     /// Returns the reason, in a sentence, why `command` makes no sense for the selected vehicle now; empty if it does.
     QString disabledReason(const vehicle::VehicleCommand &command) const;
+    /// True if `command` arms the selected vehicle on its way, so that it is named and asked like arming.
+    bool armsFirst(const vehicle::VehicleCommand &command) const;
+    /// True if arming the selected vehicle in its present mode begins a flight at once.
+    bool armingTakesOff() const;
     /// System id of the selected vehicle; 0 without one.
     std::uint8_t systemId() const { return m_systemId; }
     /// True if there are several vehicles, so that a question must name the vehicle.
@@ -40,7 +44,7 @@ public:
     void addWaypoint(std::uint8_t systemId, double latitude, double longitude, float altitude);
     void handleEvent(const engine::Event &event);
 
-    /// The checklists of the vehicles; see armOrAsk().
+    /// The checklists of the vehicles; see sendOrAsk().
     Preflight &preflight() { return m_preflight; }
 
     /// Altitude of the next take-off in metres above home, shared by bar and menu.

@@ -97,7 +97,7 @@ MapContent::Changes MapContent::show(const ViewState &view, double metresPerPixe
     if (changes.vehicle)
         m_others = std::move(others);
     m_age = age;
-    m_suite = view.session ? view.session->info.suite : crypto::SuiteId::None;
+    m_suite = linkSuiteOf(view, *view.vehicle);
     bool homeMoved = false;
     if (state.home.known()) {
         const QPointF home = mercator::project({state.home.latitude, state.home.longitude});
@@ -113,7 +113,7 @@ MapContent::Changes MapContent::show(const ViewState &view, double metresPerPixe
         if (!isStale()) {
             m_lastKnown = now;
             m_positionAt = flightSeconds(*view.snapshot);
-            changes.ground |= m_track.append(now, m_suite, trackValues(view));
+            changes.ground |= m_track.append(now, m_suite.value_or(crypto::SuiteId::None), trackValues(view));
         }
         if (!m_vehicle || (now - *m_vehicle).manhattanLength() > metresPerPixel * 0.5) {
             m_vehicle = now;

@@ -41,8 +41,8 @@ public:
     const std::optional<QPointF> &home() const { return m_home; }
     double heading() const { return m_heading; } ///< degrees
     bool isStale() const { return m_age > 0; }
-    crypto::SuiteId suite() const { return m_suite; }
-    int age() const { return m_age; } ///< see staleAge()
+    std::optional<crypto::SuiteId> suite() const { return m_suite; } ///< see linkSuiteOf()
+    int age() const { return m_age; }                                ///< see staleAge()
     const std::vector<VehicleMarker> &others() const { return m_others; }
     const Track &track() const { return m_track; }
     TrackColors trackColors() const { return m_trackColors; }
@@ -63,7 +63,7 @@ private:
     std::optional<QPointF> m_vehicle, m_home;
     double m_heading = 0;
     int m_age = 0;
-    crypto::SuiteId m_suite{};
+    std::optional<crypto::SuiteId> m_suite;
     std::vector<VehicleMarker> m_others;
     Track m_track;
     TrackColors m_trackColors = TrackColors::Suite;

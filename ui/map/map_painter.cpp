@@ -194,7 +194,9 @@ void MapPainter::paintVehicles()
 {
     constexpr double kSmall = 0.75; // of the selected one
     const StateColors &colors = stateColors(m_palette);
-    const auto fill = [&colors](crypto::SuiteId suite, bool isStale) { return isStale ? colors.dim : suiteColor(suite); };
+    const auto fill = [&colors](std::optional<crypto::SuiteId> suite, bool isStale) {
+        return isStale ? colors.dim : suiteColor(suite.value_or(crypto::SuiteId::None));
+    };
     const QRectF picture = QRectF(QPointF(), m_viewport.size()).adjusted(-kNameOffset, -kNameOffset, kNameOffset, kNameOffset);
     Names names;
     if (const auto &selected = m_content.vehicle(); selected && !m_content.others().empty())

@@ -2,6 +2,7 @@
 
 #include "core/engine/station/session_snapshot.h"
 #include "core/engine/station/vehicle_snapshot.h"
+#include "ui/text/recorded_link.h"
 #include "ui/tiles/mercator.h"
 
 #include <QtCore/QCoreApplication>
@@ -40,20 +41,29 @@ std::vector<VehicleMarker> otherVehicles(const ViewState &view)
         const auto &state = vehicle.state;
         if (&vehicle == view.vehicle || !state.position.known())
             continue;
-        const engine::SessionSnapshot *session = sessionOf(*view.snapshot, vehicle);
         out.push_back({.systemId = state.systemId,
                        .metres = mercator::project({state.position.latitude, state.position.longitude}),
                        .heading = state.heading,
-                       .suite = session ? session->info.suite : crypto::SuiteId::None,
+                       .suite = linkSuiteOf(view, vehicle),
                        .age = staleAge(state)});
     }
     return out;
 }
 
-QString markerText(std::uint8_t systemId, crypto::SuiteId suite, int age)
+std::optional<crypto::SuiteId> linkSuiteOf(const ViewState &view, const engine::VehicleSnapshot &vehicle)
+{
+    if (const auto recorded = recordedLinkOf(view, vehicle))
+        return recorded->suite;
+    const engine::SessionSnapshot *session = sessionOf(*view.snapshot, vehicle);
+    return session ? session->info.suite : crypto::SuiteId::None;
+}
+
+QString markerText(std::uint8_t systemId, std::optional<crypto::SuiteId> suite, int age)
 {
     if (age > 0)
         return VehicleMarkersText::tr("Vehicle %1 · %2 s ago").arg(systemId).arg(age);
+    if (!suite)
+        return VehicleMarkersText::tr("Vehicle %1").arg(systemId);
     return suite == crypto::SuiteId::None ? VehicleMarkersText::tr("Vehicle %1 · not sealed").arg(systemId)
                                           : VehicleMarkersText::tr("Vehicle %1 · sealed").arg(systemId);
 }

@@ -51,10 +51,15 @@ std::optional<SuiteId> SuiteActions::pending() const
     return m_info ? m_info->pending : std::nullopt;
 }
 
+QString SuiteActions::noSession() const
+{
+    return m_recorded ? tr("a replay is shown") : m_plain ? tr("the link is not sealed") : tr("no sealed link yet");
+}
+
 QString SuiteActions::disabledReason(SuiteId suite) const
 {
     if (!m_info)
-        return m_plain ? tr("the link is not sealed") : tr("no sealed link yet");
+        return noSession();
     if (m_held)
         return tr("a sweep is running");
     if (std::ranges::find(m_info->permitted, suite) != m_info->permitted.end())
@@ -80,7 +85,7 @@ void SuiteActions::choose(SuiteId suite)
 QString SuiteActions::freshKeysDisabledReason() const
 {
     if (!m_info)
-        return m_plain ? tr("the link is not sealed") : tr("no sealed link yet");
+        return noSession();
     if (m_held)
         return tr("a sweep is running");
     return m_keysAsked || pending() ? tr("changing…") : QString();
@@ -98,6 +103,7 @@ void SuiteActions::changeKeys()
 void SuiteActions::showViewState(const ViewState &view)
 {
     m_plain = view.vehicle && !view.session;
+    m_recorded = view.vehicle && engine::isRecorded(*view.snapshot, *view.vehicle);
     if (!view.session) {
         // The end of a session is told while its vehicle is shown; a switch is told no longer than the session lasts.
         const bool isOfAnother = view.vehicle && view.vehicle->session != m_noteSession;

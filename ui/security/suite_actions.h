@@ -60,6 +60,8 @@ Q_SIGNALS:
     void noteChanged();
 
 private:
+    /// Why there is no session whose suite could be switched.
+    QString noSession() const;
     void choose(crypto::SuiteId suite);
     void changeKeys();
     QString freshKeysDisabledReason() const;
@@ -82,7 +84,7 @@ private:
     std::optional<RememberedSuites> m_choices;
     std::vector<channel::SessionId> m_fresh; ///< sessions that have come up and were not shown yet
     bool m_keeps = true;
-    bool m_plain = false;
+    bool m_plain = false, m_recorded = false;
     bool m_held = false;
     QString m_note;
     bool m_noteIsProblem = false;

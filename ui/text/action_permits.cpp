@@ -3,6 +3,7 @@
 #include "core/engine/station/vehicle_snapshot.h"
 #include "core/vehicle/command_plan.h"
 #include "core/vehicle/flight_modes.h"
+#include "core/vehicle/flight_rules.h"
 #include "ui/text/command_permits.h"
 #include "ui/text/vehicle_text.h"
 
@@ -33,14 +34,19 @@ public:
     }
 
     /// The emergency stop does not depend on it.
-    QString operator()(const vehicle::Disarm &order) const { return order.force ? QString() : disarmed(); }
+    QString operator()(const vehicle::Disarm &order) const
+    {
+        if (order.force)
+            return {};
+        const bool flew = m_vehicle.state.inAir && vehicle::rulesOf(m_vehicle.state).flies;
+        return flew && !heard() ? wasFlying() : disarmed();
+    }
 
     QString operator()(const vehicle::TakeOff &) const
     {
-        if (!m_vehicle.state.inAir)
-            return {};
-        return heard() ? ActionPermitsText::tr("the vehicle is already flying")
-                       : ActionPermitsText::tr("the vehicle was flying when it was last heard");
+        if (m_vehicle.state.inAir)
+            return heard() ? ActionPermitsText::tr("the vehicle is already flying") : wasFlying();
+        return notHeard();
     }
     QString operator()(const vehicle::Loiter &) const { return movesDisabledReason(m_view); }
     QString operator()(const vehicle::ChangeAltitude &) const { return climbsDisabledReason(m_view); }
@@ -50,13 +56,14 @@ public:
         const std::size_t home = m_kind.isArduPilot() ? 1 : 0; // ArduPilot's item 0
         if (m_vehicle.mission && m_vehicle.mission->size() <= home)
             return ActionPermitsText::tr("the mission last read is empty: read it again");
-        if (!heard()) // it begins a flight that nobody would see
-            return ActionPermitsText::tr("the vehicle is not heard");
-        return m_kind.isPx4() ? QString() : disarmed(); // PX4 arms by itself
+        return notHeard();
     }
 
 private:
     bool heard() const { return m_vehicle.state.heartbeatAge <= m_vehicle.state.staleAfter; }
+    /// What begins a flight would begin one that nobody sees.
+    QString notHeard() const { return heard() ? QString() : ActionPermitsText::tr("the vehicle is not heard"); }
+    static QString wasFlying() { return ActionPermitsText::tr("the vehicle was flying when it was last heard"); }
     QString disarmed() const
     {
         return heard() && !m_vehicle.state.armed ? ActionPermitsText::tr("the vehicle is disarmed") : QString();

@@ -1,7 +1,7 @@
 #include "ui/text/command_permits.h"
 
 #include "core/engine/station/snapshot.h"
-#include "core/vehicle/flight_modes.h"
+#include "core/vehicle/flight_rules.h"
 #include "ui/text/link_ended.h"
 #include "ui/text/one_way.h"
 
@@ -52,8 +52,8 @@ QString climbsDisabledReason(const ViewState &view)
     QString reason = movesDisabledReason(view);
     if (!reason.isEmpty())
         return reason;
-    const vehicle::VehicleKind kind{view.vehicle->state.type, view.vehicle->state.autopilot};
-    return kind.isRover() || kind.isSubmarine() ? CommandPermitsText::tr("this kind of vehicle does not fly") : QString();
+    return vehicle::rulesOf(view.vehicle->state).flies ? QString()
+                                                       : CommandPermitsText::tr("this kind of vehicle does not fly");
 }
 
 QString nothingCanBeSent(const QString &reason)

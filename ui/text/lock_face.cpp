@@ -6,6 +6,7 @@
 #include "ui/refusal_meter.h"
 #include "ui/text/link_ended.h"
 #include "ui/text/one_way.h"
+#include "ui/text/recorded_link.h"
 #include "ui/text/units.h"
 #include "ui/text/vehicle_text.h"
 #include "ui/theme/suite_style.h"
@@ -58,17 +59,23 @@ LockFace pendingApprovalFace(const engine::PendingVehicle &pending)
             .arg(fromStd(pending.remoteAddress), engine::anyOfNames(pending.mayBe)));
 }
 
+/// Without alarm, whatever it was: nothing of it is live.
+LockFace recordedFace(const RecordedLink &link, const QString &toolTip)
+{
+    LockFace face;
+    face.security = Security::Nothing;
+    face.icon = !link.isNoted ? QStringLiteral("lock-none")
+        : link.isPlain()      ? QStringLiteral("lock-open")
+                              : QStringLiteral("lock-closed");
+    face.variants = link.variants();
+    face.toolTip = toolTip;
+    return face;
+}
+
 LockFace plainFace(const ViewState &view)
 {
-    if (const auto oneWay = oneWayOf(view)) {
-        LockFace face = unsealedFace(
-            {oneWay->title, oneWay->recorded ? LockFaceText::tr("Recording") : LockFaceText::tr("Not sealed")}, oneWay->advice);
-        if (oneWay->recorded) {
-            face.security = Security::Nothing;
-            face.icon = QStringLiteral("lock-none");
-        }
-        return face;
-    }
+    if (const auto oneWay = oneWayOf(view))
+        return unsealedFace({oneWay->title, LockFaceText::tr("Not sealed")}, oneWay->advice);
     if (view.plainRun)
         return unsealedFace(
             {LockFaceText::tr("Not sealed · sweep running"), LockFaceText::tr("Not sealed")},
@@ -85,7 +92,8 @@ LockFace plainFace(const ViewState &view)
 Security securityOf(const ViewState &view)
 {
     if (!view.session)
-        return view.vehicle ? view.vehicle->session ? Security::Nothing : Security::Plain
+        return view.vehicle
+            ? view.vehicle->session || engine::isRecorded(*view.snapshot, *view.vehicle) ? Security::Nothing : Security::Plain
             : view.snapshot ? view.snapshot->security
                             : Security::Nothing;
     if (view.refusedLastMinute > 0)
@@ -116,6 +124,10 @@ LockFace lockFaceOf(const ViewState &view)
             face.variants = {ended->title, ended->revoked ? LockFaceText::tr("Revoked") : LockFaceText::tr("No session")};
             face.toolTip = ended->advice;
             return face;
+        }
+        if (const auto recorded = view.vehicle ? recordedLinkOf(view, *view.vehicle) : std::nullopt) {
+            const auto oneWay = oneWayOf(view);
+            return recordedFace(*recorded, oneWay ? oneWay->advice : recorded->sentence());
         }
         if (face.security == Security::Nothing) {
             face.icon = QStringLiteral("lock-none");

@@ -1,6 +1,7 @@
 #include "ui/text/one_way.h"
 
 #include "core/engine/station/vehicle_snapshot.h"
+#include "ui/text/recorded_link.h"
 
 #include <QtCore/QCoreApplication>
 
@@ -21,7 +22,8 @@ std::optional<OneWay> oneWayOf(const ViewState &view)
         return std::nullopt;
     if (view.link->recording)
         return OneWay{OneWayText::tr("Replay"),
-                      OneWayText::tr("The values come from a recorded log. They are not live, and nothing can be sent."),
+                      OneWayText::tr("The values come from a recorded log. They are not live, and nothing can be sent.")
+                          + QLatin1Char(' ') + recordedLinkOf(view, *view.vehicle).value_or(RecordedLink{}).sentence(),
                       OneWayText::tr("it is a replay"), true};
     if (view.link->listenOnly)
         return OneWay{OneWayText::tr("Not sealed, receive only"),

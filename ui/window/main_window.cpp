@@ -138,6 +138,7 @@ void MainWindow::makeCentre(const ProgramFacts &facts)
     m_empty = new EmptyState(centre);
     m_empty->setDemoAvailable(facts.demoAvailable);
     m_empty->setAutoFillBackground(true);
+    centre->setFocusProxy(m_map); // for the focus that no command may have, see CommandGuard
     auto *column = new QVBoxLayout(centre);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);

@@ -1,7 +1,7 @@
 #include "ui/window/map_menu.h"
 
 #include "core/engine/station/vehicle_snapshot.h"
-#include "core/vehicle/flight_modes.h"
+#include "core/vehicle/flight_rules.h"
 #include "core/vehicle/geodesy.h"
 #include "ui/flight/confirm_command.h"
 #include "ui/flight/vehicle_commands.h"
@@ -30,12 +30,6 @@ namespace skyseal::ui {
 namespace {
 
 const QString kAtPlace = QStringLiteral("at_"); ///< begins the object names of the actions that are not in the menu
-
-bool flies(const vehicle::VehicleState &state)
-{
-    const vehicle::VehicleKind kind{state.type, state.autopilot};
-    return !kind.isRover() && !kind.isSubmarine();
-}
 
 bool knowsHomeAltitude(const vehicle::VehicleState &state)
 {
@@ -189,7 +183,7 @@ MenuItem MapMenu::goHere(const LatLong &place)
         const QString mode = modeOfTargets(*state);
         const QString altitude = altitudeFigure(state->altitudeRelative, m_map.units()).text();
         QString question = tr("Go to this location?\n%1").arg(describe(place));
-        if (flies(*state))
+        if (vehicle::rulesOf(*state).flies)
             question = tr("Go to this location at %1 above home?\n%2").arg(altitude, describe(place));
         const QString details = mode.isEmpty() || fromStd(state->mode) == mode
             ? QString()

@@ -118,11 +118,24 @@ Menu vehicleMenu(const MenuTargets &on)
                         .shortcut = Qt::CTRL | Qt::SHIFT | key,
                         .disabledReason = permit(order)};
     };
+    const vehicle::TakeOff takeOff{.altitude = on.commands.takeOffAltitude(), .prepare = true};
+    const vehicle::StartMission start{.prepare = true};
     MenuItem arm = command(WindowMenusText::tr("&Arm…"), QStringLiteral("actionArm"), Qt::Key_R,
                            WindowMenusText::tr("Arm the motors? The propellers will turn."), vehicle::Arm{});
     arm.trigger = [on] {
-        confirmCommand(on.commands, vehicle::Arm{}, WindowMenusText::tr("Arm the motors? The propellers will turn."),
-                       openItemsText(on.commands), &on.window);
+        const QString question = on.commands.armingTakesOff()
+            ? WindowMenusText::tr("Arm the motors? In its present mode the vehicle takes off at once.")
+            : WindowMenusText::tr("Arm the motors? The propellers will turn.");
+        confirmCommand(on.commands, vehicle::Arm{}, question, openItemsText(on.commands), &on.window);
+    };
+    MenuItem mission = command(WindowMenusText::tr("&Start mission…"), QStringLiteral("actionStartMission"), Qt::Key_S, {},
+                               start);
+    mission.trigger = [on, start] {
+        const bool arms = on.commands.armsFirst(start);
+        confirmCommand(on.commands, start,
+                       arms ? WindowMenusText::tr("Arm the motors and fly the mission? The propellers will turn.")
+                            : WindowMenusText::tr("Fly the mission?"),
+                       arms ? openItemsText(on.commands) : QString(), &on.window);
     };
     return {QStringLiteral("menuVehicle"),
             WindowMenusText::tr("&Vehicle"),
@@ -134,7 +147,7 @@ Menu vehicleMenu(const MenuTargets &on)
               .text = WindowMenusText::tr("&Take off…"),
               .trigger = [on] { on.dialogs.openTakeOff(); },
               .shortcut = Qt::CTRL | Qt::SHIFT | Qt::Key_T,
-              .disabledReason = permit(vehicle::TakeOff{on.commands.takeOffAltitude()})},
+              .disabledReason = permit(takeOff)},
              command(WindowMenusText::tr("&Land…"), QStringLiteral("actionLand"), Qt::Key_L, WindowMenusText::tr("Land here?"),
                      vehicle::Land{}),
              command(WindowMenusText::tr("&Return to launch (RTL)…"), QStringLiteral("actionReturn"), Qt::Key_H,
@@ -146,8 +159,7 @@ Menu vehicleMenu(const MenuTargets &on)
               .trigger = [on] { on.dialogs.openChangeAltitude(on.selection.view()); },
               .shortcut = Qt::CTRL | Qt::SHIFT | Qt::Key_G,
               .disabledReason = permit(vehicle::ChangeAltitude{.altitudeRelative = 0, .changeMode = true})},
-             command(WindowMenusText::tr("&Start mission…"), QStringLiteral("actionStartMission"), Qt::Key_S,
-                     WindowMenusText::tr("Fly the mission?"), vehicle::StartMission{}),
+             mission,
              {},
              {.id = QStringLiteral("menuMode"),
               .text = WindowMenusText::tr("&Mode"),

@@ -22,7 +22,8 @@ std::string vehicleEvent(const VehicleFound &found)
 {
     JsonWriter json = beginEvent("vehicle");
     json.field("sysid", number(found.systemId)).field("type", number(found.type)).field("autopilot", number(found.autopilot));
-    json.field("sealed", found.sealed);
+    if (!found.recorded)
+        json.field("sealed", found.sealed);
     return endEvent(json);
 }
 
@@ -283,7 +284,8 @@ std::string vehicleStateEvent(const Snapshot &snapshot, const VehicleSnapshot &v
     json.field("time", std::chrono::duration<double>(now.time_since_epoch()).count());
     const auto session = std::ranges::find_if(
         snapshot.sessions, [&vehicle](const SessionSnapshot &one) { return vehicle.session == one.info.session; });
-    json.field("sealed", session != snapshot.sessions.end());
+    if (!isRecorded(snapshot, vehicle))
+        json.field("sealed", session != snapshot.sessions.end());
     if (session != snapshot.sessions.end()) {
         json.field("peer", session->info.peerName).field("suite", crypto::suiteInfo(session->info.suite).name);
         json.field("under_attack", isAttacked(*session));

@@ -81,8 +81,10 @@ void ReplayedFlight::take(const NextEntry &entry)
     if (frame.systemId() == m_config.systemId && frame.componentId() == m_config.componentId)
         return; // the station's own, which is recorded as well
     const TimePoint now = kBeginning + entry.at;
-    if (const auto found = m_fleet.take(now, m_wall.value_or(WallTime{}), {kLink, {}}, frame, std::nullopt))
+    if (auto found = m_fleet.take(now, m_wall.value_or(WallTime{}), {kLink, {}}, frame, std::nullopt)) {
+        found->recorded = true;
         m_notify(*found);
+    }
     if (vehicle::Vehicle *vehicle = m_fleet.find(frame.systemId()))
         drain(*vehicle);
 }
@@ -153,12 +155,12 @@ void ReplayedFlight::describe(Snapshot &out, LinkSnapshot link) const
     out.fields = m_fleet.fields().readings(now);
     out.mavlink = m_fleet.totals();
     out.mavlink.badCrc = m_damaged;
-    out.security = securityOf(out);
     link.id = kLink;
     link.rxBytes = m_bytes;
     link.rxDatagrams = m_frames;
     link.badCrc = m_damaged;
     out.links.push_back(std::move(link));
+    out.security = securityOf(out);
 }
 
 } // namespace skyseal::engine

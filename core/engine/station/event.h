@@ -28,6 +28,7 @@ struct VehicleFound
 {
     std::uint8_t systemId = 0, type = 0, autopilot = 0;
     bool sealed = false;
+    bool recorded = false; ///< by a recording, whose frames do not say how they were protected
 };
 struct VehicleLost
 {

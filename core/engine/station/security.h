@@ -7,7 +7,7 @@ namespace skyseal::engine {
 
 /// The security state that the operator must see at a glance.
 enum class Security : std::uint8_t {
-    Nothing, ///< no vehicle and no session
+    Nothing, ///< no vehicle and no session, or nothing but a recording
     Plain,   ///< clear MAVLink: "not sealed"
     Sealed,
     Switching,  ///< sealed, and a switch of suites is in progress
@@ -15,6 +15,10 @@ enum class Security : std::uint8_t {
 };
 
 struct Snapshot;
+struct VehicleSnapshot;
+
+/// True if the vehicle is heard by a recording alone: its frames are in clear, whatever protected them on their way.
+bool isRecorded(const Snapshot &snapshot, const VehicleSnapshot &vehicle);
 
 /// Derives the security state from the sessions and vehicles of a snapshot.
 Security securityOf(const Snapshot &snapshot);

@@ -220,8 +220,10 @@ void StationReceiver::acceptFrame(TimePoint now, const Path &from, const mavlink
     }
     if (!session && live)
         notePlain(frame, wall);
-    if (const auto found = m_parts.fleet.take(now, wall, from, frame, session))
+    if (auto found = m_parts.fleet.take(now, wall, from, frame, session)) {
+        found->recorded = origin == FrameOrigin::Recording;
         m_parts.notify(*found);
+    }
     const bool highLatency = mavlink::isHighLatency(frame.messageId());
     if (live && (highLatency || frame.messageId() == mavlink::Heartbeat::kId)) {
         const vehicle::Vehicle *vehicle = m_parts.fleet.find(systemId);

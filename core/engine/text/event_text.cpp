@@ -28,6 +28,8 @@ public:
     EventText operator()(const VehicleFound &e) const
     {
         const QString type = vehicleTypeText(e.type);
+        if (e.recorded)
+            return EventText{tr("Found: %1").arg(type), kInfo, e.systemId};
         return e.sealed ? EventText{tr("Found: %1, sealed").arg(type), kInfo, e.systemId}
                         : EventText{tr("Found: %1, not sealed").arg(type), kWarning, e.systemId};
     }
