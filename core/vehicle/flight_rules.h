@@ -36,7 +36,7 @@ struct FlightRules
     std::string_view armsForMissionIn = {};
     /// Disarmed, the vehicle may accept a take-off or a mission, and carries it out when it is armed at some later time.
     bool startsNeedArmed = true;
-    Act land, returnHome, hold, mission;
+    Act land = {}, returnHome = {}, hold = {}, mission = {};
 };
 
 /// The rules of this autopilot and frame. An autopilot that is not known is assumed to understand the commands of MAVLink.

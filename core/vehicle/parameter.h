@@ -17,7 +17,7 @@ namespace skyseal::vehicle {
 
 struct Parameter
 {
-    std::string name;                                   ///< up to 16 characters
+    std::string name = {};                              ///< up to 16 characters
     double value = 0;                                   ///< ArduPilot sends a float whatever the type
     std::uint8_t type = mavlink::MAV_PARAM_TYPE_REAL32; ///< MAV_PARAM_TYPE
     std::uint16_t index = 0;                            ///< in the list of its component
