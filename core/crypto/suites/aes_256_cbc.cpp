@@ -92,7 +92,7 @@ public:
         return m_ivs.apply(counter, m_encrypt.get())
             && (size == 0 || EVP_EncryptUpdate(m_encrypt.get(), out.data(), &written, plaintext.data(), size) == 1)
             && EVP_EncryptFinal_ex(m_encrypt.get(), out.data() + written, &last) == 1
-            && static_cast<std::size_t>(written + last) == out.size();
+            && static_cast<std::size_t>(written) + static_cast<std::size_t>(last) == out.size();
     }
 
     std::optional<std::size_t> decrypt(std::uint64_t counter, MutableByteView body)
