@@ -357,9 +357,10 @@ Reason ParameterClient::failureOfOthers() const
 void ParameterClient::endRead(TimePoint now, Reason failure)
 {
     m_settled = kNever;
+    const bool ok = failure.empty();
     ParameterResult result{.id = *std::exchange(m_read, std::nullopt),
                            .systemId = addressing().system,
-                           .ok = failure.empty(),
+                           .ok = ok,
                            .reason = std::move(failure),
                            .action = ParameterAction::ReadList};
     if (result.ok) {

@@ -136,8 +136,7 @@ MenuItems MapMenu::itemsFor(const LatLong &place)
              .trigger = [this, place] { markUntilClosed(place, m_dialogs.openAddWaypoint(place, describe(place))); },
              .disabledReason =
                  [this] {
-                     const QString reason = commandsDisabledReason(m_selection.view());
-                     if (!reason.isEmpty())
+                     if (QString reason = commandsDisabledReason(m_selection.view()); !reason.isEmpty())
                          return reason;
                      if (!m_commands.mission())
                          return tr("the mission has not been read: Plan, Read from the vehicle");
